@@ -14,7 +14,7 @@ class Options;
 /// Carries out a command once the command line has been parsed.
 using Action = std::function<ExitCode()>;
 
-/// The description of a command in its file: see app/README.md.
+/// Describes a command. Each command is defined in its own file: see app/README.md.
 struct Command {
     const char* name;
     const char* about; ///< the command's line in --help
@@ -28,7 +28,7 @@ struct Command {
 
 /// Returns the commands of every program: one command for each file in the folder commands, without further_commands().
 std::vector<Command> program_commands();
-/// Returns the additional commands of placedpar, which need rooms that other programs do not link.
+/// Returns the additional commands of placedpar, which need parts of PlacedPar that other programs do not link.
 std::vector<Command> further_commands();
 /// Returns the commands of this program. REQUIRES: carry_out() has begun.
 const std::vector<Command>& commands();

@@ -65,7 +65,8 @@ bool is_file(const std::string& name) {
     return lower_case(name).ends_with(".cfs") || std::filesystem::is_regular_file(name, error);
 }
 
-/// Returns what to type instead of words that are a command of other programs, or a netlist; "" for other words.
+/// Returns the command to suggest if the words are a usual command of other programs (help, version) or a netlist; ""
+/// for other words.
 std::string meant_by(const DeclaredCommand& program, std::span<char*> words) {
     std::string first = words.front();
     if (first == "help")
@@ -176,8 +177,8 @@ std::string why_it_is_terminated() {
     std::_Exit(static_cast<int>(ExitCode::bad_input));
 }
 
-/// Reports the exception being handled. An error of the system, such as a lack of memory or of a file, is not a defect.
-/// Any other exception except UserError is.
+/// Reports the exception being handled. UserErrors and errors of the system, such as a lack of memory, are not defects.
+/// Any other exception is a defect.
 ExitCode report_error() {
     try {
         throw;

@@ -12,9 +12,9 @@ namespace placedpar {
 /// covers all searches, or only the first search if their objectives differ. Returns "" before the first generation.
 std::string state_of(const GenerationLog&);
 
-/// Draws best and mean fitness over the generations so far with letters, and diversity below. Lines have at most
-/// `columns` characters; the curve takes `rows` lines. The worst tenth of the values, often from the first generations,
-/// is drawn on the curve's row for the worst values. The number of lines is constant. REQUIRES: columns >= 24, rows >=
+/// Draws best and mean fitness over the generations so far with text characters, and diversity below. Lines have at
+/// most `columns` characters; the curve takes `rows` lines. The worst tenth of the values, often from the first
+/// generations, is clipped to the edge of the curve. The number of lines is constant. REQUIRES: columns >= 24, rows >=
 /// 2.
 std::vector<std::string> live_curve(const GenerationLog&, std::size_t columns, std::size_t rows);
 

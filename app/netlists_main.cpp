@@ -1,4 +1,4 @@
-// placedpar with only the commands for netlists. Other compilers build it for comparison.
+// This program has only placedpar's commands for netlists. Tests build it with other compilers and compare its results.
 
 #include "app/program.hpp"
 

@@ -25,7 +25,7 @@ public:
     Option one_of(const std::vector<std::string>& words); ///< accepts these words only, which help lists
     Option required();
     Option show_default();                    ///< help shows the option's present value
-    Option group(const std::string& heading); ///< a group of options in help
+    Option group(const std::string& heading); ///< heading of the option's group in help
     Option needs(Option other);               ///< the option is refused unless the other is typed, too
 
 private:
@@ -45,11 +45,11 @@ struct DeclaredOption {
 struct DeclaredCommand {
     std::string name, about, footer;
     std::vector<DeclaredOption> options;
-    std::vector<DeclaredCommand> commands; ///< of the program
+    std::vector<DeclaredCommand> commands; ///< commands of the program; empty for a command
 
     std::vector<std::string> names_of_commands() const;
     std::vector<std::string> names_of_options() const;
-    // These return null if there is none.
+    // These functions return null if there is no such command or option.
     const DeclaredCommand* command(const std::string& called) const;
     const DeclaredOption* option(const std::string& typed) const;
 };

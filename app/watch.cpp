@@ -21,7 +21,7 @@ struct Screen {
     std::size_t columns = 80, rows = 24;
 };
 
-/// Returns the present size; a terminal that does not report it gets a usual one.
+/// Returns the terminal's present size, or a usual size if the terminal does not report its size.
 Screen screen_size() {
     winsize size{};
     Screen screen;

@@ -36,7 +36,7 @@ private:
     Clock::time_point drawn_{};
     std::size_t lines_ = 0;          ///< number of lines drawn last
     std::size_t next_milestone_ = 1; ///< next generation that gets a line
-    std::string said_;               ///< the last such line
+    std::string said_;               ///< the last line that was printed for a milestone
 };
 
 } // namespace placedpar

@@ -1,6 +1,7 @@
-// The communication-time benchmark of the occam tradition: prefix, delta, successor and consumer in a ring (P. Welch,
-// "commstime"). A loop has four communications, which are the events. The program prints nanoseconds of processor time
-// per loop, once with all communications at one instant of virtual time and once with time passing in every loop.
+// The communication-time benchmark of the occam tradition (P. Welch, "commstime"): the processes prefix, delta,
+// successor and consumer form a ring. Each loop has four communications, which count as four events. The program prints
+// nanoseconds of processor time per loop, first with all communications at one instant of virtual time and then with
+// time passing in every loop.
 
 #include "bench/measure.hpp"
 #include "runtime/channel.hpp"
@@ -23,7 +24,7 @@ struct Timing {
     std::uint64_t fingerprint;
 };
 
-/// Runs the benchmark; `pause` is the time that each of the four processes waits in every loop.
+/// Runs the benchmark. `pause` is the time for which each of the four processes waits in every loop.
 Timing commstime(long loops, Time pause) {
     double before = resident_bytes(), after = 0;
     Kernel kernel;

@@ -1,6 +1,6 @@
-// This program runs the machine of Figure E.2, sixteen transputers, as a sweep does. It measures how many seconds of
-// the machine's time pass per second of one core, and how many runs are made. An event is a generation of one of the
-// four islands. Runs that differ only in their seeds simulate the machine once; runs with other links simulate it each
+// This program runs the machine of Figure E.2, which has sixteen transputers, as a sweep does. It measures the
+// simulated seconds and the number of runs per second of one core. An event is a generation of one of the four islands.
+// Runs that differ only in their seeds simulate the machine once; runs with different link speeds simulate it each
 // time.
 
 #include "bench/measure.hpp"
@@ -22,12 +22,11 @@ namespace {
 struct Figures {
     double seconds = 0, simulated_seconds = 0, generations = 0;
     double bytes = 0;              ///< memory that the runs took
-    std::uint64_t fingerprint = 0; ///< of the last run
+    std::uint64_t fingerprint = 0; ///< fingerprint of the last run
 };
 
 constexpr double processes = 17; ///< the host, four masters, twelve slaves
 
-/// Makes the runs of the study on one core.
 Figures run_all(const Study& study) {
     const StudyMeasure generations("sum(master.generations)");
     const double before = resident_bytes();

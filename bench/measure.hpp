@@ -37,8 +37,8 @@ inline double resident_bytes() {
     return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-/// Calls the measurement in a thread of its own. A thread keeps stacks from one simulation for the next; without them,
-/// memory can be measured.
+/// Calls the measurement in a new thread. A thread keeps the stacks of one simulation for the next; a new thread has
+/// none yet, so that memory can be measured.
 template <class Measurement>
 void in_a_thread_of_its_own(Measurement measurement) {
     std::thread(measurement).join();
@@ -51,7 +51,8 @@ inline void report(const std::string& what, double nanoseconds_per_event, double
                bytes_per_process, fingerprint);
 }
 
-/// Returns argument number i, or `usual` if it is missing. Ends the program if it is not a number of at least 1.
+/// Returns argument number i, or `usual` if it is missing. Ends the program if the argument is not a number of at least
+/// 1.
 inline long argument(int argc, char** argv, int i, long usual, const char* usage) {
     if (i >= argc)
         return usual;

@@ -1,9 +1,9 @@
-// This program measures the on-line diagnosis under load: four links of one machine at 50 samples a second, then many
-// machines at once, first at that rate and then as fast as they are answered. The service runs in its own thread, and
-// clients use TCP as control systems do. Every pressure moves all the time, so every sample gets its generations. In
-// practice transients are a small part of a machine's day.
+// This program measures the on-line diagnosis under load: first four links of one machine at 50 samples per second,
+// then many machines, at the same rate and then as fast as the service answers. The service runs in its own thread, and
+// clients use TCP as control systems do. Every pressure moves all the time, so the service makes generations for every
+// sample. In practice transients are a small part of a machine's day.
 //
-//     monitor_load [SAMPLES [CLIENTS]]      samples a client and part, clients of the last three parts
+//     monitor_load [SAMPLES [CLIENTS]]      samples per client in each part; clients in the last three parts
 
 #include "monitor/service/service.hpp"
 #include "runtime/fingerprint.hpp"
@@ -37,20 +37,20 @@ namespace json = boost::json;
 using asio::ip::tcp;
 using Clock = std::chrono::steady_clock;
 
-/// The time between the samples of a paced client. The samples state 20 ms in any case.
+/// The time between the samples of a paced client. The times stated in the samples are always 20 ms apart.
 std::chrono::milliseconds period{20};
 
 struct Part {
     const char* name;
     const char* configuration;
-    const char* active; // as JSON
+    const char* active; // active links, as JSON
     std::vector<const char*> links;
     std::size_t clients;
     bool paced;
 };
 
-/// Returns a sample with pressures that swing by 300 psi at .8 Hz, 1066 psi/s rms, for a machine with the compliances
-/// below.
+/// Returns a sample of a machine with the compliances below. The pressures swing by 300 psi at 0.8 Hz, so their slope
+/// is 1066 psi/s rms.
 std::string sample_line(const Part& part, std::size_t index) {
     using namespace placedpar;
     using namespace placedpar::hydraulics;
@@ -76,7 +76,8 @@ std::string sample_line(const Part& part, std::size_t index) {
     return fmt::format("{{\"type\":\"sample\",\"time_s\":{:.2f},\"links\":{{{}}}}}\n", sample.time_s, links);
 }
 
-/// A control system that says hello and then sends samples, by the clock or when the last one is answered.
+/// A control system that says hello and then sends samples, either at fixed intervals or as soon as the last is
+/// answered.
 class ControlSystem : public std::enable_shared_from_this<ControlSystem> {
 public:
     ControlSystem(asio::io_context& io, const Part& part, std::size_t number, std::size_t samples)
@@ -168,7 +169,7 @@ private:
 
 double field(const std::string& line, const char* name) { return json::parse(line).at(name).to_number<double>(); }
 
-/// Adds the compliances of an answer, bit by bit.
+/// Adds the bits of an answer's compliances to the fingerprint.
 void mix(placedpar::Fingerprint& fingerprint, const std::string& answer) {
     json::value value = json::parse(answer);
     for (const auto& set : value.at("sets").as_object())
@@ -177,8 +178,8 @@ void mix(placedpar::Fingerprint& fingerprint, const std::string& answer) {
                 fingerprint.mix(std::bit_cast<std::uint64_t>(c.to_number<double>()));
 }
 
-/// Runs a part and prints its cost to the service, as the difference of the totals. `state` is the folder of the state
-/// file; empty: none.
+/// Runs a part, and prints its cost to the service. `state` is the folder of the state file; if it is empty, there is
+/// no state file.
 void run(const Part& part, std::size_t samples, const std::string& state) {
     placedpar::monitor::ServiceSettings settings;
     settings.limits.clients = settings.limits.clients_per_peer = part.clients + 1;

@@ -1,5 +1,5 @@
-// A token travels round a ring of 16 to 1,000,000 processes. The program measures nanoseconds per communication and the
-// memory of a process. The first round, in which the processes start, is included.
+// This program sends a token around a ring of 16 to 1,000,000 processes. It measures nanoseconds per communication and
+// the memory of a process. The first round, in which the processes start, is included.
 
 #include "bench/measure.hpp"
 #include "runtime/simulation.hpp"
@@ -34,7 +34,7 @@ void pass_token(std::size_t processes, std::size_t events) {
             else
                 in.input();
         });
-    // All processes live until the last round.
+    // The observer starts after all other processes, and measures the memory while they all live.
     simulation.process("observer", [&] { after = resident_bytes(); });
     RunResult result = simulation.run();
     auto communications = static_cast<double>(processes * rounds);

@@ -1,4 +1,4 @@
-// This program lets 1,000 to 1,000,000 processes wait repeatedly for their timers, each for another random time. It
+// This program lets 1,000 to 1,000,000 processes wait repeatedly for their timers, each time for a random duration. It
 // measures nanoseconds per wait.
 
 #include "bench/measure.hpp"

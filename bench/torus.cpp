@@ -1,7 +1,7 @@
-// This program simulates a torus of T800s and a hypercube, with messages both ways on every link all the time. It
-// measures nanoseconds per byte, host seconds per simulated second, events per message, and the memory of a process.
-// Each end of a link has a sending and a receiving process. A transputer has four links, so the nodes of hypercubes
-// above the fourth dimension are imaginary.
+// This program simulates a torus of T800s and a hypercube in which messages pass in both directions of every link all
+// the time. It measures nanoseconds per byte, host seconds per simulated second, events per message, and the memory of
+// a process. Each end of a link has a sending and a receiving process. A transputer has four links, so hypercubes of
+// more than four dimensions cannot be built.
 
 #include "bench/measure.hpp"
 #include "runtime/hardware/link.hpp"
@@ -50,7 +50,7 @@ Pairs hypercube(std::size_t dimensions) {
     return links;
 }
 
-/// Processes that send and receive over both directions of all links.
+/// Processes that send and receive in both directions of all links.
 class BusyMachine {
 public:
     BusyMachine(std::size_t nodes, const Pairs& links, long messages) : messages_(messages) {

@@ -1,5 +1,5 @@
-// A bounded buffer (Hoare, Communicating Sequential Processes, CACM 21, 1978, section 5.1). As there and in occam, an
-// output cannot guard an alternative: the customer asks for a packet before it is output.
+// A bounded buffer (Hoare, Communicating Sequential Processes, CACM 21, 1978, section 5.1). As in Hoare's paper and in
+// occam, an output cannot guard an alternative, so the customer asks for each packet before the buffer outputs it.
 
 #include "classics/kinds.hpp"
 

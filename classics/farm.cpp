@@ -1,5 +1,5 @@
 // A processor farm: a balancer deals out tasks to workers and collects their results. With the policy "idle" a task
-// goes to a worker that has nothing to do; with "turn" each worker gets every n-th.
+// goes to a worker that has nothing to do; with "turn" the workers get tasks in turn.
 
 #include "classics/kinds.hpp"
 
@@ -36,7 +36,7 @@ public:
     }
 
 private:
-    /// Returns the guards: a task, if a worker is idle, then the result of each worker.
+    /// Returns the guards: the input of a task, if a worker can take it, and then the result of each worker.
     std::vector<Guard> guards() const {
         std::vector<Guard> guards{
             {left_to_deal_ > 0 && idle_[next_worker()] ? Guard::input : Guard::never, &in_.channel()}};
@@ -44,7 +44,8 @@ private:
             guards.push_back({Guard::input, &from_worker.channel()});
         return guards;
     }
-    /// Whose turn it is, or the first that is idle; where none is, the first.
+    /// Returns the worker for the next task: with "turn", the worker whose turn it is; otherwise the first idle worker,
+    /// or worker 0 if none is idle.
     std::size_t next_worker() const {
         if (by_turns_)
             return turn_;
@@ -82,7 +83,7 @@ private:
 
 void balance(ProcessEnvironment& environment) { Balancer(environment).run(); }
 
-/// Returns how long a task takes. The number depends on the task only, not on its worker.
+/// Returns the cycles that a task takes. They depend on the task only, not on its worker.
 std::int64_t cycles_of(const Packet& task, const ProcessEnvironment& environment) {
     RandomStream random = environment.random_stream("task " + std::to_string(task.number));
     double spread = environment.real("spread");

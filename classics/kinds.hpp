@@ -8,10 +8,11 @@ namespace placedpar {
 
 class Catalogue;
 
-/// Adds every kind below.
+/// Adds all kinds of this folder.
 void add_classical_kinds(Catalogue&);
 
-// The processes of the classical networks, a network a file. Each ends once it has done what its parameters say.
+// These functions return the processes of the classical networks, one network per file. Each process ends when it has
+// done the work that its parameters state.
 
 std::vector<ProcessKind> philosopher_kinds();    ///< csp.philosopher, csp.fork, csp.butler
 std::vector<ProcessKind> sieve_kinds();          ///< csp.numbers, csp.sieve

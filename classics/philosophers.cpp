@@ -1,5 +1,5 @@
 // Dijkstra's dining philosophers, as in Hoare (Communicating Sequential Processes, 1985, section 2.5). The forks are
-// processes too, and a butler, who never lets all philosophers sit, prevents the deadlock.
+// processes too. A butler never lets all philosophers sit down, and so prevents the deadlock.
 
 #include "classics/kinds.hpp"
 
@@ -17,7 +17,7 @@ namespace placedpar {
 
 namespace {
 
-/// A message without content: occam's `c ! ANY`. It takes a byte on a wire.
+/// A message without content: occam's `c ! ANY`, which takes a byte on a wire.
 struct Signal {
     WireForm wire_form() const { return WireForm(1); }
 };
@@ -35,10 +35,10 @@ void dine(ProcessEnvironment& environment) {
     for (std::int64_t meal = 0; meal < environment.integer("meals"); ++meal) {
         compute(Cycles{environment.integer("thinking")});
         sit_down_or_get_up();
-        left.output({}); // picks it up
+        left.output({}); // picks up the left fork
         right.output({});
         compute(Cycles{environment.integer("eating")});
-        left.output({}); // puts it down
+        left.output({}); // puts down the left fork
         right.output({});
         sit_down_or_get_up();
     }
@@ -51,7 +51,7 @@ void serve_as_fork(ProcessEnvironment& environment) {
         alt(std::span<const Input<Signal>>(hands), [&](std::size_t hand, Signal) { hands[hand].input(); });
 }
 
-/// Returns the guards: standing philosophers may sit down while a seat is free; seated ones may get up.
+/// Returns the guards: standing philosophers may sit down while a seat is free; seated philosophers may get up.
 std::vector<Guard> guards_of(const std::vector<Input<Signal>>& philosophers, const std::vector<bool>& sits,
                              std::int64_t seats) {
     bool seat_free = std::ranges::count(sits, true) < seats;

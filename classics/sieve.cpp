@@ -1,6 +1,6 @@
-// The sieve of Eratosthenes as a pipeline (Hoare, Communicating Sequential Processes, CACM 21, 1978, section 6.1; the
-// idea is McIlroy's). Each process keeps the first number that it gets, which is a prime, and passes on the numbers
-// that the prime does not divide.
+// The sieve of Eratosthenes as a pipeline (Hoare, Communicating Sequential Processes, CACM 21, 1978, section 6.1; an
+// idea of McIlroy's). Each process keeps the first number that it gets, which is a prime, and passes on the numbers
+// that are not multiples of this prime.
 
 #include "classics/kinds.hpp"
 

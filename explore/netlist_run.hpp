@@ -15,7 +15,7 @@ class SearchObserver;  // gaprocs/search_observer.hpp
 /// Asks runs to end early.
 class Interruption {
 public:
-    /// Ends the current run, and every later run as soon as it begins. May be called from a signal handler.
+    /// Ends the current run, and ends each later run at its beginning. May be called from a signal handler.
     void request() noexcept;
     bool requested() const noexcept { return requested_; }
 
@@ -29,14 +29,13 @@ private:
 /// The settings of a run.
 struct RunSettings {
     std::uint64_t seed = 1;
-    Time until = Time::max(); ///< time at which the run ends at the latest
-    std::optional<std::uint64_t> shuffle =
-        {};                     ///< runs ready processes in an order drawn from this seed; none: in the usual order
-    TraceSink* trace = nullptr; ///< none: no trace
-    SearchObserver* observer = nullptr; ///< none: the searches are not observed
+    Time until = Time::max();                  ///< latest end of the run
+    std::optional<std::uint64_t> shuffle = {}; ///< if set, ready processes run in an order drawn from this seed
+    TraceSink* trace = nullptr;                ///< null: no trace
+    SearchObserver* observer = nullptr;        ///< null: the searches are not observed
     Interruption* interruption =
-        nullptr;                   ///< none: nothing ends the run early. An interruption serves one run at a time
-    RecordedRun* record = nullptr; ///< none: the run is not recorded. REQUIRES: empty
+        nullptr;                   ///< null: nothing ends the run early. An interruption serves one run at a time
+    RecordedRun* record = nullptr; ///< null: the run is not recorded. REQUIRES: the record is empty
 };
 
 /// Runs the network. Throws what the processes throw.
@@ -44,8 +43,8 @@ RunReport run_netlist(const Network&, const ProblemRegistry&, const RunSettings&
 /// Runs the network with the kinds of a catalogue. These kinds already have their observer, so the settings' observer
 /// is ignored.
 RunReport run_netlist(const Network&, const Catalogue&, const RunSettings&);
-/// Repeats a recorded run without the machine, several times as fast, if the processes communicate as in the record.
-/// Returns nothing if they communicate otherwise, or if the run cannot be repeated. If the run is interrupted, the
+/// Repeats a recorded run without simulating the machine, which is several times faster. Returns nothing if the
+/// processes communicate otherwise than in the record, or if the run cannot be repeated. If the run is interrupted, the
 /// report contains only this ending. REQUIRES: the record was made of this network, which is determinate; the settings
 /// have no trace, shuffle or record.
 std::optional<RunReport> repeat_netlist(const Network&, const Catalogue&, const RecordedRun&, const RunSettings&);

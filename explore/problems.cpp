@@ -33,7 +33,7 @@ struct SimulatedCircuit : CircuitProblem {
     std::vector<double> true_parameters() const { return compliance_in3_per_psi; }
 };
 
-/// Returns scenario A, with the leak of 2.3.2 if asked: it begins as the valve does.
+/// Returns scenario A. If `leaking`, adds the leak of section 2.3.2, which begins at the time of the valve's step.
 ExcavatorScenario boom_of_chapter_3(bool leaking) {
     constexpr double leak_in3_per_s_psi = 0.004; // takes 7 of 50 in^3/s
     ExcavatorScenario scenario = single_boom_scenario();
@@ -42,15 +42,15 @@ ExcavatorScenario boom_of_chapter_3(bool leaking) {
     return scenario;
 }
 
-/// Returns the motion, which is simulated once, since a seed decides the noise only.
+/// Returns the motion, which is simulated only once, since the seed affects only the noise.
 const ExcavatorMotion& motion_of_boom(bool leaking) {
     static const ExcavatorMotion sound = simulate_excavator(boom_of_chapter_3(false));
     static const ExcavatorMotion with_leak = simulate_excavator(boom_of_chapter_3(true));
     return leaking ? with_leak : sound;
 }
 
-/// The boom of chapter 3 in the motion of scenario A, measured with the lowest of the noise levels studied. The valve
-/// stays open to the end of the motion, so that the record has as many samples as are asked for.
+/// Adds the boom of chapter 3 in the motion of scenario A, measured with the lowest of the noise levels studied. The
+/// valve stays open to the end of the motion, so that the record has the usual number of samples.
 void add_boom(ProblemRegistry& problems, std::uint64_t seed, const char* name, AreasFrom from, bool leaking) {
     ExcavatorScenario scenario = boom_of_chapter_3(leaking);
     SimulatedCircuit boom{CircuitProblem(boom_circuit(), scenario.flow),
@@ -79,7 +79,7 @@ std::vector<ProblemFamily>& own_problems() {
     return problems;
 }
 
-/// Throws UserError for a name that is taken.
+/// Throws UserError for a name that is already taken.
 [[noreturn]] void refuse_taken(const char* what, const std::string& name) {
     throw UserError(fmt::format("this program adds a {0} \"{1}\", but the name is taken: choose another name, "
                                 "such as \"own.{2}\"",

@@ -10,9 +10,9 @@
 
 namespace placedpar {
 
-/// The search problems that this program knows, with the records over which they are searched; the noise in the
-/// measurements depends on the seed. A record is simulated when a process first reads it. `around` may wrap each family
-/// that a program built on PlacedPar adds.
+/// Returns the search problems that this program knows, with their records. The noise in the records depends on the
+/// seed. A record is simulated when a process first reads it. `around` may wrap each family that a program built on
+/// PlacedPar adds.
 ProblemRegistry known_problems(std::uint64_t seed,
                                const std::function<ProblemFamily(const ProblemFamily&)>& around = std::identity{});
 
@@ -24,7 +24,7 @@ Catalogue known_kinds(const ProblemRegistry& problems, SearchObserver* observer 
 /// other function of this file.
 void add_own_kinds(std::vector<ProcessKind>);
 void add_own_devices(std::vector<DeviceKind>);
-/// Adds search problems. REQUIRES: as add_own_kinds().
+/// Adds search problems. REQUIRES: see add_own_kinds().
 void add_own_problems(std::vector<ProblemFamily>);
 
 } // namespace placedpar

@@ -100,7 +100,7 @@ bool is_val(const std::string& name, const Network& network) {
     return set != nullptr && set->elements.empty();
 }
 
-/// Returns the names of the processes that search. Throws UserError if there is none, or one of a pair.
+/// Returns the names of the processes that search. Throws UserError if no process searches, or if one of a pair does.
 std::vector<std::string> searching_processes(const Network& network, const NetlistAsked& netlist) {
     std::vector<std::string> names;
     for (const ProcessInstance& process : network.processes) {
@@ -128,8 +128,8 @@ ReadResult read_with(const Settings& settings, const ParsedNetlist& parsed, cons
     return read;
 }
 
-/// Reads the netlist with the settings. A setting that the netlist fixes to another value is set by the val of its
-/// name; without such a val the netlist is refused.
+/// Reads the netlist with the settings. If the netlist fixes a setting to another value, the val of that name is set;
+/// without such a val the netlist is refused.
 Network load_with(Settings settings, const NetlistAsked& netlist, const ProblemRegistry& problems,
                   const WarningSink& warn) {
     const ParsedNetlist parsed(netlist.path, netlist.options);
@@ -169,8 +169,7 @@ std::vector<Sample> searched_samples(const ComplianceSearch& prepared) {
     return record;
 }
 
-/// Returns the individuals of all searches together. Throws UserError if they are not as many as identify searches
-/// with.
+/// Returns the number of individuals of all searches together. Throws UserError if this number is not `wanted`.
 std::size_t whole_population(const Network& network, const NetlistAsked& netlist, std::size_t wanted) {
     std::int64_t sum = 0;
     for (const ProcessInstance& process : network.processes)

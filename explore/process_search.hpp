@@ -40,11 +40,11 @@ struct ProcessSearch {
 
 /// Passes the settings of the identification to the netlist: to parameters that its processes leave to their defaults,
 /// and to vals of the same name (population, elite) unless an override sets them. A single search also gets the random
-/// numbers of identify(). Several searches divide the population as the netlist says, and each has its own numbers. The
-/// processes handle neither gaps nor the gate, so the samples sent to them end where the gate froze the search for
-/// good. Throws UserError if the netlist cannot make the search: no process searches, or one of a pair does, the
-/// populations do not add up, the output is an included file, the netlist fixes a setting to another value, or the
-/// record has a gap.
+/// numbers of identify(). Several searches divide the population as the netlist says, and each search has its own
+/// random numbers. The processes handle neither gaps nor the gate, so they get only the samples before the gate froze
+/// the search for good. Throws UserError if the netlist cannot make the search: no process searches, a searching
+/// process is one of a pair, or the populations do not add up. Also throws UserError if the output is an included file,
+/// the netlist fixes a setting to another value, or the record has a gap.
 ProcessSearch search_by_processes(const NetlistAsked& netlist, const identification::ComplianceSearch& prepared,
                                   const identification::IdentificationWay& way, const WarningSink&);
 

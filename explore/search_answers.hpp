@@ -21,10 +21,10 @@ struct SearchAnswer {
 /// Keeps the best individual of every generation of the searches of a run, such as the islands of Figure E.2.
 class SearchAnswers final : public SearchObserver {
 public:
-    /// `searches`: names of the processes, all of which search this problem in its coding.
+    /// `searches` names the processes. All of them search this problem in its coding.
     SearchAnswers(std::vector<std::string> searches, std::shared_ptr<const SearchProblem> problem);
 
-    /// Throws std::invalid_argument for a search without a name here.
+    /// Throws std::invalid_argument for a process that is not in searches().
     void observe(const ObservedGeneration&) override;
     void observe(const ObservedMigration&) override {}
     void observe(const ObservedAnswer&) override {}
@@ -37,7 +37,7 @@ public:
     // REQUIRES: generation < generations(), counted from 0.
 
     const SearchAnswer& of(std::size_t search, std::size_t generation) const { return answers_[search][generation]; }
-    /// Returns the search with the greatest fitness; of several, the first.
+    /// Returns the search with the greatest fitness; the first such search if there are several.
     std::size_t fittest(std::size_t generation) const;
     /// Returns the difference between the greatest and the least answer of the searches for this parameter.
     double spread(std::size_t generation, std::size_t parameter) const;
@@ -47,7 +47,7 @@ public:
 private:
     std::vector<std::string> searches_;
     std::shared_ptr<const SearchProblem> problem_;
-    std::vector<std::vector<SearchAnswer>> answers_; ///< by search
+    std::vector<std::vector<SearchAnswer>> answers_; ///< for each search
 };
 
 } // namespace placedpar

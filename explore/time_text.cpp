@@ -14,7 +14,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the power of ten of picoseconds that the unit stands for; nothing for an unknown unit.
+/// Returns n if the unit is 10^n picoseconds; nothing for an unknown unit.
 std::optional<int> power_of(std::string_view unit) {
     constexpr std::pair<std::string_view, int> units[] = {{"s", 12}, {"ms", 9}, {"us", 6}, {"ns", 3}, {"ps", 0}};
     for (const auto& [name, power] : units)
@@ -38,7 +38,7 @@ std::optional<TimeText> split(const std::string& text) {
     return TimeText{parts[1], parts[2], parts[4], parts.length(3) == 0 ? 0 : std::stoi(parts[3])};
 }
 
-/// Returns the digits of the time in picoseconds. Throws UserError if that is not a whole number.
+/// Returns the digits of the time in picoseconds. Throws UserError if the time is not a whole number of picoseconds.
 std::string picoseconds(const std::string& text, const TimeText& parts, int power) {
     std::string digits = parts.whole + parts.fraction;
     int zeros = power + parts.exponent - static_cast<int>(parts.fraction.size());

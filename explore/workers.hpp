@@ -9,7 +9,7 @@ namespace placedpar {
 /// Returns the number of cores of the machine; at least 1.
 std::size_t count_cores();
 
-/// Calls work(0), work(1) and so on, each in a thread of its own, and returns when all have ended. Until then calls
+/// Calls work(0), work(1) and so on, each in its own thread, and returns when all have ended. Until then calls
 /// `meanwhile` at intervals of `often` in the thread of the caller. When all workers have ended, rethrows an exception
 /// of a worker; if several workers threw, the exception of the worker with the lowest number.
 void on_workers(

@@ -12,14 +12,14 @@
 
 namespace placedpar {
 
-/// The search for the pump-side compliances of all links of a circuit at once (thesis 3.1 and 3.2). The string has
-/// `bits` bits for each junction, in the circuit's order, over 0 ... 0.1 in^3/psi. A sample consists of the LinkSamples
-/// of the junctions, end to end.
+/// The search problem of finding all compliances of a circuit together (thesis 3.1 and 3.2). The string has `bits` bits
+/// for each junction, in the circuit's order, which code a compliance from 0 to 0.1 in^3/psi. A sample holds the values
+/// of the junctions' LinkSamples, one junction after the other.
 class CircuitProblem {
 public:
-    /// Thesis 3.1.1: 0.1 > C > 0.0.
+    /// The upper end of the range of search; thesis 3.1.1: 0.1 > C > 0.0.
     static constexpr double largest_in3_per_psi = 0.1;
-    /// Thesis 3.2: 20 bits for two compliances.
+    /// The number of bits for one compliance; thesis 3.2 has 20 bits for two compliances.
     static constexpr std::size_t usual_bits = 10;
 
     /// One compliance per junction, in in^3/psi.
@@ -51,7 +51,7 @@ public:
     }
     /// Returns the terms of a sample that error_of() needs.
     hydraulics::CircuitTerms prepared(std::span<const double> sample) const;
-    /// Returns the error of one set of compliances or, if T is an array type, of several sets at once.
+    /// Returns the error of one set of compliances; if T is an array type, of several sets.
     template <typename T>
     T error_of(std::span<const T> compliances, const hydraulics::CircuitTerms& prepared) const {
         return hydraulics::circuit_error_in3_per_s<T>(circuit_, compliances, prepared, flow_, form_);

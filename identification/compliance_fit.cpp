@@ -26,7 +26,7 @@ using Slopes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Eigen::D
 /// Computes the missing flows of all samples and junctions as a function of the compliances.
 class Residuals {
 public:
-    /// Scales the flows if there are weights.
+    /// `weights` scale the missing flows; null: the flows are not scaled.
     Residuals(const Circuit& circuit, std::span<const CircuitSample> samples, const FlowConstants& flow,
               const FlowWeights* weights)
         : circuit_(circuit), flow_(flow), weights_(weights) {
@@ -78,14 +78,14 @@ ComplianceFit fit_at(const PerLinkVector& compliance, const Eigen::VectorXd& mis
     if (normal.isInvertible()) {
         PerLinkMatrix covariance = variance * normal.inverse();
         for (Eigen::Index c = 0; c < compliance.size(); ++c)
-            if (covariance(c, c) >= 0 && std::isfinite(covariance(c, c))) // false for NaN
+            if (covariance(c, c) >= 0 && std::isfinite(covariance(c, c))) // the condition is false for NaN
                 fit.standard_error[static_cast<std::size_t>(c)] = std::sqrt(covariance(c, c));
     }
     return fit;
 }
 
-/// Returns the fitness of every string. A string's index is the number whose leftmost bits are the first junction's
-/// code. Unlike in a search, the fitness is not rounded.
+/// Returns the fitness of every string. The index of a string is the string as a number, whose leftmost bits are the
+/// code of the first junction. Unlike in a search, the fitness is not rounded.
 std::vector<double> fitness_of_all(const Circuit& circuit, std::span<const CircuitSample> window,
                                    const FlowConstants& flow, InletFlow form, std::size_t bits, double largest,
                                    double bias) {
@@ -105,7 +105,7 @@ std::vector<double> fitness_of_all(const Circuit& circuit, std::span<const Circu
     return fitness;
 }
 
-/// Fits by Gauss-Newton.
+/// Fits compliances by the Gauss-Newton method.
 std::optional<ComplianceFit> fit(const Circuit& circuit, std::span<const CircuitSample> samples,
                                  const FlowConstants& flow, std::span<const double> start, const FlowWeights* weights) {
     constexpr int most_steps = 50;
@@ -162,7 +162,7 @@ ExhaustiveOptimum exhaustive_optimum(const Circuit& circuit, std::span<const Cir
     std::uint64_t best = 0;
     double greatest = -std::numeric_limits<double>::infinity();
     for (std::uint64_t string = 0; string < fitness.size(); ++string)
-        if (fitness[string] > greatest) { // false for NaN
+        if (fitness[string] > greatest) { // the condition is false for NaN
             greatest = fitness[string];
             best = string;
         }

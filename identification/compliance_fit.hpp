@@ -10,8 +10,8 @@
 
 namespace placedpar::identification {
 
-/// These functions compute references for the genetic algorithm's answer. They use the equations of the circuit; the
-/// algorithm sees only fitness.
+/// These functions compute references for the genetic algorithm's answer. They use the equations of the circuit,
+/// whereas the genetic algorithm uses only the fitness.
 
 /// Compliances found by least squares, with the uncertainty that follows from the scatter of the residuals.
 struct ComplianceFit {
@@ -27,8 +27,9 @@ std::optional<ComplianceFit> fit_compliances(const hydraulics::Circuit& circuit,
                                              std::span<const hydraulics::CircuitSample> samples,
                                              const hydraulics::FlowConstants& flow, std::span<const double> start);
 
-/// Does the same with the missing flows weighed by their scatter (flow_weights.hpp), which is found in turns with the
-/// compliances. The standard errors are the limit that the noise of the samples leaves (Cramer-Rao).
+/// Fits compliances as fit_compliances() does, but weighs the missing flows by their scatter (flow_weights.hpp).
+/// Weights and compliances are computed alternately. The standard errors are the least that the noise of the samples
+/// allows (the Cramer-Rao bound).
 std::optional<ComplianceFit> fit_weighed_compliances(const hydraulics::Circuit& circuit,
                                                      std::span<const hydraulics::CircuitSample> samples,
                                                      const hydraulics::FlowConstants& flow,
@@ -43,8 +44,8 @@ struct ExhaustiveOptimum {
 /// The greatest length of strings that exhaustive_optimum() accepts, in bits; 2^20 is about a million strings.
 inline constexpr std::size_t exhaustive_bits = 20;
 
-/// Finds the best of all strings, where C = largest * code / 2^bits. REQUIRES: circuit.size() * bits <=
-/// exhaustive_bits.
+/// Evaluates all strings and returns the best. A code stands for C = largest * code / 2^bits. REQUIRES: circuit.size()
+/// * bits <= exhaustive_bits.
 ExhaustiveOptimum exhaustive_optimum(const hydraulics::Circuit& circuit,
                                      std::span<const hydraulics::CircuitSample> window,
                                      const hydraulics::FlowConstants& flow, hydraulics::InletFlow form,

@@ -15,7 +15,7 @@ namespace placedpar::identification {
 struct Question {
     hydraulics::Configuration configuration = hydraulics::Configuration::a;
     hydraulics::LinkSet links = {hydraulics::Link::boom};
-    std::optional<double> spool_offset_in;                ///< offset of the boom's spool, subtracted from its readings
+    std::optional<double> spool_offset_in; ///< offset that is subtracted from the readings of the boom's spool
     std::optional<hydraulics::AreasFrom> areas_from = {}; ///< nullopt: the first source that the record has
     hydraulics::Side side = hydraulics::Side::inlet;
 };

@@ -32,24 +32,25 @@ std::string_view name_of(FlagKind);
 
 struct Flag {
     FlagKind kind;
-    std::string text; ///< a sentence with its figures
+    std::string text; ///< a sentence that includes the numbers
 };
 
 /// The result of least squares on a set of samples.
 struct LeastSquares {
     double compliance_in3_per_psi = 0;
-    double standard_error = std::numeric_limits<double>::infinity(); ///< infinite: the samples do not determine it
+    /// Infinite if the samples do not determine the compliance.
+    double standard_error = std::numeric_limits<double>::infinity();
 
     friend bool operator==(const LeastSquares&, const LeastSquares&) = default;
 };
 
-/// The relative standard error above which a compliance is flagged. Ours: at 10 % one answer in three is off by more
-/// than the thesis's 10 %.
+/// The relative standard error above which a compliance is flagged. The value is ours: with a standard error of 10 %,
+/// one answer in three is wrong by more than the thesis's 10 %.
 inline constexpr double uncertain_share = 0.1;
 
-/// Return whether an answer is at the end of the search's range; `step` is the resolution of the search. A spool offset
-/// can make the data fit best at a compliance that is negative or beyond the range. The search then stays at the end of
-/// its range.
+/// These functions return whether an answer is at an end of the search's range; `step` is the resolution of the search.
+/// A spool offset can make the data fit best at a compliance that is negative or beyond the range. The search then
+/// stays at the end of its range.
 bool at_lower_bound(double compliance_in3_per_psi, double step_in3_per_psi);
 bool at_upper_bound(double compliance_in3_per_psi, double step_in3_per_psi);
 
@@ -57,9 +58,9 @@ Flag lower_bound_flag();
 Flag upper_bound_flag();
 Flag uncertain_flag(double compliance_in3_per_psi, double standard_error_in3_per_psi);
 
-/// Returns a flag unless the answer is confirmed. It is confirmed if its distance from the reference, plus two standard
-/// errors of the reference, is at most 10 % of the reference. The limits are ours, tuned on simulated machines of all
-/// configurations. `samples` describes the samples of the reference in words.
+/// Returns a flag unless the answer is confirmed. The answer is confirmed if its distance from the reference, plus two
+/// standard errors of the reference, is at most 10 % of the reference. The limits are ours, tuned on simulated machines
+/// of all configurations. `samples` describes the samples of the reference in words.
 std::optional<Flag> unconfirmed_flag(double compliance_in3_per_psi, const LeastSquares& reference,
                                      std::string_view samples);
 

@@ -17,12 +17,12 @@ using namespace hydraulics;
 
 namespace {
 
-// Ours: half the limits of ExcitationGate. Below these limits, a third of the estimates are off by more than 10 % at
-// the medium noise.
+// These limits are ours, half the limits of ExcitationGate. Below these limits, at medium noise, a third of the
+// estimates are wrong by more than 10 %.
 constexpr double least_slope_psi_per_s = 400, least_flow_in3_per_s = 3.4;
-// The largest accepted difference between the halves' compliances, as a share of the compliance.
+// The largest accepted difference between the compliances of the two halves, as a share of the compliance.
 constexpr double halves_differ = 0.3;
-// A flag also requires a difference of this many standard errors, so that noise alone raises no flag.
+// The difference must also exceed this many standard errors, so that noise alone raises no flag.
 constexpr double halves_differ_errors = 4;
 
 /// This function and the next return whether they have flagged the link.
@@ -56,7 +56,7 @@ void flag_uncertainty(LinkIdentified& link) {
         link.flags.push_back(uncertain_flag(link.compliance_in3_per_psi, link.standard_error));
 }
 
-/// Flags a valve reading that never changes. A valve that has opened keeps moving, so the sensor is dead.
+/// Flags a valve reading that never changes. A valve that has opened keeps moving, so the sensor must be dead.
 void flag_still_valve(LinkIdentified& link, std::span<const CircuitSample> samples, std::size_t junction, Side side) {
     auto area_in2 = [&](const CircuitSample& sample) {
         const LinkSample& read = sample.links[junction];
@@ -84,8 +84,7 @@ void flag_pressure(LinkIdentified& link, std::span<const CircuitSample> samples,
                                            samples[frozen->first].time_s, frozen->jump)});
 }
 
-/// Flags a piston that retracts on average over the samples. Oil that flows in extends the piston, apart from the oil
-/// that the hose takes up.
+/// Flags a piston that retracts on average over the samples, although oil flows in, which would extend it.
 void flag_falling(LinkIdentified& link, std::span<const CircuitSample> samples, std::size_t junction, Side side) {
     double flow = 0;
     for (const CircuitSample& sample : samples)

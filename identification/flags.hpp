@@ -17,14 +17,14 @@ namespace placedpar::identification {
 /// - uncertain: the relative standard error of least squares exceeds uncertain_share. This flag is omitted if a bound
 ///   or the lack of excitation has already been flagged.
 ///
-/// `samples` are all samples used, `window` those whose excitation is looked at, and `halved` those whose halves are
+/// All samples used are in `samples`. The excitation is judged on `window`, and the two halves of `halved` are
 /// compared.
 void add_flags(Identified& identified, const CircuitProblem& problem, const hydraulics::FlowConstants& flow,
                std::span<const hydraulics::CircuitSample> samples, std::span<const hydraulics::CircuitSample> window,
                std::span<const hydraulics::CircuitSample> halved, const IdentificationWay& way);
 
-/// Flags each link with a reading that stands out from its neighbours (spike.hpp), among the readings that the samples
-/// use.
+/// Flags each link if one of its readings stands out from the neighbouring readings (spike.hpp). Only readings that the
+/// samples use are checked.
 void flag_spikes(Identified& identified, const hydraulics::Record& record,
                  std::span<const hydraulics::CircuitSample> samples);
 

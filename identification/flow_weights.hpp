@@ -11,14 +11,15 @@
 
 namespace placedpar::identification {
 
-/// Scales the missing flows of a circuit by their own scatter. Junctions share the flow through a bypass, so an error
-/// of its measurement appears in two missing flows with opposite signs. The sum of absolute values in equation 3.11
-/// counts it twice; these weights remove it. Ours: the thesis weighs all flows alike.
+/// Scales the missing flows of a circuit by their own scatter. Two junctions share the flow through a bypass, so an
+/// error in the bypass area appears in two missing flows with opposite signs. The sum of absolute values in equation
+/// 3.11 counts this error twice; the weights remove this effect. The weights are ours: the thesis weighs all flows
+/// alike.
 struct FlowWeights {
     /// The inverse of the Cholesky factor of the scatter. Row j has entries for the junctions up to j.
     hydraulics::PerJunction<hydraulics::PerJunction<double>> rows{};
 
-    /// Returns the scaled flows of `junctions` junctions. T is double or Lanes.
+    /// Returns the scaled flows of the first `junctions` junctions. T is double or Lanes.
     template <typename T>
     hydraulics::PerJunction<T> scaled(const hydraulics::PerJunction<T>& missing, std::size_t junctions) const {
         hydraulics::PerJunction<T> scaled;
@@ -31,9 +32,9 @@ struct FlowWeights {
     }
 };
 
-/// Returns the weights by the scatter of the missing flows at these compliances. The scaled flows are uncorrelated, and
-/// the sum of their mean squares is `mean_square`. REQUIRES: samples of this circuit, at least one; a compliance for
-/// each junction.
+/// Returns weights computed from the scatter of the missing flows at these compliances. The scaled flows are
+/// uncorrelated, and the sum of their mean squares is `mean_square`. REQUIRES: samples of this circuit, at least one; a
+/// compliance for each junction.
 FlowWeights weights_at(const hydraulics::Circuit& circuit, std::span<const hydraulics::CircuitSample> samples,
                        const hydraulics::FlowConstants& flow, std::span<const double> compliance_in3_per_psi,
                        double mean_square);

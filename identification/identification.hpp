@@ -15,15 +15,16 @@
 
 namespace placedpar::identification {
 
-/// The identified compliance of one link.
 struct LinkIdentified {
     hydraulics::Link link;
     double compliance_in3_per_psi = 0;
-    double standard_error = 0;                       ///< of least squares on the last window, due to the record's noise
-    std::optional<LeastSquares> of_all_samples = {}; ///< only if several links were searched for at once
-    std::optional<double> optimum = {}; ///< best of all codes on the last window; nullopt above exhaustive_bits
+    double standard_error = 0; ///< standard error of least squares on the last window
+    /// Least squares over all samples; identify() sets it only for several links.
+    std::optional<LeastSquares> of_all_samples = {};
+    /// The best of all codes on the last window; nullopt if the string is longer than exhaustive_bits.
+    std::optional<double> optimum = {};
     std::optional<double> codes_from_optimum = {}; ///< distance of the answer from `optimum`, in codes
-    std::vector<Flag> flags = {};                  ///< empty: nothing unusual
+    std::vector<Flag> flags = {};                  ///< empty if nothing is unusual
 
     bool flagged(FlagKind) const;
 };

@@ -15,10 +15,10 @@ namespace placedpar::identification {
 /// with an engineer's improvements, use the diagnosis (on_line/record_diagnosis.hpp).
 struct IdentificationWay {
     SearchSettings search;
-    std::size_t bits = CircuitProblem::usual_bits; ///< of one compliance
+    std::size_t bits = CircuitProblem::usual_bits; ///< bits of one compliance
     Coding coding = Coding::natural;
     hydraulics::UsableSamples usable;
-    std::optional<ExcitationGate> gate; ///< nullopt, as in the thesis: no gate
+    std::optional<ExcitationGate> gate; ///< nullopt: no gate, as in the thesis
 };
 
 /// Returns the settings of chapter 3: natural binary, no elite, one search over the 0.4 s of the transient.

@@ -20,7 +20,6 @@ const TransientEstimate& last_live(std::span<const TransientEstimate> estimates)
     return *std::ranges::find(estimates.rbegin(), estimates.rend(), false, &TransientEstimate::frozen);
 }
 
-/// Returns the samples of an estimate's window.
 std::span<const CircuitSample> last_window(std::span<const CircuitSample> samples, const TransientEstimate& last,
                                            std::size_t length) {
     auto end = std::ranges::find(samples, last.index, &CircuitSample::index) + 1;
@@ -45,8 +44,8 @@ void compare_with_least_squares(Identified& result, std::span<const CircuitSampl
         result.links[j].standard_error = fit ? fit->standard_error[j] : std::numeric_limits<double>::infinity();
 }
 
-/// Compares the answer with least squares over all samples. A search for several compliances at once can settle on a
-/// wrong string, which a short window does not show.
+/// Compares the answer with least squares over all samples. A search for several compliances can settle on a wrong
+/// string, and a short window does not show the error.
 void compare_with_all_samples(Identified& result, std::span<const CircuitSample> samples, const FlowConstants& flow) {
     auto fit = fit_beside(result, samples, flow);
     for (std::size_t j = 0; j < result.links.size(); ++j)

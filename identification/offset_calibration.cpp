@@ -41,7 +41,7 @@ double mean_missing(std::span<const SteadySample> samples, double offset_in, con
 /// Returns the rms slope of the pressure; infinite if the motion is not steady.
 double unrest_psi_per_s(std::span<const CircuitSample> samples, const SteadyMotion& steady) {
     constexpr double never = std::numeric_limits<double>::infinity();
-    double squares = 0, halves_psi = 0; // sum of the second half's pressures minus that of the first half
+    double squares = 0, halves_psi = 0; // sum of the pressures in the second half minus the sum in the first half
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const LinkSample& link = samples[i].links[0];
         if (link.piston_flow_in3_per_s < steady.least_flow_in3_per_s)
@@ -75,7 +75,7 @@ std::vector<SteadySample> steadiest_motion(const Record& record, const LinkCalib
     return motion;
 }
 
-/// Returns the standard error of the mean of the samples' own offsets, to first order.
+/// Returns the standard error of the mean of the offsets that single samples would give, to first order.
 double standard_error(std::span<const SteadySample> samples, double offset_in, const FlowConstants& flow) {
     constexpr double step_in = 1e-4;
     double sum = 0, squares = 0;

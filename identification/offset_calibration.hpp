@@ -13,7 +13,7 @@ struct SteadyMotion {
     double duration_s = 1;
     double drift_psi = 8;             ///< largest difference between the mean pressures of the motion's two halves
     double slope_psi_per_s = 250;     ///< greatest rms slope of the inlet pressure; noise alone stays below it
-    double least_flow_in3_per_s = 10; ///< at every instant, so that the piston moves
+    double least_flow_in3_per_s = 10; ///< least flow at every instant, so that the piston moves
 };
 
 /// The greatest offset that can be corrected; a larger offset makes the readings useless.
@@ -26,10 +26,10 @@ struct SpoolOffset {
 };
 
 /// Finds the offset of the boom's spool from the record's steadiest motion. Subtracting the offset from the readings
-/// makes the pump's mean flow equal to the cylinder's flow plus the flow to the tank (equations 3.1 to 3.3 at dP/dt =
-/// 0). The boom must move alone, with its areas computed from the spool. Returns nullopt if there is no steady motion,
-/// or no offset within 0.08 in balances the flow. An error of k or Q has the same effect as an offset: 1 % of either
-/// shifts the result by 0.0011 to 0.0016 in.
+/// makes the pump's mean flow equal to the cylinder's flow plus the flow to the tank (equations 3.1 to 3.3, without
+/// dP/dt). The boom must move alone, with its areas computed from the spool. Returns nullopt if there is no steady
+/// motion, or if no offset within 0.08 in balances the flow. An error of k or Q has the same effect as an offset: an
+/// error of 1 % shifts the result by 0.0011 to 0.0016 in.
 std::optional<SpoolOffset> calibrate_spool_offset(const hydraulics::Record& record,
                                                   const hydraulics::LinkCalibrations& calibrations,
                                                   const hydraulics::FlowConstants& flow,

@@ -21,7 +21,7 @@ double excursion_at_usual_period(Sensor sensor) {
     case Sensor::inlet_area: return 0.03;    // in^2: area opened by the spool's excursion, A.6
     case Sensor::bypass_area: break;
     }
-    return 0.063; // the steeper A.3
+    return 0.063; // in^2: area closed by the spool's excursion, A.3
 }
 
 } // namespace

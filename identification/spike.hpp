@@ -6,14 +6,14 @@
 
 namespace placedpar::identification {
 
-/// Returns the largest accepted distance of a reading from the median of the five readings around it. Readings 0.02 s
-/// apart are the reference; at twice the period the limit is four times as large. Ours: twice what simulated machines
-/// reach at high noise.
+/// Returns the largest accepted distance of a reading from the median of the five readings around it. Above a period of
+/// 0.02 s, the limit grows with the square of the period. The limits are ours: twice the distances that simulated
+/// machines reach at high noise.
 double greatest_excursion(hydraulics::Sensor sensor, double period_s);
 
-/// Returns whether the middle reading, alone or with one neighbour, stands out from the others. No machine moves in
-/// this manner, so the logger or the line is at fault. A reading that continues the two readings before it or the two
-/// after it is accepted, since a log may be spliced there. REQUIRES: five readings.
+/// Returns whether the middle reading, alone or with one neighbour, stands out from the others. No machine moves like
+/// that, so the logger or the line is at fault. A reading that continues the two readings before it or the two after it
+/// is accepted, since a log may be spliced there. REQUIRES: five readings.
 bool is_spike(std::span<const double> five, double greatest_excursion);
 
 } // namespace placedpar::identification

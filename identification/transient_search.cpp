@@ -17,7 +17,7 @@ using namespace hydraulics;
 
 namespace {
 
-/// Returns whether a link's pressure moves too slowly, given the compliance found last.
+/// Returns whether a link's pressure moves too slowly, given the latest compliance.
 bool is_unexcited(std::span<const CircuitSample> window, std::span<const double> compliance_in3_per_psi,
                   const ExcitationGate& gate) {
     for (std::size_t j = 0; j < compliance_in3_per_psi.size(); ++j)
@@ -45,7 +45,7 @@ void require_samples(std::span<const CircuitSample> samples, const Identificatio
             found, found < samples.size() ? " without a gap" : "", needed, way.usable.first_slope_psi_per_s));
 }
 
-/// Returns the previous estimate, with the time of this sample.
+/// Returns the previous estimate with the time of this sample.
 TransientEstimate frozen_estimate(const CircuitSample& sample, TransientEstimate estimate) {
     estimate.index = sample.index;
     estimate.time_s = sample.time_s;

@@ -16,19 +16,18 @@ namespace placedpar::identification {
 struct TransientEstimate {
     std::size_t index; ///< index of the sample in the record
     double time_s;
-    bool frozen;            ///< whether the gate was shut; if so, this repeats the previous estimate
-    double error_in3_per_s; ///< rms over the window, for the best individual
+    bool frozen;            ///< whether the gate was shut; if so, the compliance is unchanged
+    double error_in3_per_s; ///< rms error of the best individual over the window
     std::vector<double> compliance_in3_per_psi;
 };
 
-/// The result of one search.
 struct SearchRun {
     std::vector<TransientEstimate> estimates;
     std::uint64_t generations = 0;
 };
 
-/// Runs one search over the samples. It differs from run_traditional() in having the gate, and in restarting the window
-/// after a gap in the record. Throws UnfitRecord if there are too few samples for the first generation.
+/// Runs one search over the samples. Unlike run_traditional(), it has a gate, and it empties the window at a gap in the
+/// record. Throws UnfitRecord if there are too few samples for the first generation.
 SearchRun search_transient(const CircuitProblem& problem, std::span<const hydraulics::CircuitSample> samples,
                            const IdentificationWay& way, RandomStream random);
 

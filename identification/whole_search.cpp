@@ -22,11 +22,11 @@ using namespace hydraulics;
 
 namespace {
 
-/// The mean square of the weighed error at the best individual, as a share of the bias. Fitness then selects equally
-/// well at each level of noise.
+/// The mean square of the weighed error of the best individual, as a share of the bias. With a fixed share, the fitness
+/// selects equally well at each level of noise.
 constexpr double share_of_bias = 0.25;
 
-/// The thesis's window: the samples whose excitation is judged.
+/// The length of the thesis's window. The excitation is judged on this number of samples.
 constexpr std::size_t transient_samples = 10;
 
 std::vector<Sample> values_of(std::span<const CircuitSample> samples) {
@@ -69,7 +69,7 @@ SearchRun search_whole(const ComplianceSearch& prepared, std::span<const Circuit
     return run;
 }
 
-/// Sets the weighed least squares beside each answer.
+/// Stores the results of weighed least squares beside each answer.
 void compare_with_weighed_fit(Identified& result, std::span<const CircuitSample> samples, const FlowConstants& flow) {
     std::vector<double> found;
     for (const LinkIdentified& link : result.links)
@@ -83,8 +83,8 @@ void compare_with_weighed_fit(Identified& result, std::span<const CircuitSample>
     }
 }
 
-/// Flags a link whose answer may be off by more than 10 % within three standard errors. Readings with noise also shift
-/// the answer, which two standard errors do not cover.
+/// Flags a link whose answer may be wrong by more than 10 %, counting three standard errors. Noise in the readings also
+/// shifts the answer, which two standard errors would not cover.
 void flag_limit(LinkIdentified& link) {
     constexpr double share = 0.1, errors = 3;
     const double least = link.of_all_samples->compliance_in3_per_psi;
@@ -124,7 +124,7 @@ Identified identify_whole(const ComplianceSearch& prepared, const WholeWay& whol
     for (std::size_t j = 0; j < result.circuit.size(); ++j)
         result.links.push_back({result.circuit[j].link, result.estimates.back().compliance_in3_per_psi[j]});
     compare_with_weighed_fit(result, used, prepared.flow);
-    // Only the transient at the beginning of a movement tells the compliances.
+    // Only the transient at the beginning of a movement determines the compliances.
     const auto transient = used.first(std::min(used.size(), UsableSamples{}.count));
     add_flags(result, prepared.problem, prepared.flow, used, transient.first(std::min(used.size(), transient_samples)),
               transient, whole.way);

@@ -6,7 +6,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the timing of a link. The link overlaps acknowledges if both of its ends can.
+/// Returns the timing of a link. The link overlaps acknowledges if both ends can overlap them.
 hardware::LinkTiming timing_of(const LinkConnection& connection, const MachineParts& parts) {
     constexpr auto metre = static_cast<double>(hardware::LinkTiming::metre_of_wire.count());
     std::int64_t crossing = 0; // hundredths of a bit time
@@ -38,8 +38,8 @@ Machine::Machine(const Network& network, const Catalogue& catalogue, std::uint64
     start_processes();
 }
 
-/// Makes the nodes with slots, or those without. Devices with slots are made later, since they use the devices in their
-/// slots.
+/// Makes the nodes with slots, or the nodes without slots. Devices with slots are made later, since they use the
+/// devices in their slots.
 void Machine::make_nodes(bool with_slots) {
     parts_.nodes.resize(network_.nodes.size());
     for (std::size_t i = 0; i < network_.nodes.size(); ++i)

@@ -84,8 +84,8 @@ private:
     MachineParts parts_{simulation_, network_, {}, {}};
     Simulation simulation_;
     std::vector<Connection> connections_;
-    std::vector<const hardware::Route*> routes_; ///< by channel; null if the channel does not travel in packets
-    std::vector<Effects> effects_;               ///< by fault
+    std::vector<const hardware::Route*> routes_; ///< one for each channel; null: not sent in packets
+    std::vector<Effects> effects_;               ///< one for each fault
 };
 
 } // namespace placedpar

@@ -21,8 +21,8 @@ namespace placedpar {
 
 namespace {
 
-/// Removes the open waits of processes that are not in the deadlock. Such a process waits for the end of the work, or
-/// for a process that does, and would continue (see wait_until_work_is_over).
+/// Removes the open waits of processes that are not in the deadlock. Such a process waits, directly or through other
+/// processes, for the end of the work, and would then continue (see wait_until_work_is_over).
 void forget_waits_that_end(RunReport& report) {
     auto is_held = [&](const ProcessUse& process) {
         const auto& stuck = report.result.deadlock->processes;
@@ -67,21 +67,21 @@ void add_places(Deadlock& deadlock, const Network& network) {
             stuck.netlist = file_and_line(network.channels[place].connected);
 }
 
-/// Returns which process or component failed, its kind, and the time unless that is 0: "process a/1 (kind) at 3 us".
+/// Returns the failed process or component, its kind, and the time unless the time is 0: "process a/1 (kind) at 3 us".
 std::string failing(const Failure& failure, const ProcessInstance* process) {
     return fmt::format("process {}{}{}", failure.process, process ? " (" + process->kind + ")" : "",
                        failure.time == Time{0} ? "" : " at " + to_string(failure.time));
 }
 
-/// Returns whether a program's own device is in the network: an exception in a process may then come from the device
-/// that carries its messages.
+/// Returns whether the network has a device that a program adds: an exception in a process may then come from the
+/// device that carries its messages.
 bool has_own_devices(const Network& network) {
     return std::ranges::any_of(network.nodes, [](const Node& node) { return node.kind->is_own; });
 }
 
-/// Rethrows the current exception with the name and declaration of the process that threw it. Becomes a UserError if a
-/// user can cause the exception; otherwise a logic_error, a defect of PlacedPar. Errors of the system are rethrown
-/// unchanged.
+/// Rethrows the current exception with the name and declaration of the process that threw it. The new exception is a
+/// UserError if a user can cause the error; otherwise a logic_error, which is a defect of PlacedPar. Errors of the
+/// system are rethrown unchanged.
 [[noreturn]] void rethrow_with_process(const Failure& failure, const Network& network, const Catalogue& catalogue) {
     const ProcessInstance* process = outermost(network, failure.process);
     const bool is_own = (process && catalogue.find(process->kind)->is_own) || has_own_devices(network);

@@ -26,7 +26,7 @@ std::size_t count_words(std::string text) {
     return count;
 }
 
-/// Counts, in one pass, at least as many words as count_words() finds in a printed text, which holds nothing illegal.
+/// Returns an upper limit of count_words(), computed in one pass. REQUIRES: the text has no illegal tokens.
 std::size_t most_words_in(std::string_view printed) {
     std::size_t count = 0;
     bool in_word = false;
@@ -38,8 +38,8 @@ std::size_t most_words_in(std::string_view printed) {
     return count;
 }
 
-/// Refuses a network whose printed text would be too large to be read again. Replication can make that text larger than
-/// the netlist.
+/// Refuses a network whose printed text would be too large to be read again. Replication can make the printed text
+/// larger than the netlist.
 void check_size(WrittenOut out, const Location& at, Reporter& reporter) {
     if (out.bytes > largest_source_bytes)
         reporter.give_up(at, fmt::format("the network is too large: written out it would have {} bytes, but at "
@@ -50,7 +50,7 @@ void check_size(WrittenOut out, const Location& at, Reporter& reporter) {
             at, fmt::format("the network is too large: written out it would have more than {} words", most_tokens));
 }
 
-/// If the text is occam, reports that instead of errors in its words.
+/// If the text is occam, replaces all errors by one error that says this.
 void recognise_occam(const std::shared_ptr<const SourceFile>& main, Reporter& reporter) {
     auto found = occam_in(main);
     if (auto first = reporter.first_file(); !found && first)
@@ -67,7 +67,7 @@ Declared declared_in(const Draft& draft) {
     return {static_cast<std::size_t>(std::ranges::count_if(draft.nodes, executes)), draft.processes.size()};
 }
 
-/// Files in the order in which they first appear among the diagnostics, then by line.
+/// Sorts by file, in the order in which the files first appear among the diagnostics, then by line.
 void sort_by_place(std::vector<Diagnostic>& diagnostics) {
     std::vector<const SourceFile*> files;
     auto rank = [&](const Location& location) {

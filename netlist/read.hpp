@@ -33,11 +33,11 @@ struct ReadOptions {
     std::vector<std::filesystem::path> include_folders =
         {};                               ///< folders searched for files that are not beside the including file
     std::vector<std::string> faults = {}; ///< faults stated by options: `t[0].link[1] silent (from = 20ms)`
-    ProgramKinds programs = {};           ///< a program that the netlist does not use is an error
+    ProgramKinds programs = {}; ///< kinds that replace programs; a program that the netlist does not use is an error
 };
 
 /// Holds the syntax of a netlist and of the files that it includes, before overrides are applied. It is read and parsed
-/// once for any number of networks. It is immutable: copies are cheap, and several threads may use it at once.
+/// once for any number of networks. It is immutable: copies are cheap, and several threads may use it at the same time.
 class ParsedNetlist {
 public:
     /// Reads the file; "-" is standard input, whose `#include` is relative to the working directory. Errors in the text

@@ -45,8 +45,8 @@ std::optional<RunReport> RepeatedRun::run() {
         if (!course_.has_diverged)
             throw;
         return std::nullopt;
-    } catch (...) { // a divergence from the record, or an exception that might come at another time, or never, on the
-                    // machine
+    } catch (...) { // a divergence from the record, or an exception that the machine might throw at another time or
+                    // never
         return std::nullopt;
     }
     if (course_.has_diverged)
@@ -62,7 +62,8 @@ std::optional<RunReport> RepeatedRun::run() {
     return report;
 }
 
-/// Returns the measurements in the recorded order; each process makes its own in the same order as in the recorded run.
+/// Returns the measurements in the recorded order. Each process makes its measurements in the same order as in the
+/// recorded run.
 std::vector<Measurement> RepeatedRun::in_recorded_order(const std::vector<Measurement>& measured) const {
     std::map<std::string, std::list<Measurement>> of_process;
     for (const Measurement& each : measured)

@@ -19,27 +19,27 @@ struct RecordedRun {
     std::optional<RunReport> report; ///< empty if the run was refused
     std::uint64_t events = 0;        ///< fingerprint of the events
     ReplaySession course;
-    std::list<ReplayLog> histories; ///< by process of the network
+    std::list<ReplayLog> histories; ///< one for each process of the network
 
     /// Returns whether the run has completed and its processes did only what can be repeated.
     bool can_be_repeated() const;
 };
 
-/// Returns whether all events in the network follow from the contents of the histories. This requires that all
-/// processes are determinate (ProcessKind::is_determinate), that no channel is broadcast on a bus (the bus compares the
-/// messages of a broadcast), and that the machine has no faults (programs may see faults as exceptions).
+/// Returns whether all events in the network follow from the contents of the histories. All processes must be
+/// determinate (ProcessKind::is_determinate). No channel may be broadcast on a bus, since the bus compares the messages
+/// of a broadcast. The machine may have no faults, since programs may see faults as exceptions.
 bool is_determinate(const Network&, const Catalogue&);
 
 /// Repeats a recorded run with another seed without simulating the machine. The processes compute with the numbers of
-/// the new seed, and all times are taken from the recorded run. If a process behaves differently from the recorded run,
-/// for example computes longer, the run is not repeated.  REQUIRES: the network is that of the recorded run, and
-/// determinate. All three arguments outlive this object.
+/// the new seed, and all times are taken from the recorded run. The run cannot be repeated if a process behaves
+/// differently, for example computes longer. REQUIRES: the network is determinate, and the recorded run is a run of
+/// this network. All three arguments outlive this object.
 class RepeatedRun {
 public:
     RepeatedRun(const Network&, const Catalogue&, std::uint64_t seed, const RecordedRun&);
 
-    /// Returns the report that a run on the machine would give, equal to the last bit; the report of an interrupted run
-    /// contains only this ending. Returns nothing if the run would take another course or would not complete.
+    /// Returns the report that a run on the machine would give, identical to the last bit. The report of an interrupted
+    /// run contains only this ending. Returns nothing if the run would behave differently or would not complete.
     std::optional<RunReport> run();
     Simulation& simulation() { return simulation_; }
 

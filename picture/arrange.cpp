@@ -14,11 +14,12 @@ namespace placedpar::picture {
 
 namespace {
 
-/// Approximate size of a node's box, in cells.
+/// The approximate size of a node's box, in cells.
 constexpr double box_width = 0.7, box_height = 0.6;
-constexpr double across_a_box = 6, diagonal = 0.5; ///< terms of the cost of a wire, besides the square of its length
+/// Terms that are added to the square of a wire's length to give its cost.
+constexpr double across_a_box = 6, diagonal = 0.5;
 
-/// Holds the placed nodes by cell, to find the nodes near a place.
+/// Stores the placed nodes by cell, so that the nodes near a place are found quickly.
 class NodeGrid {
 public:
     void put(std::size_t node, Point at) { cells_[cell(at)].push_back({node, at}); }
@@ -59,7 +60,7 @@ Box extent(const std::vector<Point>& points) {
     return around(boxes);
 }
 
-/// A group of blocks that are connected by wires.
+/// A group of blocks that wires connect with each other.
 class Group {
 public:
     Group(const Network& network, const Wiring& wiring, std::vector<Point>& places)
@@ -83,7 +84,7 @@ public:
             stand(block.nodes[i], best.offset + (*best.shape)[i]);
     }
 
-    /// Moves the group's upper left corner to `corner`; returns its extent there.
+    /// Moves the group so that its upper left corner is at `corner`, and returns its new extent.
     Box move_to(Point corner) {
         Box now = extent(points());
         for (auto node : nodes_)
@@ -112,7 +113,7 @@ private:
         grid_.put(node, at);
     }
 
-    /// Tries every offset, in steps of half a cell, that puts the shape among or beside the placed nodes.
+    /// Tries all offsets, in steps of half a cell, that place the shape among the placed nodes or beside them.
     void consider(const Block& block, const Shape& shape, Choice& best) {
         if (empty()) {
             if (!best.shape)
@@ -138,7 +139,7 @@ private:
         return std::ranges::all_of(shape, [&](Point each) { return grid_.is_free(offset + each); });
     }
 
-    /// Returns the cost of the block's wires to placed nodes; stops when the cost reaches `enough`.
+    /// Returns the cost of the block's wires to placed nodes. The sum ends early when it reaches `enough`.
     double length_of_wires(const Block& block, const Shape& shape, Point offset, double enough) const {
         double cost = 0;
         for (std::size_t i = 0; i < block.nodes.size() && cost < enough; ++i)
@@ -148,8 +149,8 @@ private:
         return cost;
     }
 
-    /// Returns the cost of a wire that leads from the new node along `way`. Of two equally good places, a host takes
-    /// the left or upper place; another node takes the right or lower place.
+    /// Returns the cost of a wire from the new node along the vector `way`. Between two places of equal cost, a host
+    /// gets the left or upper one, any other node the right or lower one.
     double cost_of(std::size_t node, Point way) const {
         bool leads = n_.nodes[node].kind->drawing.in_first_row || n_.nodes[node].kind->links == LinkRole::edge;
         double towards = leads ? -1 : 1;
@@ -157,7 +158,7 @@ private:
         return way.x * way.x + way.y * way.y + diagonal * slant + 0.001 * towards * way.x + 0.0008 * towards * way.y;
     }
 
-    /// Returns the cost of placed boxes that the new wires cross, and of placed wires that cross the new boxes.
+    /// Returns the cost of the placed boxes that new wires cross, and of the placed wires that cross new boxes.
     double cost_of_crossings(const Block& block, const Shape& shape, Point offset) const {
         double cost = 0;
         for (std::size_t i = 0; i < block.nodes.size(); ++i) {
@@ -186,7 +187,7 @@ private:
 
     const Network& n_;
     const Wiring& wiring_;
-    std::vector<Point>& places_; ///< by node of the network
+    std::vector<Point>& places_; ///< place of each node of the network
     std::vector<bool> placed_;
     std::vector<std::size_t> nodes_;
     NodeGrid grid_;
@@ -206,8 +207,8 @@ public:
     }
 
 private:
-    /// Returns the block with the most wires to the group; among equals the one with the most nodes, then the one
-    /// declared first.
+    /// Returns the block with the most wires to the group. Among equals it is the block with the most nodes, and then
+    /// the block declared first.
     std::size_t next_block(const Group& group) const {
         auto rank = [&](const Block& block) {
             auto first = static_cast<std::ptrdiff_t>(block.nodes.front());
@@ -234,7 +235,7 @@ private:
         return group;
     }
 
-    /// Puts the groups into rows that are about as long as the longest group.
+    /// Puts the groups into rows about as long as the longest group.
     void set_beside(std::vector<Group>& groups) {
         double longest = 4, bottom = 0;
         for (Group& group : groups)

@@ -7,9 +7,9 @@
 
 namespace placedpar::picture {
 
-/// Returns the place of each node, in cells. Any two nodes are at least one cell apart across or down. Blocks
-/// (blocks.hpp) are placed one after the other, the largest first. Each is placed so that its wires to the blocks
-/// already placed are short and cross nothing.
+/// Returns the place of each node, in cells. Any two nodes are at least one cell apart, horizontally or vertically.
+/// Blocks (blocks.hpp) are placed one after the other: first the block of the most nodes, then always the block with
+/// the most wires to placed blocks. Each block is placed so that these wires are short and cross nothing.
 std::vector<Point> arrange(const Network&, const Wiring&);
 
 } // namespace placedpar::picture

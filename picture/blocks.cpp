@@ -17,7 +17,7 @@ constexpr std::size_t longest_row = 8, largest_circle = 40, largest_cube = 160;
 
 using Nodes = std::vector<std::size_t>;
 
-/// Recognises how the nodes of a block are wired with each other and with other nodes.
+/// Recognises the pattern in which the nodes of a block are wired with each other and with other nodes.
 class Pattern {
 public:
     Pattern(const Network& network, const Wiring& wiring, const Nodes& nodes)
@@ -45,8 +45,8 @@ public:
         return true;
     }
 
-    /// Returns whether the nodes form cube-connected cycles: 2^length rows of `length` nodes. Each row is a ring, and
-    /// node i of a row is wired to node i of the row whose number differs in bit i.
+    /// Returns whether the nodes form cube-connected cycles: 2^length rows of `length` nodes each. Each row is a ring.
+    /// Node i of a row is wired to node i of the row whose number differs in bit i.
     bool is_cube_of_cycles(std::size_t length) const {
         if (length < 3 || length > 16 || nodes_.size() != length << length)
             return false;
@@ -57,15 +57,15 @@ public:
     }
 
     /// Returns the parent of each node if the nodes are wired into a tree; empty otherwise. The root is the first node
-    /// with a wire to a node outside, or else the first node.
+    /// with a wire to a node outside the block; if there is none, it is the first node.
     std::vector<std::size_t> tree() const {
         std::vector<std::size_t> above(nodes_.size(), no_node);
         std::vector<std::size_t> reached{root()};
         std::set<std::size_t> seen{root()};
+        // Several wires may join a node to its parent.
         for (std::size_t next = 0; next < reached.size(); ++next)
             for (auto other : inside(reached[next]))
-                if (other != above[reached[next]] &&
-                    above[other] != reached[next]) { // several wires may join a node to its parent
+                if (other != above[reached[next]] && above[other] != reached[next]) {
                     if (!seen.insert(other).second)
                         return {};
                     above[other] = reached[next];
@@ -81,17 +81,17 @@ public:
         return false;
     }
 
-    /// Returns whether some other node is wired to all nodes of the block.
+    /// Returns whether there is another node that is wired to all nodes of the block.
     bool has_hub() const {
         return std::ranges::any_of(wiring_.neighbours(nodes_.front()), [&](std::size_t hub) {
             return std::ranges::all_of(nodes_, [&](std::size_t node) { return wiring_.linked(hub, node); });
         });
     }
 
-    /// Returns whether each node is wired to the element with its subscript in one other array, as for example heads of
-    /// rows.
+    /// Returns whether each node is wired to a node with the same subscript in another array, for example a row to the
+    /// head of this row.
     bool has_partners() const {
-        std::map<std::string_view, std::size_t> partners; // number of nodes with a partner, by array
+        std::map<std::string_view, std::size_t> partners; // by array: number of nodes that have a partner in the array
         for (std::size_t i = 0; i < nodes_.size(); ++i)
             for (auto base : bases_of_partners(i))
                 ++partners[base];
@@ -99,8 +99,8 @@ public:
     }
 
 private:
-    /// Returns in ascending order the positions within the block that wires lead to from position i, one entry for each
-    /// wire.
+    /// Returns the positions within the block to which wires lead from position i, in ascending order, with one entry
+    /// for each wire.
     std::vector<std::size_t> inside(std::size_t i) const {
         std::vector<std::size_t> others;
         for (auto other : wiring_.neighbours(nodes_[i]))
@@ -226,7 +226,7 @@ private:
         return others;
     }
 
-    /// Returns this node and the single processors that are connected to it through single processors.
+    /// Returns this node and all single processors that are connected with it through single processors.
     std::set<std::size_t> singles_around(std::size_t start) const {
         std::set<std::size_t> found{start};
         Nodes reached{start};
@@ -237,7 +237,8 @@ private:
         return found;
     }
 
-    /// Adds the single nodes around `start`: a line, a ring or a tree as one block, otherwise a block for each node.
+    /// Adds the single nodes around `start`. If they form a line, a ring or a tree, they become one block; otherwise
+    /// each node becomes a block.
     void add_singles(std::size_t start) {
         auto found = singles_around(start);
         bool line = std::ranges::all_of(found, [&](auto node) { return singles_beside(node).size() <= 2; });
@@ -251,7 +252,7 @@ private:
                 add_in_order({node});
     }
 
-    /// Returns the nodes in the order of the line from one of its ends, or around the ring from its first node.
+    /// Returns the nodes in order along the line, from one of its ends, or around the ring, from its first node.
     Nodes walk(const Nodes& nodes) const {
         auto end = std::ranges::find_if(nodes, [&](auto node) { return singles_beside(node).size() < 2; });
         Nodes walked{end == nodes.end() ? nodes.front() : *end};

@@ -20,7 +20,7 @@ constexpr std::size_t most_in_column = 8, longest_text = 26;
 double round_up(double length, double unit) { return std::ceil(length / unit) * unit; }
 double to_raster(double length) { return std::round(length / pitch) * pitch; }
 
-/// Cuts a long text short, and marks the cut by "..".
+/// Shortens a long text so that it ends in "..".
 std::string shortened(const std::string& text) {
     return text.size() <= longest_text ? text : text.substr(0, longest_text - 2) + "..";
 }
@@ -35,7 +35,7 @@ std::string facts_of(const Node& node) {
     return text;
 }
 
-/// The size of a node's box, in pixels: it has room for its texts and its wires.
+/// The size of a node's box, in pixels. The box has room for its texts and its wires.
 struct Size {
     double width = narrowest, height = heading_height;
 };
@@ -73,7 +73,7 @@ private:
     void add_process(std::size_t index) {
         const ProcessInstance& process = n_.processes[index];
         if (n_.nodes[process.node].kind->is_set_by_link())
-            return; // the switch's logic is not drawn: the wire to the configuration link implies it
+            return; // the logic of a switch is not drawn: the wire to its configuration link implies it
         auto name = shortened(process.name) + (process.high_priority ? " !" : "");
         auto kind = process.kind.empty() ? "no program" : shortened(process.kind);
         nodes_[process.node].processes.push_back({index, name, kind, {}, 0});
@@ -87,7 +87,7 @@ private:
         return counts;
     }
 
-    /// Sets the sizes of the boxes; all nodes of an array have boxes of one size.
+    /// Sets the sizes of the boxes. All nodes of an array get the size of the largest.
     void find_sizes() {
         std::map<std::string_view, Size> largest;
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -117,13 +117,13 @@ private:
         double width = std::max(text, static_cast<double>(columns) * width_of_column(node)) + 2 * inset;
         auto rows = std::min(node.processes.size(), most_in_column) + (node.inside.empty() ? 0 : 1);
         double height = heading_height + static_cast<double>(rows) * process_height + (rows == 0 ? 0 : inset);
-        // A side has room for a third of the wires, a double pitch apart.
+        // Each side has room for a third of the wires, with a distance of twice the pitch.
         double side = 2 * pitch * (static_cast<double>(wires_[index]) / 3 + 1);
         return {round_up(std::max({width, narrowest, side}), 2 * pitch), round_up(std::max(height, side), 2 * pitch)};
     }
 
-    /// Converts cells to pixels. A column is as wide as its widest box, and a row as high as its highest. A box between
-    /// two columns or rows counts for both.
+    /// Converts cells to pixels. A column is as wide as its widest box, and a row is as high as its highest box. A box
+    /// between two columns or rows counts for both.
     class Scale {
     public:
         Scale(const std::vector<double>& cells, const std::vector<double>& lengths, double gap) {

@@ -10,30 +10,31 @@
 
 namespace placedpar::picture {
 
-/// The unit of the drawing's raster, in pixels: borders of boxes and wires that turn corners lie on it.
+/// The unit of the drawing's raster, in pixels. The borders of boxes lie on the raster, and so do wires that turn
+/// corners.
 inline constexpr double pitch = 8;
 
-/// Heights of letters, in pixels.
+/// The heights of letters, in pixels.
 inline constexpr double name_size = 13, fact_size = 10, process_size = 11, kind_size = 9, number_size = 9;
 
-/// Heights in a node's box, in pixels: its heading, and a line for a process.
+/// The heights, in pixels, of the heading of a node's box and of the line for a process.
 inline constexpr double heading_height = 40, process_height = 16;
 
-/// Returns the greatest width of the text in the fonts that a viewer may use, in pixels.
+/// Returns the greatest width, in pixels, that the text can have in the fonts of viewers.
 double width_of(const std::string& text, double size, bool bold = false);
 
 struct ProcessLine {
     std::size_t process = 0;
     std::string name, kind; ///< shortened if very long
-    Point at;               ///< begin of the name, on the base line of the letters
-    double kind_at = 0;     ///< x at which the kind ends
+    Point at;               ///< start of the name, on the base line of the letters
+    double kind_at = 0;     ///< x coordinate of the end of the kind's text
 };
 
 struct DrawnNode {
     Box box;
     std::string name, facts; ///< facts: type, memory, clock
     std::vector<ProcessLine> processes;
-    std::string inside; ///< text with the number of channels within the node; "" if there are none
+    std::string inside; ///< text with the number of channels inside the node; "" if there are none
 };
 
 /// Draws the nodes as boxes that have room for their texts, at the given places in cells. Boxes do not overlap, and

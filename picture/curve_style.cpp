@@ -9,20 +9,20 @@ namespace placedpar {
 
 namespace {
 
-/// The colours of Okabe and Ito, which the colour-blind can distinguish, dark ones first. Black replaces their yellow,
-/// which is hard to see on white.
+/// The colours of Okabe and Ito, which the colour-blind can distinguish, in order from dark to light. Black replaces
+/// their yellow, which is hard to see on white.
 constexpr std::array<const char*, 8> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                              "#E69F00", "#56B4E9", "#000000", "#7F7F7F"};
 
-/// Gnuplot's number of each colour's symbol: a circle, a square, triangles, a rhombus, and their outlines.
+/// Gnuplot's numbers of the symbols, one for each colour: a circle, a square, triangles, a rhombus, and outlines.
 constexpr std::array<int, colours.size()> symbols{7, 5, 9, 13, 11, 6, 4, 8};
-/// Approximate number of symbols on a curve.
+/// The approximate number of symbols on a curve.
 constexpr std::size_t symbols_of_curve = 9;
 
-/// Dashes of each colour: lengths of strokes and gaps.
+/// The dashes for each colour: lengths of strokes and gaps.
 constexpr std::array<const char*, colours.size()> dashes{"solid",     "(9,4)",          "(2,3)", "(14,4,3,4)",
                                                          "(5,2,5,7)", "(14,4,3,4,3,4)", "(3,7)", "(6,3,2,3)"};
-constexpr const char* asked_for = "(8,5)"; // Stroke::dashes
+constexpr const char* asked_for = "(8,5)"; // for Stroke::dashes
 
 std::size_t colour_number(const Panel& panel, std::size_t place) {
     const auto& asked = panel.series[place].colour;
@@ -45,8 +45,8 @@ bool dashes_have_a_meaning(const Panel& panel) {
     return false;
 }
 
-/// Returns whether the curve can do without symbols: it has no intervals, and it is alone, has points of its colour, or
-/// is the only dashed curve of its colour.
+/// Returns whether the curve needs no symbols: it has no intervals, and it is the only series, has points of its
+/// colour, or is the only dashed curve of its colour.
 bool needs_no_symbols(const Panel& panel, std::size_t place) {
     const std::size_t number = colour_number(panel, place);
     if (!panel.series[place].intervals.empty())
@@ -55,7 +55,7 @@ bool needs_no_symbols(const Panel& panel, std::size_t place) {
            (panel.series[place].stroke == Stroke::dashes && !dashes_have_a_meaning(panel));
 }
 
-/// Returns whether lines of this colour are drawn solid: no line has another colour, or dashes have a meaning.
+/// Returns whether lines of this colour are solid: no line has another colour, or dashes have a meaning.
 bool needs_no_dashes(const Panel& panel, std::size_t number) {
     bool alone = true;
     for (std::size_t other = 0; other < colours.size(); ++other)

@@ -12,9 +12,9 @@ namespace placedpar {
 
 namespace {
 
-constexpr double seen = 1e-6; ///< smallest part of an axis's length that counts; less is rounding
+constexpr double seen = 1e-6; ///< smallest visible part of an axis's length; anything smaller counts as rounding
 
-/// Converts values to places on a drawn axis: 0 and 1 are its given ends.
+/// Converts values to positions along an axis as it is drawn: 0 and 1 are the given ends of the axis.
 class Scale {
 public:
     explicit Scale(const Axis& axis)
@@ -34,7 +34,7 @@ private:
     double from_, length_;
 };
 
-/// One end of an axis, at which series may be cut off, and the other axis, which runs along this edge.
+/// One end of an axis, where series may be cut off. `along_` is the other axis, which is parallel to this edge.
 class End {
 public:
     End(PanelEdge edge, const Panel& panel)
@@ -54,9 +54,9 @@ public:
         return !(along_.from && shown < along_scale_.place(*along_.from) - seen) &&
                !(along_.to && shown > along_scale_.place(*along_.to) + seen);
     }
-    /// Returns whether a line from the point to this end would be visible.
+    /// Returns whether the point is on the visible side of this end.
     bool is_inside(const Point& point) const { return std::isfinite(value(point)) && !beyond(value(point)); }
-    /// Returns where the drawn line between the two points crosses this end.
+    /// Returns the position along the edge at which the drawn line between the two points crosses the edge.
     double crossing(const Point& inside, const Point& outside) const {
         const double from = scale_.place(value(inside)), to = scale_.place(value(outside));
         const double share = (scale_.place(*at()) - from) / (to - from);
@@ -76,7 +76,8 @@ private:
     Scale scale_, along_scale_;
 };
 
-/// Returns where the series leaves or enters the panel, for the points [first, last), which all lie beyond the end.
+/// Returns the position along the edge at which the series leaves or enters the panel. The points [first, last) are all
+/// beyond the end.
 double place_of(const End& end, const Series& series, std::size_t first, std::size_t last) {
     const auto& points = series.points;
     const bool line = series.stroke != Stroke::points;
@@ -87,7 +88,7 @@ double place_of(const End& end, const Series& series, std::size_t first, std::si
     return end.along(points[first]);
 }
 
-/// Returns the points of a series, followed by the ends of its bars.
+/// Returns the points of a series, followed by the end points of its bars.
 std::vector<Point> with_ends_of_bars(const Series& series) {
     std::vector<Point> points = series.points;
     for (std::size_t i = 0; i < series.intervals.size(); ++i)
@@ -99,7 +100,7 @@ std::vector<Point> with_ends_of_bars(const Series& series) {
     return points;
 }
 
-/// Adds the places where bars extend beyond the end.
+/// Adds the positions at which bars extend beyond the end.
 void add_places_of_bars(const End& end, const Series& series, std::vector<double>& places) {
     const std::vector<Point> all = with_ends_of_bars(series);
     for (std::size_t i = series.points.size(); i < all.size(); ++i)

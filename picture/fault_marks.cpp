@@ -24,14 +24,15 @@ std::vector<Box> boxes_to_avoid(const Picture& picture) {
     return boxes;
 }
 
-/// Adds points on both sides of `at`, along `aside`, up to the distance `farthest`; the nearest come first.
+/// Adds points on both sides of `at`, in the direction `aside` and opposite, up to the distance `farthest`, nearest
+/// first.
 void add_beside(Point at, Point aside, double farthest, std::vector<Point>& points) {
     for (double away = 0; away <= farthest; away += pitch)
         for (double side : {-1., 1.})
             points.push_back(at + (side * away) * aside);
 }
 
-/// Returns candidate places for a text: on the wire, beginning at the middle of its longest line, then beside it.
+/// Returns candidate places for a text: first on the wire near the middle of its longest line, then beside the wire.
 std::vector<Point> places_at(const DrawnWire& wire) {
     const Path& path = *std::ranges::max_element(wire.spans, {}, [](const Path& each) {
         std::size_t line = longest_line(each);
@@ -46,7 +47,7 @@ std::vector<Point> places_at(const DrawnWire& wire) {
     return points;
 }
 
-/// Returns candidate places for a text: above the box, then below it.
+/// Returns candidate places for a text above and below the box, nearest first.
 std::vector<Point> places_at(const Box& box) {
     std::vector<Point> points;
     for (double away = text_height; away <= 20 * pitch; away += pitch)

@@ -10,12 +10,12 @@
 
 namespace placedpar::picture {
 
-/// Marks a fault at the wire or node that it affects.
+/// A mark for a fault, at the wire or the node that it affects.
 struct FaultMark {
-    std::optional<std::size_t> wire, node; ///< exactly one of the two is set
+    std::optional<std::size_t> wire, node; ///< one of the two is set
     std::string text;                      ///< "silent from 20 ms"
     std::string statement;                 ///< "t[0].link[1] silent (from = 20ms)"
-    Box box;                               ///< box of the text, beside the wire or node
+    Box box;                               ///< box of the text
 };
 
 /// Returns the marks in the order of the network's faults. If there is room, the texts do not overlap boxes, labels or

@@ -5,7 +5,7 @@
 
 namespace placedpar::picture {
 
-/// x grows to the right, y downwards.
+/// x grows to the right, y grows downwards.
 struct Point {
     double x = 0, y = 0;
 
@@ -29,11 +29,11 @@ struct Box {
 
 /// Returns the box enlarged by `by` on every side.
 Box grown(const Box&, double by);
-/// Returns whether the boxes share more than a border.
+/// Returns whether the boxes overlap. Boxes that share only a border do not.
 bool overlap(const Box&, const Box&);
 /// Returns whether part of the line from a to b lies within the box.
 bool crosses(const Box&, Point a, Point b);
-/// Returns where the line from a point inside the box to a point outside leaves the box.
+/// Returns the point at which the line from a point inside the box to a point outside leaves the box.
 Point way_out(const Box&, Point inside, Point outside);
 /// Returns the smallest box that contains all boxes. REQUIRES: there is at least one box.
 Box around(const std::vector<Box>&);

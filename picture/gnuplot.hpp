@@ -4,9 +4,8 @@
 
 namespace placedpar {
 
-/// Runs gnuplot with this script and returns its output. Throws UserError if gnuplot is not installed,
-/// std::runtime_error with gnuplot's message if gnuplot refuses the script. The user's own settings of gnuplot are not
-/// read.
+/// Runs gnuplot with this script and returns its output. Throws UserError if gnuplot is not installed, or with
+/// gnuplot's message if gnuplot refuses the script. Gnuplot does not read the user's own settings.
 std::string run_gnuplot(const std::string& script);
 
 /// Throws UserError if gnuplot is not on the path. Call it before a long run, so that the run is not lost.

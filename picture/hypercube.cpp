@@ -17,7 +17,8 @@ using At = picture::Point;
 
 constexpr double cube_margin = 56, note_room = 44, text_line = 17, vertex_radius = 15, caption = 40, legend_height = 34;
 
-/// The direction of each bit, beginning with the string's last bit: to the right, up, back, and to the second cube.
+/// The direction in which each bit leads, beginning with the string's last bit: right, up, back, and to the second
+/// cube.
 constexpr std::array<At, 4> bit_leads{At{132, 0}, {0, -132}, {74, -62}, {284, 40}};
 
 constexpr const char* hypercube_style =
@@ -44,7 +45,7 @@ constexpr const char* head_of_moves =
     R"(<marker id="arrow" viewBox="0 0 10 10" refX="7" refY="5" markerWidth="6" markerHeight="6" )"
     R"(orient="auto-start-reverse"><path d="M0 0 L10 5 L0 10 z" fill="#d55e00"/></marker>)";
 
-/// The size of the drawing of one hypercube, and the place of vertex 0 in it.
+/// The size of the drawing of one hypercube, and the place of vertex 0 in the drawing.
 struct CubeArea {
     double width, height;
     At zero;
@@ -122,7 +123,7 @@ private:
         for (auto [from, to] : cube_.moves) {
             At way = at(to) - at(from);
             At unit = (1 / std::max(distance({}, way), 1.0)) * way;
-            // Arrows are bent to the side, so that two between the same vertices do not overlap.
+            // Arrows are bent to the side, so that two arrows between the same vertices do not overlap.
             At start = at(from) + vertex_radius * unit, end = at(to) - (vertex_radius + 5) * unit;
             At bend = at(from) + 0.5 * way + 22 * At{-unit.y, unit.x};
             pen_.path("M" + svg_point(start) + " Q" + svg_point(bend) + " " + svg_point(end),
@@ -160,7 +161,7 @@ void draw_cube(SvgPen& pen, const DrawnHypercube& cube, At corner) {
     }
 }
 
-/// Draws the legend; returns the x of its right end.
+/// Draws the legend, and returns the x coordinate of its right end.
 double draw_legend(SvgPen& pen, const VertexLegend& legend, At at) {
     for (const auto& [look, words] : legend) {
         pen.add(vertex_symbol(at, look, "")).text(at + At{vertex_radius + 8, 4.5}, "line", words);

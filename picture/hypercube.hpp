@@ -8,34 +8,34 @@
 
 namespace placedpar {
 
-/// Says how a vertex is drawn; the looks differ without colours, too.
+/// The appearance of a vertex. Vertices can also be distinguished without colours.
 enum class VertexLook : unsigned char { empty, member, parent, offspring };
 
-/// A vertex of a hypercube. Its number is its binary string read as a whole number: 1100 is vertex 12.
+/// A vertex of a hypercube. The number is the vertex's binary string, read as a whole number: 1100 is vertex 12.
 struct DrawnVertex {
     std::uint32_t number;
     VertexLook look = VertexLook::member;
     std::string note = {}; ///< text beside the vertex, such as "2 copies"
 };
 
-/// Holds two vertices: the ends of an arrow, or opposite corners of a smaller hypercube.
+/// Two vertices: the ends of an arrow, or opposite corners of a smaller hypercube.
 using VertexPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// A hypercube as the thesis draws it (Figures 6.2 to 6.4): vertices, and a link wherever two differ in one bit.
+/// A hypercube as the thesis draws it (Figures 6.2 to 6.4). A link joins two vertices whose strings differ in one bit.
 struct DrawnHypercube {
     std::string title;
     std::size_t dimensions = 4;             ///< 1 to 4
-    std::vector<DrawnVertex> vertices = {}; ///< all other vertices are drawn as `empty`
-    std::vector<VertexPair> spanned = {};   ///< smaller hypercubes spanned by two parents; their links are thick
-    std::vector<VertexPair> moves = {};     ///< arrows
-    std::vector<std::string> lines = {};    ///< lines of text below the drawing
+    std::vector<DrawnVertex> vertices = {}; ///< vertices that are not listed are drawn as `empty`
+    /// Opposite corners of smaller hypercubes, such as two parents. The links of these hypercubes are thick.
+    std::vector<VertexPair> spanned = {};
+    std::vector<VertexPair> moves = {};  ///< arrows
+    std::vector<std::string> lines = {}; ///< lines of text below the drawing
 };
 
-/// Explains the meaning of each look.
 using VertexLegend = std::vector<std::pair<VertexLook, std::string>>;
 
-/// Draws hypercubes in rows of `columns`, as SVG. The same input gives the same bytes. REQUIRES: vertices below
-/// 2^dimensions; columns >= 1. Throws std::invalid_argument for dimensions outside 1 to 4.
+/// Draws hypercubes in rows of `columns` hypercubes, as SVG. The same input gives the same bytes. REQUIRES: vertices
+/// below 2^dimensions; columns >= 1. Throws std::invalid_argument for dimensions outside 1 to 4.
 std::string draw_hypercubes(const std::string& title, const std::vector<DrawnHypercube>& cubes, std::size_t columns,
                             const VertexLegend& legend);
 

@@ -11,16 +11,16 @@
 
 namespace placedpar::picture {
 
-/// Finds room for small labels that overlap no box and no other label, and, if possible, no other wire.
+/// Finds room for small labels. They overlap no box and no other label, and, if possible, no other wire.
 class LabelRoom {
 public:
     explicit LabelRoom(const std::vector<Box>& boxes);
 
-    /// Adds a piece of the wire with this number.
+    /// Adds a part of wire number `wire`.
     void add_wire(std::size_t wire, const Path&);
-    /// Finds room beside the wire's end at which the path begins.
+    /// Finds room beside the first point of the path, at the wire's end.
     std::optional<Box> beside_start(std::size_t wire, const Path&, double width, double height);
-    /// Finds room on the wire, near the middle of its longest line.
+    /// Finds room on the wire, near the middle of the path's longest line.
     std::optional<Box> on_middle(std::size_t wire, const Path&, double width, double height);
 
 private:
@@ -41,7 +41,7 @@ private:
     std::map<Tile, std::vector<Line>> lines_;
 };
 
-/// Returns the index of the point at which a path's longest line begins.
+/// Returns the index of the point at which the longest line of a path begins.
 std::size_t longest_line(const Path&);
 
 } // namespace placedpar::picture

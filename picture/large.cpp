@@ -18,16 +18,16 @@ namespace placedpar::picture {
 
 namespace {
 
-constexpr double lane_start = 10,
-                 lane_gap = 6;        ///< distances of the wires in a lane between two rows or columns, in pixels
+/// Distances of wires in a lane between two rows or columns, in pixels.
+constexpr double lane_start = 10, lane_gap = 6;
 constexpr double most_sagitta = 0.05; ///< greatest distance between a chord and the arc that it replaces, in cells
 constexpr double apart = 3;           ///< distance between blocks, in cells
 
-/// The places of all nodes. Blocks are numbered from the left; block 0 holds the single nodes.
+/// The places of all nodes. Blocks are numbered from left to right; block 0 holds the single nodes.
 struct LargeLayout {
     std::vector<Point> places;
-    std::vector<std::size_t> block_of;            ///< by node
-    std::vector<std::optional<double>> radii{{}}; ///< by block, in cells; empty unless the block is a ring
+    std::vector<std::size_t> block_of;            ///< block of each node
+    std::vector<std::optional<double>> radii{{}}; ///< radius of each block that is a ring, in cells
 };
 
 Box large_extent(const std::vector<Point>& points) {
@@ -45,7 +45,7 @@ bool is_in_rows(const Shape& shape) {
     return std::ranges::adjacent_find(rows, [](double one, double next) { return next < one + 1; }) == rows.end();
 }
 
-/// Places the largest block, single nodes to its left, and the other blocks to its right.
+/// Places the largest block, the single nodes to its left, and the other blocks to its right.
 class LargeArrangement {
 public:
     LargeArrangement(const Network& network, const Wiring& wiring) : blocks_(blocks_of(network, wiring)) {
@@ -93,8 +93,8 @@ private:
     std::size_t singles_ = 0;
 };
 
-/// Routes wires. Within a block, wires use the lanes between its rows and columns, or the inside of a ring. Wires
-/// between blocks lead beside the blocks, and below all blocks in between.
+/// Routes wires. Within a block, wires use the lanes between rows and columns, or the inside of a ring. A wire between
+/// two blocks leads to the side of each block; if other blocks are in between, it passes below all blocks.
 class LargeRouter {
 public:
     LargeRouter(const LargeLayout& layout, const std::vector<DrawnNode>& nodes)
@@ -130,8 +130,8 @@ public:
 
 private:
     struct Line {
-        std::map<double, std::size_t> positions; ///< order of the nodes by their position along the line
-        double first, last;                      ///< outer borders of its boxes, across the line
+        std::map<double, std::size_t> positions; ///< rank of each node by its position along the line
+        double first, last;                      ///< outer borders of the line's boxes, perpendicular to the line
         std::size_t number = 0;
 
         void add(double position, double least, double most) {
@@ -146,7 +146,7 @@ private:
         Lines rows, columns;
         bool in_columns = true; ///< whether wires fit between its columns
         Box extent;
-        std::optional<double> radius; ///< set for a ring, in cells
+        std::optional<double> radius; ///< radius in cells, if the block is a ring
     };
 
     static void number(Lines& lines) {
@@ -186,7 +186,7 @@ private:
         return a + 1 == b || b + 1 == a;
     }
 
-    /// Returns the path between neighbours in a row, or between nodes of consecutive rows; nothing for other nodes.
+    /// Returns the path between neighbours in a row, or between nodes in consecutive rows; nullopt for other nodes.
     std::optional<Path> between_neighbours(std::size_t a, std::size_t b) const {
         Point at = layout_.places[a], to = layout_.places[b];
         if (at.y == to.y && follow(row(a), at.x, to.x)) {
@@ -217,8 +217,8 @@ private:
 
     double below(std::size_t node, double lane) const { return row(node).last + lane; }
 
-    /// Returns a path that leads down from a, below its row to the lane on the right of its column, along the lane, and
-    /// below the row of b.
+    /// Returns a path that leads down from a, below its row to the lane to the right of its column, along this lane,
+    /// and below the row of b.
     Path through_lanes(std::size_t a, std::size_t b) const {
         double flat = lane(column(a).number, column(b).number), steep = lane(row(a).number, row(b).number);
         Point from = box(a).centre, to = box(b).centre;
@@ -232,8 +232,8 @@ private:
         return path;
     }
 
-    /// Returns a path from the node to a point beside its block: straight if no box is in between, otherwise below its
-    /// row.
+    /// Returns a path from the node to a point beside its block. The path is straight if no box is in between;
+    /// otherwise it leads below the node's row.
     Path leave(std::size_t node, bool rightward) const {
         if (block(node).radius)
             return out_of_ring(node, rightward);
@@ -247,7 +247,8 @@ private:
         return {{self.centre.x, self.bottom()}, {self.centre.x, y}, {x, y}};
     }
 
-    /// Joins the paths that leave two blocks: directly if the blocks are neighbours, otherwise below all blocks.
+    /// Joins the paths that leave two blocks. Paths between neighbouring blocks are joined directly, others below all
+    /// blocks.
     Path joined(Path from, Path to, bool beside) const {
         double y = beside ? to.back().y : bottom_ + lane(0, 128) + lane_start;
         from.push_back({from.back().x, y});
@@ -257,7 +258,7 @@ private:
         return from;
     }
 
-    /// Returns the point that lies `cells` outside of the node, on the line from the ring's centre through the node.
+    /// Returns the point that lies `cells` cells outside the node, on the line from the ring's centre through the node.
     Point beside_ring(std::size_t node, double cells) const {
         Point centre = block(node).extent.centre;
         return centre + (1 + cells / *block(node).radius) * (box(node).centre - centre);
@@ -268,7 +269,7 @@ private:
         return {way_out(box(a), box(a).centre, from), from, to, way_out(box(b), box(b).centre, to)};
     }
 
-    /// Returns a path from the node around its ring to the left or right side.
+    /// Returns a path from the node around its ring to the ring's left or right side.
     Path out_of_ring(std::size_t node, bool rightward) const {
         const Box& ring = block(node).extent;
         Point outside = beside_ring(node, 0.7), c = ring.centre;
@@ -276,8 +277,8 @@ private:
         double across = ring.width / 2, high = ring.height / 2, reach = 1 + 0.75 / *block(node).radius;
         double angle = std::atan2((outside.y - c.y) / high, (outside.x - c.x) / across),
                goal = rightward ? 0 : std::copysign(std::numbers::pi, angle);
-        // Chords come closer to the boxes than the arc by most_sagitta at most; a ring of n nodes takes about sqrt(n)
-        // chords.
+        // A chord is nearer to the boxes than its arc, but by no more than most_sagitta. A ring of n nodes takes about
+        // sqrt(n) chords.
         double chord = std::sqrt(8 * most_sagitta / *block(node).radius);
         int steps = static_cast<int>(std::ceil(std::abs(goal - angle) / chord));
         for (int i = 1; i <= steps; ++i) {

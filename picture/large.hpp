@@ -9,13 +9,12 @@
 
 namespace placedpar::picture {
 
-/// Number of nodes from which a network is drawn by draw_large().
+/// The number of nodes from which draw_large() draws a network.
 inline constexpr std::size_t large_network = 200;
 
 /// Draws a large network of n nodes in O(n log n) time. Every array has the shape of its block (blocks.hpp). Single
-/// nodes are at the left, and a node that most nodes of a ring are wired to is in the centre of the ring. Wires between
-/// neighbours are straight; other wires lead between rows and columns or inside a ring, and through no box. Wires have
-/// no labels.
+/// nodes are to the left of the largest block. Wires between neighbours are straight; other wires lead between rows and
+/// columns or inside a ring, and not through boxes. Wires have no labels.
 std::pair<std::vector<DrawnNode>, std::vector<DrawnWire>> draw_large(const Network&, const std::vector<Span>&);
 
 } // namespace placedpar::picture

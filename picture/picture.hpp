@@ -8,14 +8,14 @@
 
 namespace placedpar::picture {
 
-/// Holds the place of everything in the drawing of a network, in pixels.
+/// The places of everything in the drawing of a network, in pixels.
 struct Picture {
-    std::vector<DrawnNode> nodes; ///< in the order of the network's
+    std::vector<DrawnNode> nodes; ///< in the order of the network's nodes
     std::vector<DrawnWire> wires; ///< in the order of the network's connections
 };
 
-/// Draws a network; the same network gives the same picture. No two boxes or labels overlap. The spans are those of the
-/// network's wires. `places` has the places of the nodes, in cells; if it is empty, or the network is large
+/// Draws a network; the same network gives the same picture. No two boxes or labels overlap. `spans` are the spans of
+/// the network's wires. `places` has the places of the nodes, in cells; if it is empty, or the network is large
 /// (large.hpp), draw() arranges the nodes itself.
 Picture draw(const Network&, const std::vector<Span>&, const std::vector<Point>& places = {});
 

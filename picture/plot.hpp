@@ -13,25 +13,25 @@ struct Point {
 };
 
 enum class Stroke {
-    line,   ///< a line with the dashes of its colour, or solid if dashes have a meaning in its panel
+    line,   ///< a line with the dashes of its colour; solid if dashes have a meaning in the panel
     dashes, ///< dashes that have a meaning in the panel
     points,
     plain ///< a line without symbols or dashes, such as stairs
 };
 
-/// Texts are plain: "in³/s", not "in^3/s".
+/// Texts are plain, without markup: "in³/s", not "in^3/s".
 struct Series {
-    std::string name; ///< name in the legend; empty: not in the legend
+    std::string name; ///< name in the legend; if empty, the series is not in the legend
     std::vector<Point> points = {};
     Stroke stroke = Stroke::line;
-    std::optional<int> colour = std::nullopt; ///< one of the eight colours; empty: the default colour for the position
+    std::optional<int> colour = std::nullopt; ///< one of the eight colours; nullopt: the default colour for the index
                                               ///< of the series in the panel
-    /// Intervals of y, and of x, at each point, drawn as bars with caps. Empty: no intervals; NaN: no interval at this
-    /// point. If several series have intervals of y at the same x, they are shifted slightly apart.
+    /// Intervals of y, and of x, at each point, drawn as bars with caps. An empty list means no intervals, and NaN no
+    /// interval at this point. If several series have intervals of y at the same x, they are shifted slightly apart.
     std::vector<Interval> intervals = {}, x_intervals = {};
 };
 
-/// Returns the series through the points point_at(0), ..., point_at(steps).
+/// Returns the series with the points point_at(0), ..., point_at(steps).
 template <class PointAt>
 Series curve(Series series, int steps, PointAt point_at) {
     for (int i = 0; i <= steps; ++i)
@@ -43,18 +43,18 @@ struct BandPoint {
     double x, low, high;
 };
 
-/// Describes the space between two curves, drawn pale behind all series.
+/// The space between two curves, drawn in a pale colour behind all series.
 struct Band {
-    std::string name; ///< name in the legend; empty: not in the legend
+    std::string name; ///< name in the legend; if empty, the band is not in the legend
     std::vector<BandPoint> points;
     int colour; ///< one of the eight colours
 };
 
-/// Describes a grey horizontal line over the whole width. Each mark of a panel has different dashes.
+/// A grey horizontal line over the whole width. Neighbouring lines of a panel have different dashes.
 struct GuideLine {
     std::string name;
     double y;
-    std::optional<int> colour = std::nullopt; ///< one of the eight colours, if the mark belongs to a series
+    std::optional<int> colour = std::nullopt; ///< one of the eight colours, if the line belongs to a series
 };
 
 struct Axis {
@@ -63,9 +63,9 @@ struct Axis {
     bool logarithmic = false;
 };
 
-/// Describes one diagram with its legend to the right. An axis is extended beyond its given end if a series would touch
-/// the frame there. A series that an axis cuts off has an arrow at the frame; the farthest value is in the legend, or,
-/// if the series has no name, beside the arrow.
+/// A diagram with its legend to the right. An axis is extended beyond its end if a series would touch the frame there.
+/// If an axis cuts off a series, an arrow marks the place at the frame. The farthest value is in the legend or, if the
+/// series has no name, beside the arrow.
 struct Panel {
     std::string title = {};
     Axis x = {}, y = {};
@@ -74,26 +74,26 @@ struct Panel {
     std::vector<Band> bands = {};
 };
 
-/// Holds panels, one below the other.
+/// Panels, one below the other.
 struct Plot {
     std::string title;
     std::vector<Panel> panels;
 };
 
-/// Holds a plot and the name of its file, without .svg.
+/// A plot and the name of its file, without .svg.
 struct NamedPlot {
     std::string name;
     Plot plot;
 };
 
 /// Draws the plot by gnuplot; the same plot gives the same bytes. Throws std::invalid_argument for a panel without
-/// series, for a series or a band without points, and for a series with intervals at some points only. Throws UserError
-/// if gnuplot is not installed, and std::runtime_error if gnuplot refuses the plot.
+/// series, for a series or a band without points, and for a series with intervals at only some of its points. Throws
+/// UserError if gnuplot is not installed or refuses the plot.
 std::string draw_svg(const Plot&);
 
-/// Prints the points of the plot's curves, intervals and bands as comma-separated values: a row for each point, with
-/// the labels of the axes, which contain the units. Points beyond the ends of the axes are included, and points are at
-/// their exact x, without the shift that separates intervals.
+/// Prints the points of the plot's curves, intervals and bands as comma-separated values. There is a row for each
+/// point, with the labels of the axes, which contain the units. Points beyond the ends of the axes are included. Each
+/// point has its exact x, without the shift that separates intervals.
 std::string curves_csv(const Plot&);
 
 } // namespace placedpar

@@ -12,10 +12,10 @@ namespace placedpar {
 
 namespace {
 
-// Fractions of an axis's length.
+// These lengths are fractions of an axis's length.
 constexpr double near_frame = .025, room_at_frame = .05, step_beside = .008;
 
-/// Describes an axis by its letter and by the members of a panel that belong to it.
+/// Selects one axis: its letter, and the members of a panel that belong to it.
 struct AxisParts {
     char letter;
     Axis Panel::*axis;
@@ -25,7 +25,7 @@ struct AxisParts {
 constexpr AxisParts along_x{'X', &Panel::x, &Point::x, &Series::x_intervals},
     along_y{'Y', &Panel::y, &Point::y, &Series::intervals};
 
-/// The range of a panel's series along an axis.
+/// The range of the values of a panel's series along one axis.
 class Extent {
 public:
     Extent(const Panel& panel, const AxisParts& parts) : axis_(panel.*parts.axis) {
@@ -69,7 +69,7 @@ private:
     double least_ = std::numeric_limits<double>::max(), most_ = std::numeric_limits<double>::lowest();
 };
 
-/// Returns gnuplot's expression for `place`, moved by the fraction `part` of the axis's length between `from` and `to`.
+/// Returns gnuplot's expression for `place`, shifted by the fraction `part` of the axis from `from` to `to`.
 std::string moved_along(const Axis& axis, const std::string& place, double part, const std::string& from,
                         const std::string& to) {
     return axis.logarithmic ? fmt::format("{}*({}/{})**({:g})", place, to, from, part)
@@ -84,7 +84,7 @@ bool have_intervals_at_one_x(const Series& one, const Series& other) {
                &Point::x);
 }
 
-/// Returns the places of the series that must be drawn beside each other, in order.
+/// Returns the indices of the series that must be shifted apart, in order.
 std::vector<std::size_t> drawn_beside(const Panel& panel) {
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < panel.series.size(); ++i)

@@ -7,19 +7,19 @@
 
 namespace placedpar {
 
-/// These functions return gnuplot commands for the room that a panel's axes need beside the curves.
+/// These functions return gnuplot commands that leave room between the curves and the frame of a panel.
 
-/// Sets the variables Xfrom0 and Xto0, or those of the axis Y or of another panel, to the ends that gnuplot chose for
-/// the axis when it drew the panel, or farther out if a series ends at the frame. Parts of a series that an axis cuts
-/// off need no room. REQUIRES: gnuplot has just drawn the panel.
+/// Returns commands that set the variables XfromN, XtoN, YfromN and YtoN for panel number N to the ends of its axes.
+/// The ends are those that gnuplot chose when it drew the panel, or farther out where a series ends at the frame. Parts
+/// of a series that an axis cuts off need no room. REQUIRES: gnuplot has just drawn the panel.
 std::string room_commands(const Panel& panel, std::size_t number);
 
-/// Sets the ends of an axis if all points have the same value, since gnuplot would then choose a range of only a
+/// Returns the panel with given ends for an axis on which all values are equal. Gnuplot would choose a range of only a
 /// hundredth of this value.
 Panel with_wide_axes(Panel panel);
 
-/// Returns the x column of the data of the panel's series at `place`. x is moved slightly if another series has an
-/// interval at the same x, so that no bar covers another. Uses the variables Xfrom0 and Xto0.
+/// Returns the x column of the data of the panel's series with index `place`. If another series has an interval at the
+/// same x, x is shifted slightly, so that no bar covers another. The expression uses the variables XfromN and XtoN.
 std::string column_of_x(const Panel& panel, std::size_t number, std::size_t place);
 
 } // namespace placedpar

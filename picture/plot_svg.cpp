@@ -17,12 +17,12 @@ namespace placedpar {
 
 namespace {
 
-// Sizes in pixels.
+// Sizes are in pixels.
 constexpr int plot_width = 960, title_height = 44, panel_height = 390, left_margin = 104, top_margin = 40,
               bottom_margin = 66;
-constexpr int legend_sample = 70, legend_letter = 9; // in the widest font that a viewer may use
+constexpr int legend_sample = 70, legend_letter = 9; // for the widest font that a viewer may use
 
-/// Returns a gnuplot string in single quotes, in which only the quote is special.
+/// Returns a gnuplot string in single quotes. Only the quote itself is special in such a string.
 std::string quoted(std::string text) {
     std::ranges::replace(text, '\n', ' ');
     std::string out = "'";
@@ -38,12 +38,11 @@ std::size_t letters(const std::string& utf8) {
 
 bool has_bars(const Series& series) { return !series.intervals.empty() || !series.x_intervals.empty(); }
 
-/// Returns the series' text in the legend.
 std::string legend_of(const Series& series, const Panel& panel) {
     return series.name.empty() ? "" : series.name + text_of(cut_offs(series, panel));
 }
 
-/// Returns the width of the legends, in pixels; it is equal for all panels, so that their axes are aligned.
+/// Returns the width of the legends, in pixels. It is equal for all panels, so that their axes are aligned.
 int legend_width(const Plot& plot) {
     std::size_t longest = 0;
     for (const Panel& panel : plot.panels) {
@@ -65,12 +64,12 @@ std::string range_commands(const char* letter, const Axis& axis) {
                        axis.logarithmic ? "set" : "unset");
 }
 
-/// Returns the usual size of letters, or a smaller one if the text would be longer than `length` pixels.
+/// Returns the usual size of letters; a smaller size if the text would be longer than `length` pixels.
 double letter_size(const std::string& text, double usual, int length) {
     return std::min(usual, 15. * length / (legend_letter * static_cast<double>(letters(text)) + 1));
 }
 
-/// Sets the axis's label, in smaller letters if it would be longer than its axis.
+/// Sets the label of an axis, in smaller letters if it would be longer than the axis.
 std::string label_commands(const char* letter, const Axis& axis, int length) {
     double size = letter_size(axis.label, 15, length);
     return fmt::format("set {}label {} {}{}\n", letter, quoted(axis.label), *letter == 'x' ? "offset 0,0.4" : "",
@@ -84,7 +83,7 @@ std::string data_block(const Panel& panel, std::size_t number, std::size_t place
     return out + "END\n";
 }
 
-/// Returns the data of bars: where each bar begins, and its length in x and y.
+/// Returns the data of bars: the start of each bar, and its length in x and y.
 std::string bar_block(const Panel& panel, std::size_t number, std::size_t place) {
     const Series& series = panel.series[place];
     std::string out = fmt::format("$panel{}bars{} << END\n", number, place);
@@ -110,7 +109,8 @@ std::string data_blocks(const Panel& panel, std::size_t number) {
     return out;
 }
 
-/// Returns the commands that place the panel. Gnuplot's screen has its origin at the bottom left and size 1.
+/// Returns the commands that place the panel. Gnuplot's screen has its origin at the bottom left, and its width and
+/// height are 1.
 std::string place_commands(std::size_t number, int legend, int height) {
     int top = title_height + static_cast<int>(number) * panel_height;
     auto from_bottom = [&](int pixels) { return static_cast<double>(height - pixels) / height; };
@@ -123,7 +123,7 @@ std::string place_commands(std::size_t number, int legend, int height) {
                        from_bottom(top + top_margin - 4));
 }
 
-/// Returns a gnuplot position `inside` of the edge, in panel widths or heights; 0 is on the edge.
+/// Returns a gnuplot position at the distance `inside` from the edge, in panel widths or heights.
 std::string near_edge(PanelEdge edge, double place, double inside) {
     switch (edge) {
     case PanelEdge::top: return fmt::format("first {}, graph {}", place, 1 - inside);
@@ -134,8 +134,8 @@ std::string near_edge(PanelEdge edge, double place, double inside) {
     return "";
 }
 
-/// Draws arrows where a series is cut off. How far the series goes is written beside the arrow if the series has no
-/// legend.
+/// Draws arrows where a series is cut off. If the series is not in the legend, its farthest value is written beside the
+/// arrow.
 std::string cut_commands(const Panel& panel, std::size_t place) {
     std::string out;
     for (const CutOff& cut : cut_offs(panel.series[place], panel)) {
@@ -153,7 +153,7 @@ std::string cut_commands(const Panel& panel, std::size_t place) {
     return out;
 }
 
-/// Draws bars as arrows whose heads are caps.
+/// Draws bars as arrows with caps instead of heads.
 std::string bars_of(const Panel& panel, std::size_t number, std::size_t place) {
     return fmt::format("$panel{}bars{} using {}:2:3:4 notitle with vectors heads size screen 0.004,90 fixed nofilled "
                        "linewidth 2 linecolor rgb '{}'",
@@ -177,7 +177,7 @@ std::string plot_command(const Panel& panel, std::size_t number) {
     return fmt::format("plot {}\n", fmt::join(curves, ", \\\n     "));
 }
 
-/// Draws the panel without output, to get gnuplot's ranges. No series is moved beside another yet.
+/// Draws the panel without output, to get gnuplot's ranges. Series are not shifted apart yet.
 std::string trial_commands(const Panel& asked, std::size_t number) {
     const Panel panel = with_wide_axes(asked);
     return fmt::format("Xfrom{0} = 1; Xto{0} = 1\n", number) + data_blocks(panel, number) +

@@ -14,7 +14,7 @@ namespace placedpar::picture {
 
 namespace {
 
-/// Costs, in steps of a pitch, of a step, of a bend, of crossing a wire and of a point close to a box.
+/// The costs, in steps of a pitch, of a step, a bend, a crossing with a wire, and a point close to a box.
 constexpr unsigned step_cost = 1, bend_cost = 4, crossing_cost = 1, near_cost = 2;
 constexpr std::size_t most_points = 4'000'000, most_steps = 40'000'000;
 
@@ -89,7 +89,7 @@ Box around_ports(const std::vector<Port>& ports) {
 
 } // namespace
 
-/// Finds the cheapest path (A*). A state is a point and the direction in which it was reached.
+/// Finds the cheapest path by the A* algorithm. A state is a point and the direction in which the path reaches it.
 class Raster::Search {
 public:
     Search(Raster& raster, const std::vector<Port>& to)
@@ -125,7 +125,7 @@ public:
     }
 
 private:
-    /// Directions of a step; the opposite of a direction is two further.
+    /// The directions of a step. (direction + 2) % 4 is the opposite direction.
     enum Way : unsigned char { right, below, left, above, from_nowhere };
     using State = std::size_t;
     static constexpr unsigned unreached = std::numeric_limits<unsigned>::max();
@@ -141,7 +141,7 @@ private:
         return found != entries_.end() && found->second == way_to(state);
     }
 
-    /// Returns a lower bound of the cost from here to the goal.
+    /// Returns a lower bound of the cost from this point to the goal.
     unsigned at_least(std::size_t index) const {
         Point p = r_.point_of(index);
         double dx = std::max({goal_.left() - p.x, p.x - goal_.right(), 0.}),
@@ -156,7 +156,8 @@ private:
                                       : std::nullopt;
     }
 
-    /// Returns whether a wire may go there: it must not run along another wire, and enters a box only at its end.
+    /// Returns whether a wire may enter the state: it must not run along another wire, and may enter a box only at its
+    /// end.
     bool may_enter(State state) const {
         const Cell& mark = r_.marks_[state / 4];
         bool across = way_to(state) == left || way_to(state) == right;
@@ -179,7 +180,7 @@ private:
         open_.emplace(cost + at_least(*next), order_++, state);
     }
 
-    /// Reaches the neighbours of the state. A wire does not bend where it crosses another.
+    /// Goes on to the neighbours of the state. A wire does not bend where it crosses another wire.
     void go_on(State state) {
         Way way = way_to(state);
         bool may_bend = !r_.marks_[state / 4].has_wire();
@@ -205,14 +206,15 @@ private:
         return path;
     }
 
-    using Entry = std::tuple<unsigned, std::size_t, State>; ///< lower bound of the whole cost, order, state
+    /// Lower bound of the whole cost, order of insertion, state.
+    using Entry = std::tuple<unsigned, std::size_t, State>;
 
     Raster& r_;
     Box goal_;
-    std::map<std::size_t, Way>
-        entries_; ///< points at which the search may end, and the direction in which it must arrive
-    std::vector<unsigned>&
-        costs_; ///< owned by the raster, so that a search takes no time for points that it does not reach
+    /// The points at which the search may end, and the direction in which the path must arrive there.
+    std::map<std::size_t, Way> entries_;
+    /// Owned by the raster, so that a search spends no time on points that it does not reach.
+    std::vector<unsigned>& costs_;
     std::vector<unsigned char>& before_;
     std::vector<State> reached_;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;

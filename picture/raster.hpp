@@ -8,32 +8,32 @@
 
 namespace placedpar::picture {
 
-/// A path of straight lines from its first point to its last.
+/// A path of straight lines through all points, from the first to the last.
 using Path = std::vector<Point>;
 
-/// Describes a border point of a box, and the direction in which a wire leaves the box there: one unit across or down.
+/// A border point of a box, and the direction in which a wire leaves the box there: one unit across or down.
 struct Port {
     Point at, outward;
 };
 
-/// Finds ways for wires around boxes, on points that are a pitch apart (boxes.hpp). Wires cross, but none runs along
-/// another.
+/// Finds paths for wires around boxes. The points of the raster are one pitch apart (boxes.hpp). Wires may cross, but
+/// none runs along another.
 class Raster {
 public:
     /// REQUIRES: the borders of the boxes lie on the raster.
     Raster(const Box& area, const std::vector<Box>& boxes);
 
-    /// Blocks the box: no path leads through it.
+    /// Blocks the box, so that no path leads through it.
     void block(const Box&);
     /// Adds a wire, which paths may cross but not run along.
     void add(const Path&);
-    /// Finds a path from one of the ports `from` to one of the ports `to`; returns nothing if there is no path, or if
+    /// Finds a path from one of the ports `from` to one of the ports `to`. Returns nullopt if there is no path, or if
     /// the search takes too long.
     std::optional<Path> find(const std::vector<Port>& from, const std::vector<Port>& to);
 
 private:
     class Search;
-    /// Says what is at or close to a point: a box or label, or wires of each direction.
+    /// What is at or near a point: a box, a label, or wires in each direction.
     struct Cell {
         bool blocked = false, near = false, across = false, down = false, slanting = false;
 
@@ -51,7 +51,7 @@ private:
     std::vector<Cell> marks_; ///< empty if the raster has too many points
     std::size_t steps_left_;
     std::vector<unsigned> costs_;       ///< cost of each state of a search; reset between searches
-    std::vector<unsigned char> before_; ///< for each state: direction in which the preceding point was reached
+    std::vector<unsigned char> before_; ///< for each state, the direction in which the preceding point was reached
 };
 
 } // namespace placedpar::picture

@@ -25,7 +25,7 @@ std::vector<Box> boxes_of(const std::vector<DrawnNode>& nodes) {
     return boxes;
 }
 
-/// Says by which sides of a box a wire may leave.
+/// The sides of a box at which a wire may leave.
 struct Sides {
     bool right = true, below = true, left = true, above = true;
 };
@@ -51,7 +51,7 @@ std::vector<Port> ports_of(const Box& box, const Sides& sides) {
     return ports;
 }
 
-/// Returns the middle of the range that two boxes have in common along an axis, and half of its length.
+/// Returns the middle of the range that two boxes share along an axis, and half of its length.
 std::pair<double, double> common_range(double from, double to, double other_from, double other_to) {
     double least = std::max(from, other_from), most = std::min(to, other_to);
     return {std::round((least + most) / 2 / pitch) * pitch, (most - least) / 2};
@@ -114,7 +114,7 @@ private:
         });
     }
 
-    /// Returns the first free straight line between two boxes, tried from the middle of their common range outwards;
+    /// Returns the first free straight line between two boxes, tried from the middle of their shared range outwards;
     /// empty if there is none.
     template <class LineAt>
     Path first_clear(const Span& span, double middle, double reach, LineAt line_at) const {
@@ -170,7 +170,7 @@ private:
             draw_around(index, raster);
     }
 
-    /// Draws a wire around boxes. If no path is found, the wire becomes a straight line over everything in between.
+    /// Draws a wire around boxes. If no path is found, the wire is a straight line over everything in between.
     void draw_around(std::size_t index, Raster& raster) {
         const Span& span = spans_[index];
         const Box &a = box_of(span.from), &b = box_of(span.to);
@@ -195,7 +195,7 @@ private:
         return onward ? std::pair(first, last) : std::pair(last, first);
     }
 
-    /// Returns whether the two nodes are the ends of a row or column of their array.
+    /// Returns whether the two nodes are the first and the last of a row or column of their array.
     bool is_outmost(const Span& span, double Point::*same, double Point::*other) const {
         auto base = base_name(n_.nodes[span.from.node].name);
         Point a = box_of(span.from).centre, b = box_of(span.to).centre;

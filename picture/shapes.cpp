@@ -21,7 +21,7 @@ Shape shape_of(std::size_t count, PointOf point_of) {
     return shape;
 }
 
-/// Rounds to eighths of a cell, so that every compiler gives equal results.
+/// Rounds to an eighth of a cell, so that the results of all compilers are equal.
 double to_eighths(double cells) { return std::round(cells * 8) / 8; }
 
 Shape circle_of_radius(std::size_t count, double radius) {
@@ -56,8 +56,8 @@ Shape smallest_circle(std::size_t count, Condition condition) {
     return shape;
 }
 
-/// Returns the distance of consecutive elements in each dimension, in cells. Every second dimension runs in the same
-/// direction.
+/// Returns the distance, in cells, between consecutive elements in each dimension. Dimensions alternate between the two
+/// directions.
 std::vector<double> strides(const std::vector<std::int64_t>& sizes) {
     std::vector<double> result(sizes.size(), 1);
     for (std::size_t i = sizes.size(); i-- > 0;)

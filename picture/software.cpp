@@ -12,7 +12,7 @@ namespace placedpar::picture {
 
 namespace {
 
-/// Returns the device kind by which a process is drawn: a box with the process's kind and its place.
+/// Returns the device kind that draws a process as a box with the process's kind and its processor.
 std::shared_ptr<const DeviceKind> process_box(bool outside) {
     DeviceKind kind{.name = outside ? "process-outside" : "process",
                     .noun = "a process",
@@ -55,7 +55,7 @@ private:
         software_.network.nodes.push_back(std::move(node));
     }
 
-    /// Returns the node of a channel's end. An edge becomes a node when a channel first leads to it.
+    /// Returns the node for a channel's end. An edge gets a node when the first channel leads to it.
     std::size_t node_of(const ChannelEnd& end) {
         if (!end.at_edge())
             return end.process;
@@ -71,7 +71,7 @@ private:
         drawn.from.node = from;
         drawn.to.node = to;
         if (from == to) {
-            drawn.placement = {}; // a channel of a process with itself is counted inside of its box
+            drawn.placement = {}; // a channel from a process to itself is counted inside the process's box
         } else {
             auto wire = wire_between(from, to);
             bool onward = software_.network.connections[wire].a.node == from;
@@ -95,7 +95,8 @@ private:
         return found->second;
     }
 
-    /// Returns the node to draw at the top: the first process outside of the transputers, or else the first node.
+    /// Returns the node to draw at the top: the first process outside of the transputers; if there is none, the first
+    /// node.
     std::size_t find_top() const {
         const auto& nodes = software_.network.nodes;
         auto top = std::ranges::find_if(nodes, [](const Node& node) { return node.kind->drawing.in_first_row; });
@@ -125,7 +126,7 @@ private:
     const Network& n_;
     Software software_;
     std::shared_ptr<const DeviceKind> inside_ = process_box(false), outside_ = process_box(true);
-    std::map<std::size_t, std::size_t> edges_; ///< drawn node by the network's edge
+    std::map<std::size_t, std::size_t> edges_; ///< drawn node of each edge
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> wires_;
 };
 

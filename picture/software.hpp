@@ -8,11 +8,11 @@
 
 namespace placedpar::picture {
 
-/// Represents a network's software as a network, so that it can be drawn. There is a node for each process and for each
-/// edge with channels. One wire between two nodes stands for all channels between them, in both directions.
+/// A network's software in the form of a network, so that it can be drawn. There is a node for each process, and for
+/// each edge with channels. One wire between two nodes stands for all channels between them, in both directions.
 struct Software {
     Network network;
-    std::vector<Span> spans;   ///< labelled at each end with the ports that output there
+    std::vector<Span> spans;   ///< labelled at each end with the output ports of that end
     std::vector<Point> places; ///< places of the nodes, in cells, if they form a tree with branches; else empty
 };
 

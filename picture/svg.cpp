@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t longest_tooltip = 4000;
 constexpr double border = 24, title_height = 32, legend_line = 24, curve = 14;
 
-/// The style of the drawing, readable in grey: colours and shapes distinguish the same things.
+/// The style of the drawing. It is readable without colours, because shapes make the same distinctions.
 constexpr const char* style =
     R"(.title { font-size: 14px; font-weight: bold; }
 .name { font-size: 13px; font-weight: bold; text-anchor: middle; }
@@ -45,7 +45,7 @@ constexpr const char* style =
 .channels path, .head { fill: #3b5b7a; }
 )";
 
-/// Added to the style if there are faults.
+/// This style is added if there are faults.
 constexpr const char* style_of_faults =
     R"(.struck { fill: none; stroke: #16202a; stroke-width: 3.6; stroke-dasharray: 9 5; }
 .fault rect { fill: #ffffff; stroke: #16202a; stroke-width: 1; }
@@ -72,7 +72,7 @@ SvgPen frame(const Box& box, const Drawing& drawing) {
     return pen.rect(box, colours).rect(heading, {{"fill", drawing.heading}, {"stroke", drawing.frame}, rounded});
 }
 
-/// Returns the path data of a line with rounded corners.
+/// Returns the path data of a line whose corners are rounded.
 std::string curved(const Path& path) {
     std::string data = "M" + svg_point(path.front());
     for (std::size_t i = 1; i + 1 < path.size(); ++i) {
@@ -84,23 +84,23 @@ std::string curved(const Path& path) {
     return data + " L" + svg_point(path.back());
 }
 
-/// Returns the path data of the head of an arrow, at the end of a line.
+/// Returns the path data of an arrow head at the end of a line.
 std::string arrow_head(Point before, Point tip) {
     Point along = 1 / distance(before, tip) * (tip - before), aside{-along.y, along.x};
     return svg_corners({tip, tip + -9 * along + 4 * aside, tip + -9 * along + -4 * aside}) + " Z";
 }
 
-/// Returns the path data of an arrow to the right, left, bottom or top, about 7 pixels long.
+/// Returns the path data of an arrow about 7 pixels long, which points right, left, down or up.
 std::string arrow(Point centre, bool upright, bool onward) {
     Point along = upright ? Point{0, 1} : Point{1, 0}, aside{along.y, along.x};
     Point tip = centre + (onward ? 3.5 : -3.5) * along, back = centre - (onward ? 3 : -3) * along;
     return svg_corners({tip, back + 3.2 * aside, back - 3.2 * aside}) + " Z";
 }
 
-/// Draws a line as a sign of the legend.
+/// Draws a line as a symbol in the legend.
 SvgPen line_across(const char* style_class) { return SvgPen().path("M0 0 L36 0", {{"class", style_class}}); }
 
-/// Says what is drawn: processors and wires, or processes and channels.
+/// What is drawn: processors and wires, or processes and channels.
 enum class View { hardware, software };
 
 class SvgPrinter {
@@ -142,8 +142,8 @@ private:
         return around(boxes);
     }
 
-    /// Draws a fault mark over the wire or node that it affects; numbers of links and channels are drawn later, above
-    /// it.
+    /// Draws a fault mark over the wire or the node that it affects. Numbers of links and channels are drawn later,
+    /// above the mark.
     void print_mark(const FaultMark& mark) {
         std::string struck =
             mark.wire ? data_of(picture_.wires[*mark.wire]) : outline_of(grown(picture_.nodes[*mark.node].box, 3));
@@ -169,26 +169,26 @@ private:
             counted(n_.processes.size(), "process", "processes"), counted(n_.channels.size(), "channel", "channels"));
     }
 
-    /// Counts the lines that are links; the others lead to buses.
+    /// Counts the connections that are links. The other connections lead to buses.
     std::size_t count_links() const {
         return static_cast<std::size_t>(
             std::ranges::count_if(n_.connections, [](const LinkConnection& wire) { return wire.bits_per_second > 0; }));
     }
 
-    /// Returns the ends of a wire, such as "sun - vme.slot[1]".
+    /// Returns the names of a wire's ends, such as "sun - vme.slot[1]".
     std::string ends_of(const LinkConnection& wire) const {
         if (wire.bits_per_second == 0)
             return fmt::format("{} - {}.slot[{}]", n_.nodes[wire.a.node].name, n_.nodes[wire.b.node].name, wire.b.link);
         return link_name(n_.nodes, wire.a) + " - " + link_name(n_.nodes, wire.b);
     }
 
-    /// Counts the nodes that are processes; the others are edges.
+    /// Counts the nodes that are processes. The other nodes are edges.
     std::size_t count_processes() const {
         return static_cast<std::size_t>(
             std::ranges::count_if(n_.nodes, [](const Node& node) { return node.kind->executes != Execution::none; }));
     }
 
-    /// Returns the names of the channels on each wire, and notes the directions in which they lead.
+    /// Returns the names of the channels on each wire, and stores the directions of the channels.
     std::vector<std::string> channels_on_wires() {
         std::vector<std::string> names(n_.connections.size());
         for (const NetworkChannel& channel : n_.channels)
@@ -209,8 +209,8 @@ private:
                    frame(picture_.nodes[index].box, node.kind->drawing), node.name + " (" + node.type + ")");
     }
 
-    /// Returns the kind's style class as one word: "link adapter" would be two classes, and "link" is the class of link
-    /// numbers.
+    /// Returns the kind's style class as one word. With a blank, "link adapter" would be two classes, and "link" is the
+    /// class of link numbers.
     static std::string class_of(const DeviceKind& kind) {
         std::string name = kind.links == LinkRole::edge ? "edge" : kind.name;
         std::ranges::replace(name, ' ', '-');
@@ -230,7 +230,7 @@ private:
             print_heads(index);
     }
 
-    /// Draws an arrow at each end to which channels lead.
+    /// Draws an arrow head at each end to which a channel leads.
     void print_heads(std::size_t index) {
         const Path& path = picture_.wires[index].spans.front();
         auto [onward, back] = directions_[index];
@@ -240,7 +240,7 @@ private:
             pen_.path(arrow_head(path[1], path.front()), {{"class", "head"}});
     }
 
-    /// Returns the path data of a wire; within a switch, a straight line joins the two links.
+    /// Returns the path data of a wire. Within a switch, a straight line joins the two links.
     static std::string data_of(const DrawnWire& wire) {
         std::string data;
         for (const Path& path : wire.spans)
@@ -282,7 +282,7 @@ private:
             pen_.add(print_count(*wire.channels));
     }
 
-    /// Draws the numbers of channels: back on the left, onward on the right.
+    /// Draws the numbers of channels: `back` on the left, `onward` on the right.
     static SvgPen print_count(const ChannelCount& count) {
         SvgPen halves;
         halves.rect(count.box, {{"rx", "4"}});
@@ -293,7 +293,7 @@ private:
         return SvgPen().group({{"class", "channels"}}, halves);
     }
 
-    /// Draws one number with its arrow at the outer end.
+    /// Draws one number, with its arrow on the outer side.
     static void print_half(const ChannelCount& count, double end, std::size_t channels, bool onward, SvgPen& pen) {
         auto digits = fmt::format("{}", channels);
         Point text{onward ? end - arrow_width - digit_width * static_cast<double>(digits.size()) : end + arrow_width,
@@ -302,7 +302,7 @@ private:
         pen.text(text, "count", digits);
     }
 
-    /// Draws the legend from this corner on, in lines of at most this width.
+    /// Draws the legend with `corner` as its upper left corner, in lines of at most `width`.
     SvgPen print_legend(Point corner, double width) {
         legend_start_ = legend_at_ = corner;
         legend_width_ = width;
@@ -357,8 +357,9 @@ private:
     const Network& n_;
     View view_;
     Picture picture_;
-    std::vector<std::pair<bool, bool>> directions_; ///< by wire: whether channels lead from its a to its b, and back
-    std::vector<std::string> carried_;              ///< names of the channels by wire; "" if there is none
+    /// For each wire, whether channels lead from its a to its b, and from b to a.
+    std::vector<std::pair<bool, bool>> directions_;
+    std::vector<std::string> carried_; ///< for each wire: names of its channels; "" if there are none
     std::vector<FaultMark> marks_;
     SvgPen pen_, legend_;
     Point legend_start_, legend_at_;

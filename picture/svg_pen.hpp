@@ -9,13 +9,13 @@
 
 namespace placedpar::picture {
 
-/// Prints a length to a tenth of a pixel.
+/// Prints a length, rounded to a tenth of a pixel.
 std::string svg_number(double length);
 inline std::string svg_point(Point p) { return svg_number(p.x) + " " + svg_number(p.y); }
-/// Returns the path data of straight lines from corner to corner.
+/// Returns the path data of straight lines through all corners.
 std::string svg_corners(const std::vector<Point>& corners);
 
-/// An attribute is written only if it has a value.
+/// An attribute of an element. It is written only if it has a value.
 struct SvgAttribute {
     SvgAttribute(const char* given, std::string text) : name(given), value(std::move(text)) {}
     SvgAttribute(const char* given, double length) : name(given), value(svg_number(length)) {}
@@ -24,8 +24,8 @@ struct SvgAttribute {
 };
 using SvgAttributes = std::vector<SvgAttribute>;
 
-/// Writes SVG elements in the order of painting. Each element has a line of its own; the elements of a group share a
-/// line. The pen escapes texts and values.
+/// Writes SVG elements in the order of painting. Each element has its own line; the elements of a group share a line.
+/// The pen escapes texts and values.
 class SvgPen {
 public:
     SvgPen& rect(const Box& b, const SvgAttributes& more = {}) {
@@ -49,7 +49,8 @@ public:
     SvgPen& group(const SvgAttributes&, const SvgPen& contents, std::string_view tooltip = "");
     SvgPen& add(const SvgPen& other);
 
-    /// Returns all that was drawn as a document on white paper. `arrow_heads` are the markers at the ends of paths.
+    /// Returns everything that was drawn as a document on white paper. `arrow_heads` are the markers at the ends of
+    /// paths.
     std::string document(const Box& paper, const std::string& style, const std::string& arrow_heads = "",
                          const std::string& title = "") const;
 

@@ -10,23 +10,23 @@
 
 namespace placedpar::picture {
 
-/// Describes a part of a wire, between two successive devices on the wire. A wire through one switch has two spans.
+/// A part of a wire, between two successive devices on the wire. A wire through one switch has two spans.
 struct Span {
     std::size_t connection = 0;
     LinkEnd from, to;
-    std::string from_label, to_label; ///< labels at its ends: the numbers of links
+    std::string from_label, to_label; ///< labels at the ends of the span: numbers of links
 };
 
-/// Returns the spans of all wires, in order from each wire's a to its b.
+/// Returns the spans of all wires. The spans of a wire are in order from its a to its b.
 std::vector<Span> spans_of(const Network&);
 
-/// Holds the neighbours of each node: the nodes to which wires lead.
+/// The neighbours of each node, which are the nodes to which wires lead.
 class Wiring {
 public:
     explicit Wiring(const Network&);
 
     bool linked(std::size_t a, std::size_t b) const { return pairs_.contains({a, b}); }
-    /// Returns the neighbours; a neighbour is repeated for each wire to it.
+    /// Returns the node's neighbours, each once for every wire to it.
     const std::vector<std::size_t>& neighbours(std::size_t node) const { return neighbours_[node]; }
 
 private:

@@ -13,7 +13,7 @@ namespace placedpar {
 enum class Origin {
     outcome,    ///< result of the simulation; nothing was fitted to it
     calibrated, ///< one constant was fitted to this cell
-    workload,   ///< a constant of the program's own cost was read off this cell
+    workload,   ///< a constant for the cost of the program was read off this cell
     fitted,     ///< constants were fitted to several cells, including this cell
     constant    ///< the cell repeats a constant of the model; any difference is an error of the program
 };
@@ -23,7 +23,7 @@ inline constexpr std::array every_origin{Origin::outcome, Origin::calibrated, Or
 
 const char* name_of(Origin);
 
-/// States whose figure or bound judges a cell.
+/// States the origin of the figure or bound that judges a cell.
 enum class Judge {
     thesis,    ///< a figure, an equation or a claim of the thesis
     published, ///< a figure that others have published
@@ -37,22 +37,22 @@ const char* name_of(Judge);
 /// A simulated figure beside a known figure, and how far apart the two may be.
 struct Cell {
     std::string row, column, unit = {};
-    std::optional<double> reference = {}; ///< the known figure: Comparison::against names its source
-    double simulated = 0;                 ///< NaN if there is no figure; NaN meets no tolerance
-    std::optional<double> tolerance_percent =
-        {}; ///< in percent of the reference; empty: the cell is printed, but not judged by it
+    std::optional<double> reference = {};         ///< the known figure: Comparison::against names its source
+    double simulated = 0;                         ///< NaN if there is no figure; NaN meets no tolerance
+    std::optional<double> tolerance_percent = {}; ///< in percent of the reference; empty: no such tolerance
     Origin origin = Origin::outcome;
     std::optional<double> tolerance = {}; ///< in the cell's unit; replaces tolerance_percent
     int decimals = 2;                     ///< number of decimals that are printed
     /// One-sided bounds, in the cell's unit. If either is set, the tolerances are not used.
     std::optional<double> at_least = {}, at_most = {};
-    std::optional<double> reference_to = {}; ///< upper bound of a claim with two bounds, which is only printed
+    std::optional<double> reference_to = {}; ///< upper bound of a claim with two bounds; it is only printed
     std::string source = {}; ///< source of the known figure, if the figures of a comparison have several sources
     std::optional<Judge> judge = {};       ///< empty: the judge that Comparison::against names
-    std::optional<Interval> interval = {}; ///< 95 % interval of a simulated share: all of it must miss a bound
+    std::optional<Interval> interval = {}; ///< 95 % interval of a simulated share; the cell misses a bound only if the
+                                           ///< whole interval does
 
     /// Returns the deviation of the simulated figure from the reference, in percent of the reference; 0 if both are 0;
-    /// nothing without a reference.
+    /// nothing if a figure is missing, or if only the reference is 0.
     std::optional<double> error_percent() const;
     /// Returns tolerance_percent, or `tolerance` in percent of the reference; nothing if neither is defined.
     std::optional<double> tolerance_in_percent() const;
@@ -78,16 +78,17 @@ Cell at_most(double bound, Cell cell);
 Cell share_cell(std::string row, std::string column, std::size_t successes, std::size_t runs);
 Cell judged_by(Judge, Cell);
 
-/// Number of standard deviations that a figure which scatters with the seed may deviate. A replay judges about ten such
-/// figures. The known figures are samples, too, and may be wrong by up to two of their own standard deviations; with
-/// the remaining two, a replay fails for less than one seed in a hundred (docs/reference/hydraulics.md has the counts).
+/// Allowed deviation of a figure that scatters with the seed, in standard deviations. A replay judges about ten such
+/// figures. The known figures are samples, too, and may be wrong by up to two of their own standard deviations. With
+/// the remaining two standard deviations, a replay fails for less than one seed in a hundred
+/// (docs/reference/hydraulics.md has the counts).
 inline constexpr double deviations_allowed = 4;
 
 /// Returns the tolerance, in percentage points, for the difference between two shares, each of n records. The standard
 /// deviation is sqrt(2 p (1 - p) / n). To estimate p, two successes and two failures are added (Agresti and Coull), so
 /// that a share of 0 or 100 % scatters, too. A known share from 50 to 300 seeds counts as n records.
 double share_tolerance(double known_percent, std::size_t records);
-/// Returns how far the standard deviation of n Gaussian values may be from a known standard deviation:
+/// Returns how far the standard deviation of n Gaussian values may be from a known standard deviation. The result is
 /// deviations_allowed times the scatter of the values' standard deviation, plus `rounding`, the largest rounding error
 /// of the known figure.
 double deviation_tolerance(double known, std::size_t records, double rounding);

@@ -16,7 +16,7 @@ namespace {
 
 using Cells = std::vector<Cell>;
 
-constexpr std::size_t least_width = 7; // of a column of figures
+constexpr std::size_t least_width = 7; // least width of a column of figures
 
 struct ShownColumn {
     std::string name;
@@ -129,8 +129,8 @@ std::string print_error(const Cell& cell, const std::string& against) {
     return error ? fmt::format("{:+.1f}%", *error) : "";
 }
 
-/// Returns the tolerance in the cell's unit or in percent. Empty if the cell is not judged, or is judged by a bound,
-/// which is printed instead of the error.
+/// Returns the tolerance in the cell's unit or in percent; "" if the cell is not judged, or is judged by a bound, which
+/// is printed instead of the error.
 std::string print_tolerance(const Cell& cell) {
     if (cell.at_least || cell.at_most || !cell.reference)
         return "";
@@ -203,7 +203,8 @@ std::string print_row(const Cells& row, const ShownTable& table, const std::stri
     return out;
 }
 
-/// Prints the two head lines. Headings end one place to the right of the figures, above the marks behind the figures.
+/// Prints the two head lines. A heading ends one place to the right of its figures, above the marks that follow
+/// figures.
 std::string print_head(const ShownTable& table, const std::string& against, std::size_t width) {
     std::string names, figures;
     for (const ShownColumn& column : table.columns) {

@@ -12,7 +12,7 @@ namespace placedpar {
 struct Comparison {
     std::string name;
     std::vector<Cell> cells = {};
-    std::string notes = {};         ///< for people, below the table
+    std::string notes = {};         ///< text printed below the table
     std::string against = "thesis"; ///< the source of the cells' references; 7 letters at most
     bool judged = false;            ///< the table is judged even if it is not the first of an experiment
     bool names_origins =
@@ -26,19 +26,19 @@ struct Comparison {
     Judge judge_of(const Cell&) const;
 };
 
-/// The number of cells by what judges them.
+/// The numbers of cells, by the origin of the figure that judges them.
 struct JudgedCells {
     std::size_t thesis = 0;
-    std::size_t set_from_thesis = 0; ///< those of `thesis` from which constants were set: they test nothing
+    std::size_t set_from_thesis = 0; ///< cells of `thesis` from which constants were set; such cells test nothing
     std::size_t published = 0, own = 0;
-    std::size_t not_judged = 0; ///< cells without a tolerance or bound, and those of tables that do not decide
+    std::size_t not_judged = 0; ///< cells without a tolerance or bound, and cells of tables that do not decide
 };
 
 /// Prints a table for people. Each cell has a simulated figure, a known figure and an error. The error is in percent;
-/// it is in the cell's unit if the tolerance is in this unit or the unit is percent. A cell judged from one side shows
-/// its bound instead of an error; a cell beside a claim, which is a bound in words, shows no error. The tolerances of a
-/// row's cells follow the row. Parts that no cell of a column has are left out. Rows and columns keep the order of the
-/// cells. A row with a column that the rows above do not have begins a new table.
+/// it is in the cell's unit if the tolerance is in this unit or the unit is percent. A cell with a one-sided bound
+/// shows the bound instead of an error; a cell beside a claim, which is a bound in words, shows no error. The
+/// tolerances of a row's cells follow the row. A part that is empty in all cells of a column is left out. Rows and
+/// columns keep the order of the cells. A row with a column that the rows above do not have begins a new table.
 std::string print_comparison(const Comparison&);
 
 /// Returns whether the first table, and every other judged table, is within its tolerances.
@@ -49,8 +49,8 @@ bool is_any_judged(const std::vector<Comparison>&);
 JudgedCells count_judged(const std::vector<Comparison>&);
 /// Prints for people, on one line, the number of cells that are judged against the thesis, and against other figures.
 std::string print_judged(const JudgedCells&);
-/// Prints for people whether all judged cells are within their tolerances. The first of several tables is `called` the
-/// first reading, or the first table.
+/// Prints for people whether all judged cells are within their tolerances. If there are several tables, `called` is the
+/// word for a table: the first reading, or the first table.
 std::string print_verdict(const std::vector<Comparison>&, const std::string& called = "reading");
 /// Prints for people how far the outcomes are from the known figures; only cells in the unit of the first cell count.
 std::string print_fit(const std::vector<Cell>&);

@@ -60,9 +60,9 @@ void draw_curve(const ConvergenceCurve& curve, Panel& panel) {
         panel.bands.push_back(std::move(around));
 }
 
-/// Selects the generations of a log that are drawn together: those of all searches, or of one.
+/// Selects the generations of a log that are drawn together: the generations of all searches, or of one search.
 struct DrawnSearch {
-    std::string title; ///< "" if there is only one
+    std::string title; ///< "" if there is only one search
     std::optional<std::size_t> search;
     std::span<const LoggedGeneration> of(const GenerationLog& log) const {
         return search ? log.of(*search) : log.of_all();
@@ -135,8 +135,8 @@ struct DrawnLogs {
     }
 };
 
-/// Draws the mean as points without quartiles: for a problem with a record it jumps with the fitness of the worst
-/// individuals, and a line or a band would hide the best.
+/// Draws the mean as points without quartiles. For a problem with a record the mean jumps with the fitness of the worst
+/// individuals, and a line or a band would hide the best fitness.
 Panel fitness_panel(const DrawnLogs& drawn) {
     Curves curves{drawn.curve("mean", &LoggedGeneration::mean, 1, Stroke::points),
                   drawn.curve("best", &LoggedGeneration::best, 0)};

@@ -12,7 +12,7 @@ namespace placedpar {
 /// Describes a quantity over the generations of each run.
 struct ConvergenceCurve {
     std::string name;                      ///< name in the legend
-    std::vector<std::vector<double>> runs; ///< each from generation 1 on
+    std::vector<std::vector<double>> runs; ///< values of each run from generation 1 on
     int colour;                            ///< one of a plot's eight colours
     Stroke stroke = Stroke::line;          ///< points have no quartiles
 };
@@ -26,8 +26,8 @@ Panel convergence_panel(std::string title, std::string label, std::span<const Co
 /// Draws the best and mean fitness of all searches together (or the best objective so far and the mean objective), with
 /// medians and quartiles over the seeds of the logs. The diversity of the searches is drawn below. Searches with
 /// different problems are drawn separately. The axis of a positive objective that is minimised is logarithmic. The axis
-/// of a fitness leaves out the far lower values of the first generations. Throws UserError where a run made no
-/// generation, or none with a finite objective. REQUIRES: at least one log; all logs are of one network.
+/// of a fitness leaves out the far lower values of the first generations. Throws UserError if some run made no
+/// generation, or no generation with a finite objective. REQUIRES: at least one log; all logs are of one network.
 Plot convergence_plot(std::string title, std::span<const SeededLog>);
 
 } // namespace placedpar

@@ -70,10 +70,10 @@ bool is_alias(const DeviceModel& model) {
     return model.name != model.type && std::ranges::equal(model.name, model.type, {}, upper, upper);
 }
 
-/// Returns whether the model is a module with another transputer than the usual one, such as B403_T414.
+/// Returns whether the model is a module with another transputer than the usual transputer, such as B403_T414.
 bool is_variant(const DeviceModel& model) { return model.name.find('_') != std::string::npos; }
 
-/// Returns the names of the kind's models, without aliases, variants and the model that stands for all.
+/// Returns the names of the kind's models, without aliases, variants and the model that stands for all models.
 std::vector<std::string> model_names(const DeviceKind& kind) {
     std::vector<std::string> names;
     for (const DeviceModel& model : kind.models)
@@ -130,7 +130,7 @@ std::string print_kept(const DeviceKind& kind) {
     return fmt::format("  {}\n  {:<28} read and printed, without effect on a run\n", fmt::join(kind.kept, ", "), "");
 }
 
-/// Prints the attributes with the type's defaults, which include the model's own.
+/// Prints the attributes with the type's defaults, which include the model's defaults.
 std::string print_attributes(const NodeType& type) {
     const DeviceKind& kind = *type.preset.kind;
     std::string out = painted(Paint::heading, "\nattributes\n") + (type.needs_type ? print_needed_type(kind) : "");

@@ -12,8 +12,8 @@ namespace placedpar {
 /// Prints the kinds of processes and devices, a line for each, and the names by which devices are declared.
 std::string print_kinds(const Catalogue&);
 /// Prints everything about the process kind of this name (ports, parameters and measures) or about the device of this
-/// name. For the name of a group, such as csp of csp.prefix, "processes" or "devices", prints its kinds, a line for
-/// each. Throws UserError with the nearest name if nothing has this name.
+/// name. For the name of a group, such as csp of csp.prefix, "processes" or "devices", prints the group's kinds, a line
+/// for each. Throws UserError with the nearest name if nothing has this name.
 std::string print_kind(const Catalogue&, const std::string& name);
 
 /// Prints a parameter: a line with its name, type, default and range, and a line with its description.
@@ -21,9 +21,9 @@ std::string print_parameter(const ParameterDescription&, const std::optional<Val
 /// Returns all that print_parameter() prints.
 boost::json::object parameter_json(const ParameterDescription&);
 
-/// Returns {"processes": [...], "devices": [...]}: all that print_kind() prints about the kinds that the name stands
-/// for; about all kinds if the name is "". A missing default, and a missing end of a range, are null. Throws as
-/// print_kind().
+/// Returns {"processes": [...], "devices": [...]}: all that print_kind() prints about the kinds with this name or in
+/// this group; about all kinds if the name is "". A missing default, and a missing end of a range, are null. Throws as
+/// print_kind() does.
 boost::json::object kinds_json(const Catalogue&, const std::string& name = "");
 
 } // namespace placedpar

@@ -26,9 +26,9 @@ struct PolicyParameter {
     std::vector<std::string> kinds;
 };
 
-/// The part of a noun that a name asks for.
+/// The result of a query by name: a noun, with all or some of its policies and forms.
 struct PolicyQuery {
-    Noun noun;                        ///< with only the policies and forms that were asked for
+    Noun noun;                        ///< with only the policies and forms of that name
     std::vector<std::string> written; ///< each policy as a netlist writes it, with the numbers in the name
     std::vector<PolicyParameter> parameters;
 };
@@ -108,7 +108,8 @@ std::vector<PolicyQuery> find_asked(const Catalogue& catalogue, const std::strin
     return whole.empty() ? parts : whole;
 }
 
-/// Applies the numbers in the name, and returns the queries whose policy accepts them. Throws UserError if none does.
+/// Applies the numbers in the name, and returns the queries whose policy accepts them. Throws UserError if no policy
+/// does.
 std::vector<PolicyQuery> with_numbers(std::vector<PolicyQuery> all, const std::string& name) {
     std::erase_if(all, [](const PolicyQuery& asked) { return asked.noun.policies.empty(); });
     if (all.empty())

@@ -11,8 +11,8 @@
 
 namespace placedpar {
 
-// Functions that describe the decisions about a genetic algorithm (gaprocs/policies/nouns.hpp), the policies for each,
-// and the parameters of the catalogue's processes that select them.
+// Functions that describe the decisions about a genetic algorithm (gaprocs/policies/nouns.hpp), the policies for each
+// decision, and the parameters of the catalogue's processes that select policies.
 
 /// The name that stands for all policies in place of a kind's name.
 inline constexpr std::string_view policies_group = "policies";
@@ -21,7 +21,7 @@ inline constexpr std::string_view policies_group = "policies";
 std::vector<std::string> policy_names();
 /// Returns whether the name stands for a policy, form or decision: one of policy_names(), in upper or lower case and
 /// with blanks for hyphens; a policy with its numbers; another word for a decision (Noun::also_called); or a parameter
-/// that decides it.
+/// that selects the policy.
 bool is_policy(const Catalogue&, const std::string& name);
 
 /// Prints all policies, a line for each.
@@ -30,7 +30,7 @@ std::string print_policies();
 /// with its numbers, its spelling in a netlist and its source. A name may have several such meanings. Throws UserError
 /// for a policy with numbers that it does not take; the message says which numbers are allowed. REQUIRES: is_policy().
 std::string print_policy(const Catalogue&, const std::string& name);
-/// Returns all that print_policy() prints. Throws as print_policy(). REQUIRES: is_policy().
+/// Returns all that print_policy() prints. Throws as print_policy() does. REQUIRES: is_policy().
 boost::json::array policies_json(const Catalogue&, const std::string& name);
 
 /// Prints the numbers of a policy, or of a family of problems: a line for each, under a heading; "" if there are none.

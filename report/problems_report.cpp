@@ -71,7 +71,8 @@ std::string print_fields(const std::vector<StringField>& fields) {
     return out;
 }
 
-/// Returns the parameters' names with units, such as "C_BUi in^3/psi"; of more than four, the first two and the last.
+/// Returns the parameters' names with units, such as "C_BUi in^3/psi"; if there are more than four, the first two and
+/// the last.
 std::string print_names(const SearchProblem& problem) {
     auto names = problem.parameter_names(), units = problem.parameter_units();
     for (std::size_t i = 0; i < names.size(); ++i)
@@ -98,7 +99,7 @@ boost::json::value value_or_null(std::optional<double> value) {
     return value ? boost::json::value(*value) : boost::json::value();
 }
 
-/// Prints a line of two columns. A name that is too long for its column gets a line of its own.
+/// Prints a line of two columns. A name that is too long for its column gets a separate line.
 std::string in_two_columns(const std::string& name, const std::string& about) {
     constexpr std::size_t width = 42;
     return fmt::format("  {:<{}}{}{}\n", name, width + 1, name.size() > width ? fmt::format("\n{:45}", "") : "", about);

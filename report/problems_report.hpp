@@ -15,10 +15,10 @@ inline constexpr std::string_view problems_group = "problems";
 /// Prints the search problems, a line for each. Families of problems are printed with their numbers and defaults.
 std::string print_problems(const ProblemRegistry&);
 /// Prints everything about the problem of this name: its numbers, its objective, and the parameters that are searched.
-/// Throws UserError as ProblemRegistry::find().
+/// Throws UserError as ProblemRegistry::find() does.
 std::string print_problem(const ProblemRegistry&, const std::string& name);
 
-/// Returns all that print_problem() prints; an unknown optimum is null. Throws as print_problem().
+/// Returns all that print_problem() prints; an unknown optimum is null. Throws as print_problem() does.
 boost::json::object problem_json(const ProblemRegistry&, const std::string& name);
 /// Returns problem_json() of each problem.
 boost::json::array problems_json(const ProblemRegistry&);

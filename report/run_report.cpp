@@ -37,7 +37,7 @@ Table measurements_of(const std::vector<Measurement>& rows) {
     });
 }
 
-/// Lists the elements that an option set, if its name stands for several: at most the first eight.
+/// Lists the elements that an option set, if its name stands for several elements: at most the first eight.
 std::string print_reached(std::vector<std::string> elements) {
     constexpr std::size_t most = 8;
     if (elements.empty())
@@ -54,7 +54,7 @@ std::string print_set(const Network& network) {
     return out;
 }
 
-/// Prints a time in the largest unit that it contains: "12.345 us".
+/// Prints a time in the largest unit that is not longer than the time: "12.345 us".
 std::string print_time(Time time) {
     constexpr std::pair<Time, const char*> units[] = {{std::chrono::seconds{1}, "s"},
                                                       {std::chrono::milliseconds{1}, "ms"},
@@ -99,8 +99,7 @@ Table processors_of(const RunReport& report) {
     });
 }
 
-/// Returns a table of these links. Columns are as wide as for all links of the report, although a text lists only used
-/// links.
+/// Returns a table of these links. The columns are wide enough for all links of the report.
 Table links_of(const RunReport& report, const std::vector<LinkUse>& links) {
     std::size_t width = 13;
     for (const LinkUse& each : report.links)
@@ -181,8 +180,8 @@ std::string print_devices(const RunReport& report) {
     return out;
 }
 
-/// Prints a process's waiting time. An open wait lasts for ever in a deadlock; in a run that was stopped, it lasted at
-/// the stop.
+/// Prints a process's waiting time, and the beginning of a wait that is still open. In a deadlock such a wait lasts for
+/// ever.
 std::string print_wait(const RunReport& report, const ProcessUse& process) {
     if (!process.waits_since)
         return print_part(report, process.waiting);
@@ -217,7 +216,7 @@ std::string print_hit(const FaultUse::Hit& hit) {
                        hit.channel);
 }
 
-/// Prints the fault's effects, with its first and last loss. If a loss caused a deadlock, it is the last one.
+/// Prints the fault's effects, with its first and last loss. If a loss caused a deadlock, it is the last loss.
 std::string print_effect(const FaultUse& fault) {
     std::vector<std::string> said;
     if (fault.last)
@@ -373,7 +372,7 @@ std::string print_ending(Ending ending) {
     return painted(well ? Paint::success : Paint::failure, name_of(ending));
 }
 
-/// Lists the first processes that never ran; the JSON document has all.
+/// Lists the first processes that never ran; the JSON document lists all of them.
 std::string print_never_ran(const std::vector<std::string>& names) {
     constexpr std::size_t most = 12;
     std::size_t shown = std::min(names.size(), most), left_out = names.size() - shown;

@@ -16,7 +16,7 @@ namespace placedpar {
 
 namespace {
 
-/// Summary of one search, or of all together, from the first generation to the last.
+/// Summary of one search, or of all searches together, from the first generation to the last.
 struct SearchSummary {
     std::string process;
     std::size_t generations;

@@ -9,8 +9,8 @@
 
 namespace placedpar {
 
-// Functions for the part of a report about the generations of searches, of each search and of all together. A search
-// without generations is left out.
+// These functions print the part of a report about the generations of each search, and of all searches together. A
+// search without generations is left out.
 
 /// Prints the searches of one run for people: first and last generation, diversity at the end, and the fate of
 /// immigrants.

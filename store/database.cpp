@@ -9,7 +9,7 @@ namespace placedpar::store {
 
 namespace {
 
-/// Time to wait for a lock of another program, such as a database browser.
+/// The time to wait for a lock that another program holds, such as a database browser.
 constexpr int busy_ms = 5000;
 
 [[noreturn]] void fail(sqlite3* database) {

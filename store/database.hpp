@@ -14,8 +14,8 @@ struct sqlite3_stmt;
 
 namespace placedpar::store {
 
-/// An error with SQLite's message, and the system's if there is one. `damage()` is true if the file is not as SQLite
-/// wrote it.
+/// An error with SQLite's message and, if there is one, the operating system's. `damage()` returns whether the file is
+/// damaged, or is not a database.
 class DatabaseError : public UserError {
 public:
     DatabaseError(const std::string& what, bool damage) : UserError(what), damage_(damage) {}
@@ -48,12 +48,12 @@ private:
     std::unique_ptr<sqlite3, Close> handle_;
 };
 
-/// A statement with parameters ?1, ?2... REQUIRES: its database outlives it.
+/// A statement with parameters ?1, ?2... REQUIRES: the database outlives the statement.
 class Statement {
 public:
     Statement(Database& database, const std::string& sql);
 
-    /// Binds all parameters in their order and begins anew.
+    /// Binds all parameters in their order, and starts the statement again.
     template <typename... Values>
     Statement& bind(const Values&... values) {
         reset();
@@ -61,7 +61,7 @@ public:
         (bind_one(++index, values), ...);
         return *this;
     }
-    /// Goes to the next row; returns whether there is one.
+    /// Goes to the next row, and returns whether there is one.
     bool step();
     /// Binds the parameters and executes the statement.
     template <typename... Values>
@@ -79,10 +79,10 @@ public:
         reset();
         return found;
     }
-    /// Stops reading rows: an unfinished statement keeps the write-ahead log from beginning anew.
+    /// Stops reading rows. Until then SQLite cannot restart its write-ahead log at the beginning.
     void reset();
 
-    /// Columns of the present row, from 0; valid until the next step.
+    /// These functions return a column of the present row, counted from 0. The row is valid until the next step().
     std::int64_t integer(int column) const;
     double number(int column) const;
     std::optional<double> optional_number(int column) const;

@@ -5,8 +5,8 @@
 
 namespace placedpar::store {
 
-/// An exclusive lock on an existing file. All names of the file, symbolic and hard links included, lead to one lock.
-/// The system releases it when the program ends, even by a crash. SQLite's own locks are independent of it.
+/// An exclusive lock on an existing file. All names of the file, including symbolic and hard links, refer to the same
+/// lock. The system releases the lock when the program ends, even by a crash. SQLite's own locks are independent of it.
 class FileLock {
 public:
     /// Throws UserError if another program holds the lock, or if the file cannot be opened for reading and writing.
@@ -19,7 +19,7 @@ public:
     /// Returns the first bytes of the file, at most the given number.
     std::string beginning(std::size_t bytes) const;
     std::size_t size() const;
-    /// Returns whether the path still leads to the locked file.
+    /// Returns whether the path still refers to the locked file.
     bool is_at(const std::filesystem::path& path) const;
 
 private:

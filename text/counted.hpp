@@ -11,7 +11,7 @@ std::string counted(std::size_t count, std::string_view one, std::string_view mo
 /// Returns "1 byte", "2 bytes", "1 ms", "1.5". The unit is given in the plural: for the value 1, a unit of at least
 /// four letters loses its "s". "" means no unit.
 std::string with_unit(double value, std::string_view unit);
-/// Returns "a channel", "an input", by the noun's first letter, in lower case.
+/// Returns "a channel", "an input", according to the noun's first letter, which must be in lower case.
 std::string with_article(std::string_view noun);
 
 } // namespace placedpar

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t widest_excerpt = 160;
 
-/// Whether a byte continues a UTF-8 character.
+/// Returns whether a byte continues a UTF-8 character.
 bool within_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
 /// Returns `before`, the text left of the caret, with every character replaced by a blank.
@@ -25,7 +25,7 @@ std::string caret_line(std::string_view before) {
     return result + painted(Paint::caret, "^") + "\n";
 }
 
-/// Returns where the excerpt of a long line begins, such that the caret is near its middle.
+/// Returns the start of the excerpt of a long line, chosen so that the caret is near the middle of the excerpt.
 std::size_t excerpt_start(std::string_view line, std::size_t caret) {
     if (line.size() <= widest_excerpt || caret <= widest_excerpt / 2)
         return 0;

@@ -25,21 +25,21 @@ struct Diagnostic {
     std::vector<SecondPlace> others = {}; ///< usually at most one place
 };
 
-/// Makes an error in a text whose name only the caller knows.
+/// These functions make an error or a warning about a text whose name only the caller knows.
 Diagnostic error_at(std::size_t line, std::size_t column, std::string message, std::string hint = "");
 Diagnostic warning_at(std::size_t line, std::size_t column, std::string message, std::string hint = "");
 
-/// Returns whether any of the diagnostics is an error. If so, the text cannot be used.
+/// Returns whether one of the diagnostics is an error. If so, the text cannot be used.
 bool has_errors(const std::vector<Diagnostic>& diagnostics);
 
 /// Formats the diagnostic as compilers do: `path:line:column: error: message`, the source line, a caret under the
-/// column, then `hint: ...`, and the second places as notes. It ends with a newline. Tabs are kept, also in the caret's
-/// line; other control characters are shown as `\x1b`. A long line is cut to the part around the caret.
+/// column, then `hint: ...`, and the second places as notes. The result ends with a newline. Tabs are kept, also in the
+/// caret's line; other control characters are shown as `\x1b`. A long line is cut to the part around the caret.
 std::string render(const Diagnostic& diagnostic);
 std::string render(const SecondPlace& other); ///< the note alone
 std::string render(const std::vector<Diagnostic>& diagnostics);
 
-/// Returns `... 3 further errors not shown`, with a newline; "" if the count is 0.
+/// Returns `... 3 more errors not shown`, with a newline; "" if the count is 0.
 std::string not_shown(std::size_t count, Severity severity);
 
 } // namespace placedpar

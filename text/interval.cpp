@@ -10,7 +10,7 @@ namespace {
 
 constexpr double outside = 0.05, two_sided_normal = 1.959964;
 
-/// Returns E. Wilson's interval (1927), as shares.
+/// Returns E. Wilson's interval (1927); both limits are shares from 0 to 1.
 Interval wilson_interval(double successes, double runs) {
     double share = successes / runs, z2 = two_sided_normal * two_sided_normal / runs;
     double centre = (share + z2 / 2) / (1 + z2);

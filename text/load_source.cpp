@@ -22,8 +22,8 @@ bool is_text(char c) {
     return byte >= 0x20 ? byte != 0x7f : (c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v');
 }
 
-/// Whether a byte occurs only in binary files. Bells, backspaces and escape sequences are allowed, since texts copied
-/// from a terminal have them.
+/// Returns whether a byte occurs only in binary files. Bells, backspaces and escape sequences do not count, since texts
+/// copied from a terminal have them.
 bool is_of_binary_file(char c) { return !is_text(c) && c != '\a' && c != '\b' && c != '\x1b'; }
 
 Diagnostic problem_at(const File& file, std::size_t line, std::size_t column, std::string message) {
@@ -77,7 +77,7 @@ std::string why_not_a_file(const std::filesystem::path& path) {
     if (status.type() == std::filesystem::file_type::none || status.type() == std::filesystem::file_type::unknown)
         return "the file cannot be read: " + error.message();
     bool can_be_read = status.type() == std::filesystem::file_type::regular ||
-                       status.type() == std::filesystem::file_type::fifo; // such as a shell's <(...)
+                       status.type() == std::filesystem::file_type::fifo; // such as from a shell's <(...)
     return can_be_read ? "" : "this is neither a file nor a pipe";
 }
 
@@ -103,17 +103,17 @@ namespace {
 LoadedSource read_source(std::istream& in, const std::string& shown_path) {
     std::string text;
     std::array<char, 1 << 16> piece;
-    while (text.size() <= largest_source_bytes + 3 && in) { // three bytes may be a byte order mark
+    while (text.size() <= largest_source_bytes + 3 && in) { // 3 bytes more, since a byte order mark does not count
         in.read(piece.data(), piece.size());
         text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
     }
     if (in.bad())
         return refused(shown_path, "the file cannot be read to its end");
-    text.shrink_to_fit(); // the text is kept as long as one of its lines may be shown
+    text.shrink_to_fit(); // the text is kept as long as a message may quote one of its lines
     return check_source(shown_path, std::move(text));
 }
 
-/// Reads standard input. If it is empty, that is an error: the command before the pipe has failed, or there is no pipe.
+/// Reads standard input. Empty input is an error: the command before the pipe has failed, or there is no pipe.
 LoadedSource read_standard_input(const std::string& shown_path) {
     LoadedSource read = read_source(std::cin, shown_path);
     bool nothing = read.problems.empty() && read.file->text().empty();

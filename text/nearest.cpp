@@ -10,12 +10,13 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t longest_word = 64; // the time for the distance grows with its square
+constexpr std::size_t longest_word = 64; // the time to compute the distance grows with the square of a word's length
 
-/// Returns how many places of a misspelt word may differ from the right one: a third, rounded.
+/// Returns the number of edits that a misspelt word may have: a third of its length, rounded.
 std::size_t most_edits(std::string_view word) { return (word.size() + 1) / 3; }
 
-/// Returns the only candidate that begins with the typed text; "" if there are several, or if too little was typed.
+/// Returns the only candidate that begins with the typed text. Returns "" if there are several such candidates, or if
+/// fewer than three characters were typed.
 std::string completed(std::string_view typed, const std::vector<std::string>& candidates) {
     std::string found;
     for (const auto& candidate : candidates)
@@ -28,7 +29,8 @@ std::string completed(std::string_view typed, const std::vector<std::string>& ca
     return found;
 }
 
-/// Returns the first candidate such as "csp.worker" whose part after the last dot is the typed text; "" if none is.
+/// Returns the first candidate, such as "csp.worker", whose part after the last dot is the typed text; "" if there is
+/// none.
 std::string without_group(std::string_view typed, const std::vector<std::string>& candidates) {
     const std::string end = "." + std::string(typed);
     auto found = std::ranges::find_if(candidates, [&](const std::string& each) { return each.ends_with(end); });
@@ -69,7 +71,8 @@ std::string nearest_name(std::string_view wanted, const std::vector<std::string>
         return grouped;
     auto wanted_lower = lower_case(wanted);
     std::string best;
-    std::pair best_distance(most_edits(wanted) + 1, std::size_t{0}); // second: differences of case count, too
+    // The second number of a distance also counts differences of case.
+    std::pair best_distance(most_edits(wanted) + 1, std::size_t{0});
     for (const auto& candidate : candidates) {
         if (candidate.size() > longest_word || candidate == wanted)
             continue;

@@ -9,14 +9,14 @@ namespace placedpar {
 /// Returns the word with its ASCII letters in lower case.
 std::string lower_case(std::string_view word);
 
-/// Returns the number of single-character insertions, deletions, replacements and swaps of neighbours between two
-/// words.
+/// Returns the number of edits that turn one word into the other. An edit inserts, deletes or replaces a character, or
+/// swaps two neighbours.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// Returns what a misspelt word means: the nearest candidate, which may differ in at most a third of the word's
-/// letters. Case decides only between equally near candidates, and then the first wins. If no candidate is within one
-/// letter, the only one that begins with the word is preferred. A candidate such as "csp.worker" is meant by "worker".
-/// Returns "" if no candidate is near enough.
+/// Returns the candidate that a misspelt word probably means: the nearest one, if at most a third of the word's letters
+/// differ. Case decides only between equally near candidates; if they are still equal, the first wins. If no candidate
+/// is within one edit, the only candidate that begins with the word is preferred. "worker" means a candidate such as
+/// "csp.worker". Returns "" if no candidate is near enough.
 std::string nearest_name(std::string_view wanted, const std::vector<std::string>& candidates);
 
 /// Returns `unknown WHAT "wanted"; did you mean "name"?`; if no candidate is near, the text after the semicolon is

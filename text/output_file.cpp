@@ -37,13 +37,14 @@ fs::path follow_links(const fs::path& path) {
     return end;
 }
 
-/// Returns whether the file's permissions allow writing. They are respected even for root, who could write every file.
+/// Returns whether the file's permissions allow writing. Permissions are respected even for root, who could write every
+/// file.
 bool may_write(const fs::path& path, const struct stat& file) {
     constexpr mode_t by_anybody = S_IWUSR | S_IWGRP | S_IWOTH;
     return (file.st_mode & by_anybody) != 0 && ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;
 }
 
-/// Returns the final destination of the content. Throws if it is a folder or must not be written.
+/// Returns the file that finally gets the content. Throws if it is a folder or must not be written.
 fs::path destination_of(const fs::path& path) {
     if (is_standard_stream(path))
         return path;
@@ -62,7 +63,7 @@ bool is_written_as_it_goes(const fs::path& destination) {
     return is_standard_stream(destination) || fs::is_other(destination, error);
 }
 
-/// Returns a stream to the descriptor; closing the stream leaves the descriptor open.
+/// Returns a stream to the descriptor. Closing the stream leaves the descriptor open.
 std::FILE* stream_to(int descriptor) {
     int copy = ::dup(descriptor);
     return copy < 0 ? nullptr : ::fdopen(copy, "wb");
@@ -149,7 +150,7 @@ void require_writable(const fs::path& path) {
     if (takes_standard_output(path))
         refuse(path, "standard output is written to the same file; choose another name");
     if (!is_written_as_it_goes(destination_of(path)))
-        OutputFile file(path); // removed again by the destructor
+        OutputFile file(path); // its destructor removes the temporary file
 }
 
 void require_apart(std::span<const fs::path> outputs, const fs::path& input) {

@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-/// Set before anything is printed, and only read afterwards.
+/// Both are set before anything is printed, and only read afterwards.
 bool errors_painted = false, output_painted = false;
 
 /// The parameters of ECMA-48's Select Graphic Rendition: 1 bold, 31 red, 32 green, 33 yellow, 36 cyan.
@@ -29,8 +29,8 @@ const char* rendition(Paint paint) {
     return "";
 }
 
-/// Marks the beginning of a colour's sequence in painted() until it is printed. The mark is random in each run, so that
-/// no text from outside can contain it, even if made to look like paint.
+/// Returns the mark that begins a colour's sequence in painted() until the text is printed. The mark is random in each
+/// run, so that no text from outside can contain it.
 const std::string& mark() {
     static const std::string drawn = [] {
         std::random_device device;
@@ -39,8 +39,8 @@ const std::string& mark() {
     return drawn;
 }
 
-/// Calls `take` with each stretch of the text between marks, and `at_mark` between them. If nothing is painted, it does
-/// not look for marks.
+/// Calls `take` with each piece of the text between marks, and `at_mark` at each mark. If nothing is painted, there are
+/// no marks to look for.
 template <class Take, class AtMark>
 void between_marks(std::string_view text, Take take, AtMark at_mark) {
     std::size_t next = std::string_view::npos;
@@ -87,7 +87,7 @@ std::string escaped_but_paint(std::string_view text) {
 
 std::string unpainted(std::string_view text) {
     std::string result;
-    bool painted = false; // after a mark come the rendition's parameters and an m
+    bool painted = false; // a mark is followed by the rendition's parameters and an m
     auto take = [&](std::string_view part) { result += part.substr(painted ? part.find('m') + 1 : 0); };
     between_marks(text, take, [&] { painted = true; });
     return result;

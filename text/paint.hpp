@@ -11,13 +11,13 @@ enum class Paint { error, warning, note, place, caret, heading, success, failure
 
 enum class PaintedStream { errors, output };
 
-/// Turns colours on the stream on or off; at first they are off. Only the program calls this, once at its start: a
-/// test, or a program that uses a room, gets plain text.
+/// Turns colours on the stream on or off; they are off until the first call. Only the main program calls this function,
+/// once at its start.
 void set_painted(PaintedStream, bool painted);
 
-/// Returns the text between marks of the colour if its stream is painted, otherwise the text alone. Newlines, and
-/// blanks at the start, stay outside. Only escaped_but_paint() turns marks into colours, so that text from outside
-/// cannot contain any.
+/// Returns the text between marks of the colour if its stream is painted, otherwise the text alone. Final newlines, and
+/// blanks at the start, stay outside the marks. Only escaped_but_paint() turns marks into colours, so text from outside
+/// cannot set any.
 std::string painted(Paint, std::string_view text);
 
 /// Returns the text as escaped() does, but keeps newlines and turns the marks of painted() into colours. The result is

@@ -10,7 +10,7 @@ namespace placedpar {
 
 namespace {
 
-/// The greatest number of "included here" notes on one diagnostic, from the innermost file outwards.
+/// The greatest number of "included here" notes on one diagnostic. The first note is for the innermost file.
 constexpr int most_included_notes = 10;
 
 bool in_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }

@@ -8,7 +8,7 @@
 
 namespace placedpar {
 
-/// A text that is read, from a file or from elsewhere, such as the argument of "--set".
+/// A text from a file or from elsewhere, such as the argument of "--set".
 class SourceFile {
 public:
     /// `first_line` is above 1 if the text is a piece of a longer text.
@@ -28,8 +28,9 @@ private:
     std::vector<std::size_t> line_starts_;
 };
 
-/// A place in a source. Lines and columns count from 1; a column counts bytes. Line 0 is the source as a whole. A
-/// location without a file is a place in a text whose name only the caller knows or, if the line is 0, no place.
+/// A place in a source. Lines and columns count from 1; a column counts bytes. Line 0 means the source as a whole. A
+/// location without a file is a place in a text whose name only the caller knows; if its line is 0 as well, the
+/// location is empty.
 struct Location {
     std::shared_ptr<const SourceFile> file;
     std::size_t line = 0;

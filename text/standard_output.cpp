@@ -31,7 +31,7 @@ void print_out(std::string_view text) {
 void print_error(std::string_view text, std::string_view control) noexcept {
     try {
         write_to(stderr, std::string(control) + escaped_but_paint(text));
-    } catch (const std::bad_alloc&) { // the text is lost, as on a full disk
+    } catch (const std::bad_alloc&) { // the text is lost, as it is on a full disk
     }
 }
 

@@ -5,8 +5,7 @@
 
 namespace placedpar {
 
-/// Returns whether the path is "-", which means standard input or standard output. A file whose name is "-" can be
-/// given as "./-".
+/// Returns whether the path is "-", which means standard input or standard output. "./-" is a file whose name is "-".
 bool is_standard_stream(const std::filesystem::path&);
 
 /// Returns the name of an input file in messages: its path, or "<standard input>".

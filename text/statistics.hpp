@@ -14,13 +14,12 @@ double percent_within(const std::vector<double>& values, double limit);
 /// one value.
 double median(std::vector<double> values);
 
-/// Returns the middle value, or the lower of the two middle values: quantile(values, 0.5). Use it for tables of search
-/// results, so that the median is a value that a search found. REQUIRES: at least one value.
+/// Returns the middle value, or the lower of the two middle values: quantile(values, 0.5). Tables of search results use
+/// this median, because it is a value that a search found. REQUIRES: at least one value.
 double lower_median(std::vector<double> values);
 
-/// Returns the value with number ceil(share * size), counted from 1, when the values are in ascending order (nearest
-/// rank). At least the given share of the values lie at or below it. REQUIRES: at least one value, 0
-/// <= share <= 1.
+/// Returns the value with number ceil(share * size), counted from 1, in ascending order (nearest rank). At least the
+/// given share of the values are at or below the result. REQUIRES: at least one value, 0 <= share <= 1.
 double quantile(std::vector<double> values, double share);
 
 } // namespace placedpar

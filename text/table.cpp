@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r";
 
-/// A quote within quotes is written twice.
+/// Removes the second of two double quotes in a row, which stand for one.
 std::string unquoted(std::string_view text) {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -35,7 +35,7 @@ TextCell trimmed(std::string_view text, std::size_t column) {
     return {std::string(text), column};
 }
 
-/// Sets `open_quote` to the column of a quote that is not closed, or to 0 if all are closed.
+/// Splits a line into cells. Sets `open_quote` to the column of a quote that is not closed, or to 0 if all are closed.
 std::vector<TextCell> split_line(std::string_view line, std::size_t& open_quote) {
     std::vector<TextCell> cells;
     std::size_t start = 0;
@@ -61,7 +61,7 @@ std::string_view without_mark(std::string_view comment) {
     return comment.substr(0, comment.find_last_not_of(blanks) + 1);
 }
 
-/// Returns what is wrong with a row as a whole, if anything is.
+/// Reports a quote that is not closed, and a carriage return within the line.
 void check_row(std::string_view line, const TextRow& row, std::size_t open_quote, std::vector<Diagnostic>& faults) {
     if (open_quote > 0)
         faults.push_back(
@@ -110,7 +110,7 @@ void add_line(TextTable& table, std::string_view line, std::size_t number, std::
     table.header = std::move(row);
 }
 
-/// Returns whether a number outside the range of a double is too near to 0; otherwise it is too large.
+/// Returns whether a number outside the range of a double is too near to 0 (true) or too large (false).
 bool is_tiny(std::string_view number) {
     return number.find("e-") != std::string_view::npos || number.find("E-") != std::string_view::npos;
 }
@@ -124,7 +124,7 @@ TextTable split_table(std::string_view text, std::vector<Diagnostic>& faults) {
 }
 
 std::size_t append_lines(TextTable& table, std::string_view text, std::size_t number, std::vector<Diagnostic>& faults) {
-    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf"; // as spreadsheets write it
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf"; // written by spreadsheets
     if (number == 1 && text.starts_with(byte_order_mark))
         text.remove_prefix(byte_order_mark.size());
     for (; !text.empty(); ++number) {
@@ -135,7 +135,7 @@ std::size_t append_lines(TextTable& table, std::string_view text, std::size_t nu
         if (!is_blank(line) && !line.starts_with('#'))
             add_line(table, line, number, faults);
         bool was_header = above_header && !table.header.cells.empty();
-        if (was_header && has_errors(faults)) // a faulty header does not say what the rows mean
+        if (was_header && has_errors(faults)) // without a valid header the rows have no meaning
             break;
     }
     return number;

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr mode_t as_any_file = 0666; // less what the umask takes away
+constexpr mode_t as_any_file = 0666; // permissions of a new file, before the umask
 
 fs::path name_beside(const fs::path& path) {
     fs::path name = path;
@@ -27,8 +27,8 @@ fs::path name_beside(const fs::path& path) {
 /// Returns the path under which Linux shows an open file that has no name.
 std::string name_of_open(int file) { return fmt::format("/proc/self/fd/{}", file); }
 
-/// Opens a file without a name. Returns a number below 0 if the file system does not support this, or if there is no
-/// /proc.
+/// Opens a file without a name. Returns a number below 0 if the file system does not support such files, or if there is
+/// no /proc.
 int open_nameless(const fs::path& folder) {
     int file = ::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, as_any_file);
     if (file < 0 || ::access(name_of_open(file).c_str(), F_OK) == 0)
@@ -59,7 +59,8 @@ TemporaryFile::~TemporaryFile() {
         std::remove(name_.c_str());
 }
 
-/// Gives the file a name of its own first, because a link cannot replace an existing file, but a renaming can.
+/// If there is already a file at the destination, gives the new file another name first: a link cannot replace a file,
+/// but a renaming can.
 bool TemporaryFile::take_place() {
     if (name_.empty() && give_name(file_, destination_))
         return true;
@@ -73,7 +74,7 @@ bool TemporaryFile::take_place() {
 
 bool TemporaryFile::take_name() {
     fs::path name = name_beside(destination_);
-    std::remove(name.c_str()); // left by a killed program that had the same process number
+    std::remove(name.c_str()); // a file of a killed program that had the same process number
     if (!give_name(file_, name))
         return false;
     name_ = std::move(name);

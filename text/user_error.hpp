@@ -5,10 +5,10 @@
 namespace placedpar {
 
 /// Reports that something from the user cannot be used: a file, an option, a value, a place to write to. what() is one
-/// line without its newline. It says what is wrong and, if possible, what would be right.
+/// line without its newline. The line says what is wrong and, if possible, what would be right.
 ///
-/// Throw it, or a class derived from it, wherever the user can be the cause. The program prints the message and ends
-/// with the exit code for wrong use. A defect of the program itself is a std::logic_error, such as
+/// Throw this class, or a class derived from it, wherever the user can be the cause. The program prints the message and
+/// ends with the exit code for wrong use. A defect of the program itself is a std::logic_error, such as
 /// std::invalid_argument, and has another exit code.
 class UserError : public std::runtime_error {
 public:

@@ -31,7 +31,7 @@ std::string escaped_bytes(std::string_view bytes) {
 
 Utf8Character first_character(std::string_view text) {
     static constexpr std::array<char32_t, 5> least{0, 0, 0x80, 0x800,
-                                                   0x10000}; // the least code that takes this many bytes
+                                                   0x10000}; // the lowest code that takes this number of bytes
     auto first = text.empty() ? 0xff : static_cast<unsigned char>(text.front());
     auto bytes = bytes_announced(static_cast<unsigned char>(first));
     if (bytes == 0 || bytes > text.size() || !std::ranges::all_of(text.substr(1, bytes - 1), continues_character))
@@ -59,7 +59,7 @@ std::string as_utf8(std::string_view text) {
 
 namespace {
 
-/// Returns the text in UTF-8. Characters for which `word` returns a text are replaced with it.
+/// Returns the text in UTF-8. If `word` returns a text for a character, this text replaces the character.
 template <class Word>
 std::string reworded(std::string_view text, Word word) {
     const std::string utf8 = as_utf8(text);

@@ -79,7 +79,7 @@ Words without_equals(const Words& typed) {
     return words;
 }
 
-/// Returns the candidates for the last word, before comparison with its present beginning.
+/// Returns the candidates for the last word, whatever the word begins with.
 Words candidates(const DeclaredCommand& program, const Words& words) {
     if (words.size() < 2)
         return first_words(program);

@@ -39,7 +39,7 @@ struct ExplainOptions {
     std::array<std::filesystem::path, 3> outputs() const { return {json, recorded.trace, recorded.page}; }
 };
 
-/// Throws UserError for a value change dump, which has waveforms only, and for a drawing.
+/// Throws UserError for formats that cannot show a critical path: value change dumps and drawings.
 void require_path_format(const std::filesystem::path& path) {
     require_trace_format(path);
     if (std::string ending = lower_case(path.extension().string()); ending == ".vcd" || ending == ".svg")
@@ -47,7 +47,7 @@ void require_path_format(const std::filesystem::path& path) {
             fmt::format("{}: a critical path can be drawn in .json only, for ui.perfetto.dev", path.string()));
 }
 
-/// Applies --set to the changed netlists too.
+/// Returns the changes with the settings of --set; a change replaces a setting of the same name.
 Overrides with_set(const NetlistOptions& options, Overrides changes) {
     changes.merge(overrides_of(options.set));
     return changes;
@@ -109,7 +109,7 @@ void write_output(const Explanation& explanation, const Network& network, const 
         write_whole(options.json, print_pretty(explanation_json(explanation, network)));
 }
 
-/// Returns "" if they can be compared.
+/// Returns why a run with this ending cannot be compared with changed runs; "" if it can.
 std::string why_not_compared(Ending ending) {
     return ending == Ending::completed
                ? ""
@@ -135,7 +135,7 @@ void add_answers(Explanation& explanation, const Network& network, const Explain
     explanation.left_out = changes.size() - explanation.answers.size();
 }
 
-/// Returns the exit code of an interruption if changes were left untried; the rest is complete.
+/// Returns the exit code of an interruption if changes were left untried; otherwise the exit code of the run.
 ExitCode exit_code_of(const Explanation& explanation) {
     return explanation.left_out > 0 ? exit_code_of(Ending::interrupted)
                                     : exit_code_of(explanation.report.result.ending);

@@ -46,7 +46,7 @@ std::string frames_line(const std::string& path) {
     return fmt::format("frames: {0}-step-*.svg, all in one {0}.svg\n", path);
 }
 
-/// Writes a file for each step, and one with all steps of the generation.
+/// Writes a file for each step, and a file with all steps of the generation.
 void write_frames(const WalkedGeneration& walked, const std::filesystem::path& folder) {
     std::string name = fmt::format("generation-{}", walked.number);
     write_single_frames(folder, name, draw_walk(walked));

@@ -35,7 +35,7 @@ bool is_problem(const ProblemRegistry& problems, const std::string& name) {
     return std::ranges::count(names, name.substr(0, name.find('('))) > 0;
 }
 
-/// Returns the names that can be asked for besides processes and devices.
+/// Returns the names that the command accepts besides names of processes and devices.
 std::vector<std::string> problems_and_policies(const ProblemRegistry& problems) {
     std::vector<std::string> names = problems.names(), policies = policy_names();
     names.emplace_back(problems_group);

@@ -24,7 +24,7 @@ using namespace identification;
 
 namespace {
 
-/// The range of an option, ends included. All ranges are ours: wider than any practical value, and narrow enough to
+/// The range of an option, ends included. We chose all ranges: wider than any practical value, and narrow enough to
 /// exclude overflows and endless waits.
 struct Bounds {
     double least, greatest;

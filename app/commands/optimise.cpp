@@ -86,8 +86,8 @@ Network some_network(const Study& study, const MachineSpace& space) {
     }
 }
 
-/// Returns the source of the study. Requires that its measures can be measured, and that no output file is a file of
-/// the netlist.
+/// Returns the source of the study. Throws UserError if a measure is impossible, or if an output file is a file of the
+/// netlist.
 StudySource searchable_source(const OptimiseOptions& options, const Study& study, const MachineSpace& space) {
     Network network = some_network(study, space);
     require_possible(shown_measures(study), study, network);
@@ -118,8 +118,8 @@ struct Session {
     MachineTrials trials{study, space, results, options.jobs, interruption};
 };
 
-/// Returns the most runs that the search makes, without those already made; the greatest number if they cannot be
-/// counted.
+/// Returns the largest number of runs that the search can need, including runs that are already stored; the greatest
+/// integer if the number exceeds 64 bits.
 std::uint64_t most_runs(const Session& session) {
     const StudySearch& wanted = *session.study.search;
     std::uint64_t bred = wanted.population - wanted.population / 2;
@@ -152,7 +152,7 @@ bool is_meant(Session& session) {
     return seconds && are_meant({runs, false, session.options.jobs, *seconds}, session.interruption);
 }
 
-/// Searches in each way requested. Returns false if one was interrupted.
+/// Searches in each way requested. Returns false if a search was interrupted.
 bool go_all_ways(Session& session, MachineSearch& search, Optimum& optimum) {
     auto add = [&](std::optional<SearchCourse> course) {
         if (course && optimum.courses.empty() && course->front().empty())

@@ -29,7 +29,8 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::uint64_t most_seeds = 1'000'000; ///< ours: a number typed with too many digits must not fill the memory
+constexpr std::uint64_t most_seeds = 1'000'000; ///< our choice: a number typed with too many digits must not fill the
+                                                ///< memory
 
 /// The options of the command; an empty file name means that the file is not written.
 struct ReplayOptions {
@@ -95,7 +96,7 @@ void require_outputs(const ReplayOptions& options) {
         require_folder_for_plots(options.plots);
 }
 
-/// Refuses --against printed if the experiment has one set of figures only.
+/// Refuses --against printed if the experiment has only one set of figures.
 void require_printed(const Experiment& experiment, const ReplayOptions& options) {
     std::vector<std::string_view> having;
     for (const Experiment& each : experiments())

@@ -23,9 +23,9 @@ namespace placedpar {
 namespace {
 
 struct ReportOptions {
-    std::string study; ///< a file of results, or the study or netlist after which they are named
+    std::string study; ///< a file of results, or the study or netlist that gives the file its name
     std::vector<std::string> measures, relative_to;
-    std::string over;           ///< axis of the plot; "": the one with the most numbers
+    std::string over;           ///< axis of the plot; "": the axis with the most numbers
     std::string csv, svg, page; ///< files; "": not written
 
     std::array<std::filesystem::path, 3> outputs() const { return {csv, svg, page}; }

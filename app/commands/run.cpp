@@ -107,7 +107,7 @@ FinishedRun run_seed(const Network& network, const RunOptions& options, std::uin
     return {std::move(report), std::move(searches)};
 }
 
-/// Asks the user to confirm very many runs, when the first has shown how long one takes.
+/// If there are very many runs, asks the user to confirm them after the first run, which shows how long a run takes.
 bool others_are_meant(const RunOptions& options, std::chrono::steady_clock::time_point begun,
                       const Interruption& interruption) {
     if (options.seeds <= most_unasked || options.yes)
@@ -116,10 +116,10 @@ bool others_are_meant(const RunOptions& options, std::chrono::steady_clock::time
     return are_meant({options.seeds, true, 1, taken.count()}, interruption);
 }
 
-/// Runs the seeds until one is interrupted. Returns none if the runs are not confirmed.
+/// Runs the seeds until one is interrupted. Returns no runs if the user does not confirm them.
 std::vector<FinishedRun> run_seeds(const Network& network, const RunOptions& options, TraceSink* trace) {
     InterruptedBySignals interruption;
-    std::optional<ProgressLine> progress; // a watch would be disturbed by the line
+    std::optional<ProgressLine> progress; // not with --watch, which the line would disturb
     if (options.seeds > 1 && !options.watch)
         progress.emplace();
     std::vector<FinishedRun> runs;
@@ -184,8 +184,8 @@ void write_files(const Network& network, std::span<const FinishedRun> runs, std:
         write_whole(options.convergence, draw_svg(convergence_plot(network.source_path, logs)));
 }
 
-/// Returns the exit code of the first run that did not end well. An interruption between runs ends no run, so the
-/// number of runs is compared too.
+/// Returns the exit code of the first run that is not a success. An interruption between runs ends no run, so the
+/// number of runs is compared, too.
 ExitCode exit_code_of(std::span<const FinishedRun> runs, std::size_t asked) {
     for (const FinishedRun& run : runs)
         if (ExitCode code = exit_code_of(run.report.result.ending); code != ExitCode::success)

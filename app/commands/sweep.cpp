@@ -121,7 +121,7 @@ std::filesystem::path results_of(const SweepOptions& options) {
 /// Shows one line with the progress and the remaining time.
 class SweepProgress {
 public:
-    /// Shows the progress of the missing runs, of which `made` have been made already.
+    /// Shows the progress of the missing runs. `made` missing runs have been made already.
     SweepProgress(const StudySweep::Missing& missing, std::uint64_t made) : missing_(missing), made_(made) {}
 
     void show(std::uint64_t ended) {
@@ -140,7 +140,7 @@ private:
         return print_duration(seconds() * runs / static_cast<double>(ended)) + " left";
     }
 
-    using Clock = std::chrono::steady_clock; // wall-clock time; it decides nothing of a run
+    using Clock = std::chrono::steady_clock; // wall-clock time; it does not affect any run
     static constexpr double patience_seconds = 20;
 
     StudySweep::Missing missing_;
@@ -159,7 +159,7 @@ std::size_t workers_for(const StudySweep::Missing& missing, const SweepOptions& 
     return std::min<std::uint64_t>(options.jobs, std::max<std::uint64_t>(missing.runs, 1));
 }
 
-/// Returns false if it was interrupted or not confirmed.
+/// Makes the missing runs. Returns false if the sweep was interrupted or not confirmed.
 bool make_missing_runs(const Study& study, const SweepOptions& options, StudyResults& results,
                        Interruption& interruption, RankZero* others) {
     StudySweep sweep(study, results);
@@ -199,7 +199,7 @@ ExitCode print_tables(const Study& study, StudyResults& results) {
     return are_within_tolerance(tables) ? ExitCode::success : ExitCode::missed_tolerance;
 }
 
-/// Works for rank 0, as another rank.
+/// Makes runs for rank 0 in another rank.
 ExitCode help(Ranks& ranks, const SweepOptions& options) {
     InterruptedBySignals interruption;
     RankHelper(ranks, options.jobs).help([&] { return study_of(options); }, interruption);

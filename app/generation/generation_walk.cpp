@@ -70,7 +70,7 @@ WalkedGeneration GenerationWalk::next() {
     for (const Genome& genome : population_)
         walked.fitness.push_back(walk_function(settings_.function).value(genome.field(0, walk_bits)));
     reproduce(walked);
-    if (walked.parents.empty()) { // as in Search, all are drawn anew
+    if (walked.parents.empty()) { // as in Search, all strings are drawn anew
         walked.mutated = random_population(settings_.population, walk_bits, random_);
     } else {
         cross(walked);

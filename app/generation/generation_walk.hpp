@@ -11,13 +11,13 @@
 
 namespace placedpar {
 
-/// The settings of a search small enough to follow by hand: strings of four bits, the vertices of Figure 6.2, roulette,
-/// one-point crossover, mutation.
+/// The settings of a search small enough to follow by hand: strings of four bits (the vertices of Figure 6.2),
+/// roulette, one-point crossover, mutation.
 struct WalkSettings {
     std::size_t population = 6;
     double crossover_probability = 0.8;
     double mutation_probability =
-        0.05; ///< ours: with the thesis's value, 0.01, hardly any of the few bits would be flipped
+        0.05; ///< our choice: with the thesis's value, 0.01, hardly any of the few bits would be flipped
     std::string function = "square"; ///< fitness function, one of walk_functions()
     std::uint64_t seed = 1;
 };
@@ -30,7 +30,7 @@ std::vector<std::string> walk_functions();
 
 /// The random numbers of a pair of mates and their effect.
 struct Mating {
-    double drawn; ///< below the crossover probability, the pair is crossed
+    double drawn; ///< random number; if it is below the crossover probability, the pair is crossed
     bool crossed;
     std::size_t cut; ///< number of leading characters that are exchanged, if the pair is crossed
 };
@@ -43,7 +43,7 @@ struct WalkedGeneration {
     std::vector<double> spins = {};        ///< positions of the roulette, 0 to 1; empty if no fitness is positive
     std::vector<std::size_t> parents = {}; ///< indices in the population; empty if no fitness is positive
     std::vector<Genome> reproduced = {};
-    std::vector<Mating> matings = {}; ///< of strings 0 and 1, 2 and 3, ...
+    std::vector<Mating> matings = {}; ///< mating of strings 0 and 1, of strings 2 and 3, ...
     std::vector<Genome> crossed = {}, mutated = {};
 };
 

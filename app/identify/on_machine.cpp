@@ -23,7 +23,7 @@ using namespace identification;
 
 namespace {
 
-constexpr std::size_t most_columns = 8; ///< of searches, so that a line of the table fits a screen
+constexpr std::size_t most_columns = 8; ///< number of searches in a table, so that its lines fit a screen
 
 double seconds(Time time) { return in_milliseconds(time) / 1000; }
 
@@ -71,7 +71,7 @@ std::string print_course(const SearchAnswers& answers, std::span<const SampleAns
                        : "");
 }
 
-/// Prints the last answer beside the native one.
+/// Prints the last answer beside the native answer.
 std::string print_answer(const SearchAnswers& answers, const Identified& native, std::size_t parameter) {
     const std::size_t last = answers.generations() - 1, best = answers.fittest(last);
     const double here = native.estimates.back().compliance_in3_per_psi[parameter];

@@ -16,8 +16,9 @@ struct Identified;       // identification/identification.hpp
 
 /// Runs an identification as processes of a simulated machine. Prints the run, the answers of all searches after each
 /// sample, the fittest answer, how far the searches agree, and the seconds that the machine took; adds them to `json`.
-/// Returns missed_tolerance if a single search does not find what identify() found natively: it makes the same
-/// generations. Several searches make others, so that their answer is only printed beside the native one.
+/// A single search makes the same generations as identify(), so missed_tolerance is returned if its answer differs from
+/// the native answer. Several searches make other generations, so their answer is only printed beside the native
+/// answer.
 ExitCode run_on_machine(const ProcessSearch& search, const identification::Identified& native,
                         const identification::ComplianceSearch& prepared, std::uint64_t seed,
                         boost::json::object& json);

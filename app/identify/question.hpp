@@ -15,7 +15,7 @@
 
 namespace placedpar {
 
-// Both ways to identify use these functions.
+// The ways to identify (ways.hpp) use these functions.
 
 std::optional<hydraulics::AreasFrom> areas_asked(const IdentifyOptions& options);
 hydraulics::Side side_asked(const IdentifyOptions& options);

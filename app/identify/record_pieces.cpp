@@ -35,7 +35,7 @@ int opened(const std::filesystem::path& path) {
     return descriptor;
 }
 
-/// Waits briefly for input or its end, because a read from a pipe could block. Returns whether there is some.
+/// Waits briefly for input or its end, because a read from a pipe could block. Returns whether a read would not block.
 bool readable(int descriptor) {
     constexpr int patience_ms = 200;
     pollfd asked{descriptor, POLLIN, 0};
@@ -77,7 +77,7 @@ void RecordPieces::fill() {
 std::string RecordPieces::next_lines() {
     fill();
     const std::size_t end = buffer_.rfind('\n');
-    // Too long a line is refused even if it is incomplete. After a stop, an incomplete line is dropped.
+    // A line that is too long is refused even if it is incomplete. After a stop, an incomplete line is dropped.
     const bool whole = over_ && !stopped_;
     const std::size_t size = whole || end == std::string::npos ? buffer_.size() : end + 1;
     std::string lines = buffer_.substr(0, stopped_ && end == std::string::npos ? 0 : size);

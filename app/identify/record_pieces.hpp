@@ -15,13 +15,14 @@
 namespace placedpar {
 
 /// Reads a record of any length piece by piece from a file, a pipe or standard input ("-"). At most two pieces of the
-/// text are in memory. Errors are reported as by load_record. Of the warnings of all pieces, the first 20 are shown.
+/// text are in memory. Errors are reported as by load_record. Only the first 20 warnings are shown.
 class RecordPieces {
 public:
-    static constexpr std::size_t piece_bytes = 1 << 20; ///< length of a piece, extended to the end of its line
+    static constexpr std::size_t piece_bytes = 1 << 20; ///< approximate length of a piece, which ends at the end of a
+                                                        ///< line
 
     /// Throws RefusedInput if the file cannot be read. `stop` is called before every read and while a pipe is empty;
-    /// the record ends when it returns true.
+    /// the record ends when `stop` returns true.
     RecordPieces(const std::filesystem::path& path, hydraulics::RecordNeeds needs, WarningSink warn,
                  std::function<bool()> stop = {});
     ~RecordPieces();

@@ -31,7 +31,7 @@ using namespace identification;
 
 namespace {
 
-/// A machine whose hello gives the monitor this name gets the same random numbers.
+/// The monitor uses the same random numbers for a machine of this name.
 constexpr const char* machine_name = "record";
 
 DiagnosisSettings settings_of(const IdentifyOptions& options) {

@@ -49,7 +49,7 @@ IdentificationWay way_of(const IdentifyOptions& options, IdentificationWay way) 
     return way;
 }
 
-/// Returns whether the boom's areas come from its spool, as read or by A.1.
+/// Returns whether the boom's areas come from its spool, as read or from the voltage by equation A.1.
 bool uses_spool(const Record& record, const Question& question) {
     return question.links.contains(Link::boom) &&
            areas_from(record.channels(), Link::boom, question.areas_from) != AreasFrom::areas;
@@ -59,7 +59,7 @@ bool uses_spool(const Record& record, const Question& question) {
 struct Case {
     Parameters machine;
     LoadedRecord loaded;
-    Sampling sampling; ///< of the record as read
+    Sampling sampling; ///< sampling of the record as read
     IdentificationWay way;
     Question question;
     bool calibrates = false;                ///< whether --offset auto was given and has an effect

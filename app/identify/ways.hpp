@@ -10,8 +10,8 @@ namespace placedpar {
 // These are the ways in which `placedpar identify` evaluates a record. Each prints its results, adds them to
 // `json`, and throws RefusedInput, UserError or UnfitRecord.
 
-/// Runs one search over the first transient, as in chapter 3 of the thesis. If a netlist is given, runs the same search
-/// as the netlist's processes, too.
+/// Runs one search over the first transient, as in chapter 3 of the thesis. If a netlist is given, also runs the same
+/// search as processes of the netlist.
 ExitCode identify_by_thesis(const IdentifyOptions& options, boost::json::object& json);
 /// Runs one search for several links over the whole movement (identification/whole_search.hpp), and prints the limit of
 /// the record and the cost on T800s.

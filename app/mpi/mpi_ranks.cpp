@@ -39,7 +39,7 @@ private:
         return found ? std::optional(*found) : std::nullopt;
     }
 
-    /// An exception of one rank is reported to the others by messages and does not end them.
+    /// An exception of one rank is reported to the other ranks by messages and does not end these ranks.
     mpi::environment environment_{mpi::threading::funneled, false};
     mpi::communicator world_;
 };

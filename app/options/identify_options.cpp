@@ -60,7 +60,7 @@ void declare_way(Options& command, IdentifyOptions& options) {
     add_seed(command, options.seed);
 }
 
-/// Declares the options of the other ways; the thesis's also applies to the simulated processes that search like it.
+/// Declares the options of the other ways. The options of --way thesis also apply to the processes of --on.
 void declare_thesis_way(Options& command, IdentifyOptions& options) {
     const char* group = "With --way thesis or whole";
     add_number(command, "--samples", options.samples, 1, a_million,

@@ -14,7 +14,7 @@ namespace placedpar {
 struct IdentifyOptions {
     std::string record, links, configuration = "a", way = "service", offset, areas, missing = "refuse", machine, json;
     std::uint64_t seed = 1;
-    std::optional<std::size_t> bits, population, trials, window, elite; ///< empty: the way's own
+    std::optional<std::size_t> bits, population, trials, window, elite; ///< empty: the default of the way
     double bias = 400;
     bool strict = false;
 

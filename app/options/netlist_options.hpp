@@ -16,7 +16,7 @@ Option add_set(Options&, std::vector<std::string>& settings, const std::string& 
 /// the form NAME=VALUE, or if a name is set twice.
 Overrides overrides_of(std::span<const std::string> settings, const std::string& option = "--set");
 
-/// The options about the netlist's surroundings, as typed.
+/// The options for reading a netlist, as typed.
 struct ReadOptionsTyped {
     std::vector<std::string> include, use, fault;
 };

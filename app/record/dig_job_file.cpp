@@ -97,7 +97,7 @@ private:
     const MovingExcavator& machine_;
     DigJob job_;
     bool started_ = false;
-    std::vector<toml::source_position> places_; ///< of the moves
+    std::vector<toml::source_position> places_; ///< places of the moves in the file
 };
 
 } // namespace

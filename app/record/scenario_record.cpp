@@ -47,7 +47,7 @@ Record simulated(const RecordScenario& scenario, const LinksInMotion& moving, co
     }
 }
 
-/// Returns the options of `placedpar record` for what moves.
+/// Returns the options of `placedpar record` that select the motion.
 std::string options_of(const LinksInMotion& moving, const RecordScenario& scenario) {
     if (moving.job)
         return fmt::format(" --job {}", moving.job->name);

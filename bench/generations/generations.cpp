@@ -1,5 +1,6 @@
-// This program measures how many generations a second a genetic algorithm makes natively: ours in each vector width,
-// and others. All search the plant of chapter 5 with the same budget. It also measures how well they follow the plant.
+// This program measures how many generations per second genetic algorithms make natively: ours with each vector width,
+// and rivals. All search the plant of chapter 5 with the same budget. The program also measures how well they follow
+// the plant.
 //
 // usage: generations [SEEDS]
 
@@ -23,15 +24,15 @@ using namespace placedpar;
 
 namespace {
 
-/// Returns the processor time, so that other programs on the machine do not count. No rival uses threads.
+/// Returns the processor time, which other programs on the machine do not affect. No rival uses threads.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 constexpr PlantExperiment experiment{}; // the ramp of Table 5.4, without noise
 
 Chase chase_of(std::uint64_t seed) { return {plant_record(experiment, RandomStream(seed, "plant")), seed}; }
 
-/// Returns the rms distance from the true pole from generation 100 on, since every rival still searches before. Either
-/// pole of a conjugate pair counts as right.
+/// Returns the rms distance between the estimated and the true pole from generation 100 on. Before, all contestants are
+/// still searching. Either pole of a conjugate pair counts as right.
 double pole_error(const Chase& chase, const Answer& answer) {
     double sum = 0;
     std::size_t count = 0;
@@ -78,7 +79,7 @@ struct Result {
     }
 };
 
-/// Returns the nanoseconds of one error evaluation in the present vector width, the fastest of several attempts.
+/// Returns the time of one error evaluation with the present vector width, in ns: the shortest of several measurements.
 double nanoseconds_of_an_evaluation(const Chase& chase, int goes) {
     auto problem = make_search_problem(PlantProblem());
     RandomStream random(1, "evaluations");
@@ -113,7 +114,8 @@ std::vector<Result> contest(std::span<const Chase> chases, int rounds) {
     for (const auto& group : {ours(), galib(), pagmo()})
         for (const Contestant& contestant : group)
             results.push_back({contestant, std::numeric_limits<double>::infinity(), {}});
-    for (int round = 0; round < rounds; ++round) // in turn, so that a busy moment of the machine affects every rival
+    for (int round = 0; round < rounds;
+         ++round) // the contestants take turns, so that other load on the machine affects all of them
         for (Result& result : results)
             result.run(chases);
     return results;
@@ -157,7 +159,7 @@ int main(int argc, char** argv) {
             fmt::print("{} is missing: tools/rivals.sh fetches it, then configure again\n", rival);
     fmt::print("fingerprint {:016x}\n", results.front().fingerprint());
     bool same_bits = true;
-    for (std::size_t i = 1; i < ours().size() - 3; ++i) // the vector widths
+    for (std::size_t i = 1; i < ours().size() - 3; ++i) // the results of different vector widths
         same_bits = same_bits && results[i].fingerprint() == results.front().fingerprint();
     if (!same_bits)
         fmt::print(stderr, "all vector widths should have given the same answers\n");

@@ -1,5 +1,5 @@
 // This rival is GAlib 2.4 (M. Wall, MIT): GASimpleGA on the same strings of 37 bits, with the same rates and an elite
-// of one. In place of universal sampling it uses the most similar selection, stochastic remainder.
+// of one. It uses stochastic remainder selection, which is the most similar to our universal sampling.
 
 #include "bench/generations/contest.hpp"
 
@@ -12,7 +12,7 @@ namespace placedpar {
 
 namespace {
 
-/// Reads a GA1DBinaryStringGenome as PlantProblem reads a Genome.
+/// Reads the fields of a GA1DBinaryStringGenome for PlantProblem, as Genome does.
 struct Fields {
     const GA1DBinaryStringGenome& genome;
     std::uint64_t field(std::size_t first, std::size_t count) const {
@@ -23,7 +23,7 @@ struct Fields {
     }
 };
 
-/// The data that an objective function finds behind GAGenome::userData.
+/// The data to which GAGenome::userData() points.
 struct Objective {
     PlantProblem problem;
     std::span<const std::vector<double>> window;
@@ -34,13 +34,13 @@ PoleZeroPlant plant_of(GAGenome& genome) {
     return data.problem.plant(Fields{static_cast<GA1DBinaryStringGenome&>(genome)});
 }
 
-/// Returns the fitness, or 0 if it is negative, because the roulette takes no negative numbers.
+/// Returns the fitness, or 0 if it is negative, because the selection takes no negative numbers.
 float objective(GAGenome& genome) {
     auto& data = *static_cast<Objective*>(genome.userData());
     return static_cast<float>(std::max(Chase::fitness(plant_of(genome), data.window), 0.0));
 }
 
-/// GAlib caches the fitness of an individual, so all must be evaluated again when the window moves.
+/// Evaluates all individuals again when the window moves, because GAlib caches their fitness.
 class MovingWindowGA : public GASimpleGA {
 public:
     using GASimpleGA::GASimpleGA;
@@ -72,7 +72,7 @@ Answer follow(const Chase& chase) {
         data.window = chase.window_at(window);
         if (window > 0)
             ga.evaluate_again();
-        for (std::size_t trial = 1; trial < Chase::trials; ++trial) // the first generation is the evaluation above
+        for (std::size_t trial = 1; trial < Chase::trials; ++trial) // the evaluation above is the first generation
             ga.step();
         PoleZeroPlant best = plant_of(ga.population().best());
         answer.poles.push_back({best.alpha, best.beta});

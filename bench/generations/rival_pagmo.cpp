@@ -1,5 +1,5 @@
-// These rivals are pagmo 2.18 (ESA)'s genetic algorithm, which works on real numbers, and its differential evolution.
-// They are in a shared library of their own, as in bench/identification.
+// These rivals are two algorithms of pagmo 2.18 (ESA): its genetic algorithm, which works on real numbers, and its
+// differential evolution. This file is compiled to a separate shared library, as in bench/identification.
 
 #include "bench/generations/contest.hpp"
 
@@ -16,8 +16,8 @@ namespace {
 
 PoleZeroPlant plant_of(const pagmo::vector_double& x) { return {x[0], x[1], x[2], x[3], x[4], x[5]}; }
 
-/// The problem for pagmo, which minimises. A problem is copied into every population, so a moved window needs a new
-/// one.
+/// The problem in the form of pagmo, which minimises. Pagmo copies a problem into every population, so a moved window
+/// needs a new problem.
 struct WindowProblem {
     std::span<const std::vector<double>> window;
 
@@ -37,7 +37,7 @@ Answer follow(const Chase& chase, Algorithm algorithm) {
         pagmo::problem problem(WindowProblem{chase.window_at(number)});
         pagmo::population next(problem, number == 0 ? Chase::population : 0, seed);
         for (const pagmo::vector_double& x : population.get_x())
-            next.push_back(x); // evaluates x in the new window: this is the sample's first generation
+            next.push_back(x); // evaluates x in the new window, which counts as the first generation
         population = algorithm.evolve(std::move(next));
         PoleZeroPlant best = plant_of(population.champion_x());
         answer.poles.push_back({best.alpha, best.beta});
@@ -52,7 +52,8 @@ Answer genetic(const Chase& chase) {
 }
 
 Answer differential_evolution(const Chase& chase) {
-    return follow(chase, pagmo::de(generations, 0.8, 0.9, 2, 0, 0)); // no early end, so that the budget is the same
+    // With tolerances of 0 the search never ends early, so the budget is the same.
+    return follow(chase, pagmo::de(generations, 0.8, 0.9, 2, 0, 0));
 }
 
 } // namespace

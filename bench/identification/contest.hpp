@@ -11,30 +11,31 @@
 #include <string>
 #include <vector>
 
-// This header declares the task and the results of every contestant. It does not include Boost, since a rival may bring
-// its own.
+// This header declares the task and the results of every contestant. The only Boost headers that it includes are
+// containers, since a rival may use another version of Boost.
 
 namespace placedpar {
 
-/// The task: identify the boom's compliance from its record as in chapter 3. Every new sample from the fifth on gives a
-/// window of up to ten samples and five generations of 120 individuals.
+/// The task: identify the boom's compliance from its record as in chapter 3. From the fifth sample on, each new sample
+/// gives a window of at most ten samples, with five generations of 120 individuals.
 struct Transient {
     std::vector<hydraulics::LinkSample> record;
     hydraulics::FlowConstants flow;
-    std::uint64_t seed = 0; // of the contestant's random numbers
+    std::uint64_t seed = 0; // seed of the contestant's random numbers
 
     static constexpr std::size_t population = 120, window = 10, first = 5, trials = 5;
     static constexpr double bias = 400, crossover = 0.8, mutation = 0.01;
     static constexpr double largest = CircuitProblem::largest_in3_per_psi;
     static constexpr std::size_t bits = CircuitProblem::usual_bits;
 
-    /// Returns the number of windows that get generations.
+    /// Returns the number of windows. Each window gets `trials` generations.
     std::size_t windows() const { return record.size() + 1 - first; }
     std::span<const hydraulics::LinkSample> window_at(std::size_t number) const {
         std::size_t end = first + number, length = end < window ? end : window;
         return std::span(record).subspan(end - length, length);
     }
-    /// Computes equations 3.5 to 3.8 as written by hand, the fastest that a contestant without the library can have.
+    /// Computes equations 3.5 to 3.8 by hand-written code, which is the fastest way for a contestant without the
+    /// library.
     double error(double compliance, const hydraulics::LinkSample& sample) const {
         const double k = flow.orifice_in3_per_s_in2_sqrt_psi;
         double inlet = sample.piston_flow_in3_per_s + sample.inlet_slope_psi_per_s * compliance;
@@ -52,14 +53,15 @@ struct Transient {
 };
 
 struct Answer {
-    double compliance;               // of the best individual of the last generation; for the service, its median
-    std::uint64_t error_evaluations; // one individual at one sample; 0: not counted
+    double compliance; // of the best individual in the last generation; for the service, the median that it reports
+    std::uint64_t error_evaluations; // each of one individual at one sample; 0: not counted
 };
 
 struct Contestant {
     std::string name;
     Answer (*identify)(const Transient&);
-    int way = -1; // contestants with the same number use one algorithm and one stream, and must give the same bits
+    // Contestants with the same number use the same algorithm and random stream, and must give the same bits.
+    int way = -1;
 };
 
 std::vector<Contestant> ours();

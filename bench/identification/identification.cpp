@@ -1,6 +1,6 @@
-// This program measures how fast a compliance is identified natively, by us and by others, and how good the answers
+// This program measures how fast our algorithms and rivals identify a compliance natively, and how good their answers
 // are. All use the same records and the same budget. The machine of the thesis took 0.8 s for such a transient on
-// sixteen T800s and 10 s on one.
+// sixteen T800s, and 10 s on one T800.
 //
 // usage: identification [SEEDS]
 
@@ -27,7 +27,7 @@ using namespace placedpar;
 using namespace placedpar::hydraulics;
 namespace {
 
-/// Returns the processor time, so that other programs on the machine do not count. No rival uses threads.
+/// Returns the processor time, which other programs on the machine do not affect. No rival uses threads.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 Transient transient_of(std::uint64_t seed) {
@@ -58,7 +58,7 @@ struct Result {
     }
 };
 
-/// Returns the compliance of greatest fitness in the last window, of 65536 values.
+/// Returns the compliance with the greatest fitness in the last window, among 65536 equally spaced values.
 double optimum(const Transient& transient) {
     constexpr int codes = 1 << 16;
     auto window = transient.window_at(transient.windows() - 1);
@@ -73,7 +73,7 @@ double optimum(const Transient& transient) {
     return best;
 }
 
-/// Returns the absolute errors of compliances, in percent.
+/// Returns the absolute errors of the compliances, in percent of the right values.
 std::vector<double> percent_missed(std::span<const double> compliances, std::span<const double> right) {
     std::vector<double> missed;
     for (std::size_t i = 0; i < compliances.size(); ++i)
@@ -102,8 +102,8 @@ void print(const Result& result, std::span<const Transient> transients, std::spa
                quantile(errors, 0.9), lower_median(distances), quantile(distances, 0.9));
 }
 
-/// Returns the nanoseconds of one error evaluation by `evaluate`, which fills in the fitness of a population. It is the
-/// fastest of several attempts.
+/// Returns the time of one error evaluation, in ns: the shortest of several measurements. `evaluate` computes the
+/// fitness of a population.
 template <typename Evaluate>
 double nanoseconds_of(std::size_t evaluations, int goes, Evaluate evaluate) {
     double fastest = std::numeric_limits<double>::infinity();
@@ -117,7 +117,7 @@ double nanoseconds_of(std::size_t evaluations, int goes, Evaluate evaluate) {
     return 1e9 * fastest / static_cast<double>(evaluations);
 }
 
-/// Returns false if single and vectorised evaluation give different bits.
+/// Prints the time of an error evaluation alone and vectorised. Returns whether both give the same bits.
 bool time_evaluations(const Transient& transient, int goes) {
     auto problem = make_search_problem(CircuitProblem(boom_circuit(), transient.flow));
     RandomStream random(1, "evaluations");
@@ -144,25 +144,26 @@ std::vector<Result> contest(std::span<const Transient> transients, int rounds) {
     for (const auto& group : {ours(), galib(), pagmo()})
         for (const Contestant& contestant : group)
             results.push_back({contestant, std::numeric_limits<double>::infinity(), 0, {}});
-    for (int round = 0; round < rounds; ++round) // in turn, so that a busy moment of the machine affects every rival
+    for (int round = 0; round < rounds;
+         ++round) // the contestants take turns, so that other load on the machine affects all of them
         for (Result& result : results)
             result.run(transients);
     return results;
 }
 
-/// Returns the first result for the same method of identification.
+/// Returns the first result with the algorithm of `result` (Contestant::way).
 const Result& first_of_way(std::span<const Result> results, const Result& result) {
     return *std::ranges::find_if(results,
                                  [&](const Result& each) { return each.contestant.way == result.contestant.way; });
 }
 
-/// Returns whether our contestants of one way have the same answers.
+/// Returns whether all contestants that use the same algorithm have the same answers.
 bool agree(std::span<const Result> ours) {
     return std::ranges::all_of(
         ours, [&](const Result& each) { return each.compliances == first_of_way(ours, each).compliances; });
 }
 
-/// Covers each of our variants once, since the number of vector widths depends on the processor.
+/// Returns a fingerprint that contains each algorithm once, since the number of vector widths depends on the processor.
 std::uint64_t fingerprint(std::span<const Result> ours) {
     Fingerprint all;
     for (const Result& result : ours)

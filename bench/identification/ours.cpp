@@ -16,7 +16,8 @@ using namespace hydraulics;
 
 namespace {
 
-constexpr const char* stream = "search"; // of the random numbers: one stream, so that the answers must agree
+/// All contestants use the same random stream, so that their answers agree.
+constexpr const char* stream = "search";
 
 std::uint64_t all_evaluations(const Transient& transient) {
     std::uint64_t samples = 0;
@@ -94,7 +95,7 @@ std::vector<Sample> plain_numbers(const Transient& transient) {
     return record;
 }
 
-/// Uses the library, but with the virtual function for one individual.
+/// Uses the library, but evaluates the individuals one by one through the virtual function.
 Answer one_by_one(const Transient& transient) {
     auto problem = make_search_problem(CircuitProblem(boom_circuit(), transient.flow));
     Search search(problem->bits(), {}, RandomStream(transient.seed, stream));

@@ -13,7 +13,7 @@ using namespace hydraulics;
 
 namespace {
 
-/// The data that an objective function finds behind GAGenome::userData.
+/// The data to which GAGenome::userData() points.
 struct Objective {
     const Transient& transient;
     std::span<const LinkSample> window;
@@ -35,7 +35,7 @@ float objective(GAGenome& genome) {
     return static_cast<float>(std::max(fitness, 0.0));
 }
 
-/// GAlib caches the fitness of an individual, so all must be evaluated again when the window moves.
+/// Evaluates all individuals again when the window moves, because GAlib caches their fitness.
 class MovingWindowGA : public GASimpleGA {
 public:
     using GASimpleGA::GASimpleGA;
@@ -67,7 +67,7 @@ Answer identify(const Transient& transient) {
         data.window = transient.window_at(window);
         if (window > 0)
             ga.evaluate_again();
-        for (std::size_t trial = 1; trial < Transient::trials; ++trial) // the first generation is the evaluation above
+        for (std::size_t trial = 1; trial < Transient::trials; ++trial) // the evaluation above is the first generation
             ga.step();
     }
     auto& best = static_cast<GA1DBinaryStringGenome&>(ga.population().best());

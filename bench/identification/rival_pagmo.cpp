@@ -1,6 +1,6 @@
-// These rivals are pagmo 2.18 (ESA)'s genetic algorithm, which works on real numbers, and its differential evolution.
-// Debian's pagmo is built with Boost 1.74, whose headers only this file includes, so it is compiled to a shared library
-// that exports nothing else.
+// These rivals are two algorithms of pagmo 2.18 (ESA): its genetic algorithm, which works on real numbers, and its
+// differential evolution. Debian's pagmo is built with Boost 1.74, whose headers only this file includes. Therefore
+// this file is compiled to a shared library that exports pagmo() alone.
 
 #include "bench/identification/contest.hpp"
 
@@ -17,8 +17,8 @@ using namespace hydraulics;
 
 namespace {
 
-/// The problem for pagmo, which minimises. A problem is copied into every population, so a moved window needs a new
-/// one.
+/// The problem in the form of pagmo, which minimises. Pagmo copies a problem into every population, so a moved window
+/// needs a new problem.
 struct WindowProblem {
     const Transient* transient = nullptr;
     std::span<const LinkSample> window;
@@ -37,7 +37,7 @@ Answer identify(const Transient& transient, Algorithm algorithm) {
         pagmo::problem problem(WindowProblem{&transient, transient.window_at(number)});
         pagmo::population next(problem, number == 0 ? Transient::population : 0, seed);
         for (const pagmo::vector_double& x : population.get_x())
-            next.push_back(x); // evaluated again in the new window: the first of the sample's generations
+            next.push_back(x); // evaluates x in the new window, which counts as the first generation
         population = algorithm.evolve(std::move(next));
         evaluations += population.get_problem().get_fevals() * transient.window_at(number).size();
     }
@@ -51,7 +51,8 @@ Answer genetic(const Transient& transient) {
 }
 
 Answer differential_evolution(const Transient& transient) {
-    return identify(transient, pagmo::de(generations, 0.8, 0.9, 2, 0, 0)); // no early end: the same budget
+    // With tolerances of 0 the search never ends early.
+    return identify(transient, pagmo::de(generations, 0.8, 0.9, 2, 0, 0));
 }
 
 } // namespace

@@ -8,13 +8,14 @@
 #include <string>
 #include <vector>
 
-// This header declares the task of every contestant. It does not include Boost's processes, since a rival may bring its
-// own Boost.
+// This header declares the task of every contestant. It does not include Boost, since a rival may use another version
+// of Boost.
 
 namespace placedpar {
 
-/// Rastrigin's function in 20 dimensions. The search ends when an individual is below 1e-6 or all evaluations are used.
-/// An exception in the middle of the generation stops it, so that all contestants are counted alike.
+/// Rastrigin's function in 20 dimensions. The search ends when an individual is below 1e-6, or when all evaluations are
+/// used. objective() then throws Stop, even within a generation, so that the evaluations of all contestants are counted
+/// in the same way.
 class Valley {
 public:
     static constexpr std::size_t dimensions = 20;
@@ -46,7 +47,7 @@ private:
 
 struct Contestant {
     std::string name;
-    void (*descend)(Valley&, std::uint64_t seed); ///< until it is stopped
+    void (*descend)(Valley&, std::uint64_t seed); ///< runs until objective() throws Stop
 };
 
 std::vector<Contestant> ours();

@@ -9,7 +9,7 @@ namespace placedpar {
 
 namespace {
 
-/// The problem; the optimum lies on the grid of the bits.
+/// The problem for our search. The optimum is exactly one of the codes.
 struct Descent {
     Valley* valley;
 
@@ -26,7 +26,7 @@ std::shared_ptr<const SearchProblem> problem_of(Valley& valley, Coding coding) {
     return minimise(Descent{&valley})->coded(coding);
 }
 
-/// Uses the settings for a problem about which nothing is known: an elite, and steps of every size.
+/// Uses settings for a problem about which nothing is known: an elite, and mutations of every size.
 void usual(Valley& valley, std::uint64_t seed) {
     auto problem = problem_of(valley, Coding::real);
     SearchSettings settings = usual_settings(*problem);

@@ -1,5 +1,5 @@
-// This program measures how many evaluations and seconds genetic algorithms, ours and others, need for Rastrigin's
-// function in 20 dimensions to 1e-6.
+// This program measures how many evaluations and seconds our genetic algorithms and rivals need to reach 1e-6 on
+// Rastrigin's function in 20 dimensions.
 //
 // usage: rastrigin [SEEDS [EVALUATIONS]]    at most EVALUATIONS evaluations in each run
 
@@ -17,14 +17,14 @@ using namespace placedpar;
 
 namespace {
 
-/// Returns the processor time, so that other programs on the machine do not count. No rival uses threads.
+/// Returns the processor time, which other programs on the machine do not affect. No rival uses threads.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 struct Result {
     Contestant contestant;
     std::vector<std::uint64_t> needed; // evaluations of the runs that reached the target
     std::vector<double> seconds;       // processor time of the same runs
-    std::uint64_t evaluations = 0;     // of all runs
+    std::uint64_t evaluations = 0;     // evaluations of all runs
     double all_seconds = 0;
 
     void run(std::uint64_t seed, std::uint64_t most_evaluations) {
@@ -44,7 +44,7 @@ struct Result {
     }
 };
 
-/// Returns a quantile over all runs; a run that did not reach the target counts as longer than any other.
+/// Returns a quantile over all runs. A run that did not reach the target counts as longer than all others.
 template <class Number>
 std::string quantile(std::vector<Number> reached, std::size_t runs, double share, const char* format) {
     std::sort(reached.begin(), reached.end());
@@ -65,8 +65,8 @@ std::vector<Result> contest(std::uint64_t seeds, std::uint64_t most_evaluations)
     for (const auto& group : {ours(), pagmo()})
         for (const Contestant& contestant : group)
             results.push_back({.contestant = contestant, .needed = {}, .seconds = {}});
-    // Rivals run in turn, so that a busy moment of the machine affects every one. A dot is printed for each seed, since
-    // all take minutes.
+    // The contestants take turns, so that other load on the machine affects all of them. A dot is printed after each
+    // seed, since the whole contest takes minutes.
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         for (Result& result : results)
             result.run(seed, most_evaluations);

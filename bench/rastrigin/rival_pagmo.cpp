@@ -1,5 +1,5 @@
-// These rivals are pagmo 2.18 (ESA)'s genetic algorithm and its differential evolution. They are in a shared library of
-// their own, as in bench/identification.
+// These rivals are two algorithms of pagmo 2.18 (ESA): its genetic algorithm and its differential evolution. This file
+// is compiled to a separate shared library, as in bench/identification.
 
 #include "bench/rastrigin/contest.hpp"
 
@@ -14,7 +14,7 @@ namespace placedpar {
 
 namespace {
 
-/// Holds a pointer, since pagmo copies problems.
+/// Holds a pointer to the valley, since pagmo copies problems.
 struct ValleyProblem {
     Valley* valley = nullptr;
 
@@ -31,7 +31,7 @@ void descend(Valley& valley, std::uint64_t seed, pagmo::population::size_type in
     algorithm.evolve(pagmo::population(ValleyProblem{&valley}, individuals, static_cast<unsigned>(seed)));
 }
 
-constexpr unsigned endless = 1'000'000'000; // generations: the valley stops them
+constexpr unsigned endless = 1'000'000'000; // number of generations; the valley ends the search
 
 void genetic(Valley& valley, std::uint64_t seed) {
     descend(valley, seed, 20, pagmo::sga(endless, 0.9, 1, 1.0 / Valley::dimensions, 20, 2, "sbx", "polynomial"));

@@ -1,4 +1,4 @@
-// The four processes of bench/commstime.cpp as goroutines of one thread. Go has no virtual time.
+// This program runs the four processes of bench/commstime.cpp as goroutines of one thread. Go has no virtual time.
 package main
 
 import (

@@ -13,11 +13,11 @@ namespace {
 using namespace boost::context::detail;
 
 struct Context {
-    fcontext_t stack = nullptr; ///< where the context was left
+    fcontext_t stack = nullptr; ///< place at which the context was left
     std::function<void()> body;
 };
 
-/// Jumps to a context and records where the present one was left.
+/// Jumps to a context, and stores the place at which the present context was left.
 void jump(Context& next) {
     static Context host;
     static Context* running = &host;

@@ -1,5 +1,6 @@
 // This program runs COMMSTIME on stackless coroutines of C++20, which need no switch: a waiting process resumes the
-// next one. Every function between a process and its channel would have to be a coroutine; here there is none.
+// next process. Every function between a process and its channel would have to be a coroutine; here there are no such
+// functions.
 
 #include "least_queue.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 
 LeastQueue<std::coroutine_handle<>> queue;
 
-/// A process, which is ready from the beginning and suspended at its end.
+/// A process that is ready from the beginning, and stays suspended at its end.
 struct Process {
     struct promise_type {
         Process get_return_object() {
@@ -37,7 +38,7 @@ struct Delay {
     void await_resume() {}
 };
 
-/// A synchronous, unbuffered channel from one process to one other. The process that arrives second copies the message
+/// A synchronous, unbuffered channel from one process to another. The process that arrives second copies the message
 /// and continues.
 class Rendezvous {
 public:

@@ -1,6 +1,6 @@
 // This program runs the four processes of bench/commstime.cpp on the smallest kernel that Boost.Fiber allows: a ready
-// queue, a heap of times and a rendezvous. Processes are resumed as ours are, but there are no fingerprints, reports,
-// owners of ends, priorities, ALT and time limits.
+// queue, a heap of times and a rendezvous. Processes are resumed as in our kernel, but there are no fingerprints,
+// reports, owners of channel ends, priorities, ALT and time limits.
 
 #include "least_stackful.hpp"
 
@@ -21,7 +21,7 @@ void resume(Context& next) { next.resume(); }
 
 LeastKernel<Context, resume> kernel;
 
-/// New fibers are ready in the order of their creation.
+/// A scheduling algorithm that makes new fibers ready in the order of their creation.
 class Announced final : public boost::fibers::algo::algorithm {
 public:
     void awakened(Context* context) noexcept override {

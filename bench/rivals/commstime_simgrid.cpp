@@ -1,5 +1,5 @@
-// This program runs the four processes of bench/commstime.cpp as actors of SimGrid. Its mailboxes take time by their
-// network's model, so the rendezvous uses two semaphores.
+// This program runs the four processes of bench/commstime.cpp as actors of SimGrid. The rendezvous uses two semaphores,
+// because SimGrid's mailboxes take the time that the network's model states.
 
 #include <simgrid/s4u.hpp>
 
@@ -9,7 +9,7 @@
 
 namespace sg4 = simgrid::s4u;
 
-/// A synchronous, unbuffered channel from one actor to one other.
+/// A synchronous, unbuffered channel from one actor to another.
 class Rendezvous {
 public:
     void output(long message) {

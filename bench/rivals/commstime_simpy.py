@@ -1,4 +1,4 @@
-"""The four processes of bench/commstime.cpp on SimPy, whose Store of capacity 1 is the nearest to a channel."""
+"""Runs the four processes of bench/commstime.cpp on SimPy, whose Store of capacity 1 is most similar to a channel."""
 
 import sys
 import time

@@ -1,5 +1,5 @@
-// This program runs the four processes of bench/commstime.cpp on SystemC, whose only blocking channel is buffered. The
-// rendezvous therefore uses two events, as a user would write it.
+// This program runs the four processes of bench/commstime.cpp on SystemC. The rendezvous uses two events, as a user
+// would write it, because SystemC's only blocking channel is buffered.
 
 #include <systemc.h>
 
@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <ctime>
 
-/// A synchronous, unbuffered channel from one process to one other.
+/// A synchronous, unbuffered channel from one process to another.
 class Rendezvous {
 public:
     void output(long message) {

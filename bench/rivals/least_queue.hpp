@@ -5,12 +5,13 @@
 #include <queue>
 #include <vector>
 
-/// The scheduler of the smallest kernel, for any kind of process: the ready processes, and those that wait for a time.
+/// The scheduler of the smallest kernel: a queue of ready processes, and a heap of processes that wait for a time.
+/// `Who` identifies a process.
 template <class Who>
 class LeastQueue {
 public:
     void make_ready(Who who) { ready_.push_back(who); }
-    /// Returns the next process and advances to its time.
+    /// Returns the next ready process. If there is none, returns the first waiting process and advances the time.
     Who take() {
         if (ready_.empty()) {
             Delay next = future_.top();
@@ -22,7 +23,7 @@ public:
         ready_.pop_front();
         return next;
     }
-    /// Lets `time` pass if nothing else happens meanwhile; returns whether it did.
+    /// Lets `time` pass if nothing else happens before its end. Returns whether the time has passed.
     bool pass(long time) {
         if (!ready_.empty() || (!future_.empty() && future_.top().time <= now_ + time))
             return false;
@@ -33,7 +34,8 @@ public:
 
 private:
     struct Delay {
-        long time, number; ///< equal times are ordered by `number`, the order of their starts, as in our kernel
+        long time, number; ///< delays that end at the same time are ordered by `number`, the order of their starts, as
+                           ///< in our kernel
         Who who;
         bool operator>(const Delay& other) const {
             return time != other.time ? time > other.time : number > other.number;

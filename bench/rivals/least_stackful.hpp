@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <ctime>
 
-/// The smallest kernel whose processes have stacks; `Context` is what is switched to.
+/// The smallest kernel for processes with stacks. `switch_to` continues the process of a context.
 template <class Context, void (*switch_to)(Context&)>
 class LeastKernel {
 public:
@@ -33,7 +33,7 @@ private:
     Context* running_ = nullptr;
 };
 
-/// A synchronous, unbuffered channel from one process to one other. The process that arrives second copies the message
+/// A synchronous, unbuffered channel from one process to another. The process that arrives second copies the message
 /// and continues.
 template <auto& kernel>
 class Rendezvous {
@@ -71,7 +71,7 @@ private:
     decltype(&kernel.running()) waiting_ = nullptr;
 };
 
-/// Runs the network from its first loop to its last and ends the program. `start(body)` makes a process.
+/// Runs the network for `loops` loops, and ends the program. `start(body)` makes a process.
 template <auto& kernel, class Start>
 [[noreturn]] void measure(const char* name, long loops, bool pauses, Start start) {
     Rendezvous<kernel> a, b, c, d;
@@ -113,7 +113,7 @@ template <auto& kernel, class Start>
         std::printf("%-28s %-16s %8.1f ns/loop\n", name, pauses ? "1 ns passing" : "no time passing",
                     nanoseconds / static_cast<double>(loops));
         std::fflush(stdout);
-        std::_Exit(0); // the others never end
+        std::_Exit(0); // the other processes never end
     });
     begun = std::clock();
     kernel.wait();

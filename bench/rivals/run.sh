@@ -1,9 +1,10 @@
 #!/bin/sh
-# Runs bench/commstime and the same network on other kernels by turns, three times, on one processor: on the least that
-# Boost.Fiber, bare contexts and stackless coroutines allow, and on those of others.
-# usage: bench/rivals/run.sh [BUILD FOLDER]    build/release; needs libsystemc-dev, golang-go, python3-simpy3 and
-# libsimgrid-dev of Debian, and passes over those that are missing. libsimgrid-dev asks for a Boost that excludes ours:
-# install libsimgrid3.32, unpack the other package (dpkg -x), and name its usr/include by the variable SIMGRID.
+# Runs bench/commstime on our kernel and on others in turn, three times, on one processor. The others are the smallest
+# kernels on Boost.Fiber, bare contexts and stackless coroutines, and the rivals SystemC, SimGrid, Go and SimPy.
+# usage: bench/rivals/run.sh [BUILD FOLDER]    default: build/release
+# The rivals need Debian's libsystemc-dev, golang-go, python3-simpy3 and libsimgrid-dev; a missing rival is left out.
+# libsimgrid-dev depends on a version of Boost that excludes ours. Therefore install libsimgrid3.32, unpack
+# libsimgrid-dev by dpkg -x, and set the variable SIMGRID to its usr/include.
 set -eu
 here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 build=${1:-$here/../../build/release}

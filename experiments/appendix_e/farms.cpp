@@ -51,7 +51,7 @@ Comparison under_way_table(const StudyReplay& study) {
         for (int under_way : {1, 2, 3})
             add_under_way(comparison, study, farm, under_way);
     comparison.notes =
-        "busy: the part of the run in which a slave's processor worked; while the master breeds, none does\n";
+        "busy: share of the run in which a slave's processor works; no slave works while the master breeds\n";
     return comparison;
 }
 

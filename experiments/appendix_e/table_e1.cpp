@@ -39,7 +39,8 @@ std::string print_constants(const ReplayContext& context) {
         "   calibrated to other machines: {} cycles a call of the communication library (a ping-pong on real T805s,\n"
         "   Poznan 2008), a link's pauses between packets (measured rates)\n"
         "   published: 20 MHz, 20 Mbit/s, a link's bits (databook), instruction times, block move 6 cycles a word\n"
-        "!  an outcome further from the thesis than 3 %; its own T_exe is off its T_sr + S_time2 by up to 0.9 %\n",
+        "!  an outcome that is off by more than 3 %; the thesis's own T_exe differs from its T_sr + S_time2 by up to "
+        "0.9 %\n",
         value(at_120, "cycles_per_error"), value(at_30, "cycles_per_error"), value(at_120, "cycles_per_individual"),
         value(at_30, "cycles_per_individual"), value(at_120, "measurement_bytes"),
         value(at_120, "cycles_per_measurement_word"), at_120.nodes[master_of(at_120).node].integer("channelcall"));
@@ -66,7 +67,7 @@ struct TimingColumn {
 void add_communication(Comparison& comparison, const TimingColumn& slaves, const TimingColumn& fewer) {
     // T_exe is off T_sr + S_time2 by up to 0.3 ms in the thesis, and each figure is rounded by up to 0.05 ms.
     constexpr double noise_of_thesis_ms = 0.3 + 2 * 0.05;
-    Cell more = compared_cell("C_time2, more than with a slave fewer", slaves.name, "ms",
+    Cell more = compared_cell("increase of C_time2 with one slave more", slaves.name, "ms",
                               slaves.known("C_time2") - fewer.known("C_time2"),
                               slaves.simulated("C_time2") - fewer.simulated("C_time2"), 2);
     more.tolerance_percent = 15;
@@ -83,11 +84,11 @@ void add_communication(Comparison& comparison, const TimingColumn& slaves, const
 /// Compares what depends on the communication alone. It is 1 to 3 % of the other rows of Table E.1, most of which are
 /// therefore within their tolerances without it.
 Comparison communication_table(const StudyReplay& study, const Comparison& table_e1) {
-    Comparison comparison{.name = "what judges the communication", .judged = true};
+    Comparison comparison{.name = "cells that judge the communication", .judged = true};
     const std::array columns{"0 slaves", "1 slave", "2 slaves", "3 slaves"};
     for (std::size_t i = 1; i < columns.size(); ++i)
         add_communication(comparison, {study, table_e1, columns[i]}, {study, table_e1, columns[i - 1]});
-    comparison.notes = "both differences are what evaluation does not hide of the communication; in the thesis they "
+    comparison.notes = "both differences are the communication that evaluation does not hide; in the thesis they "
                        "differ by up to\n0.3 ms, so the second is not judged\n";
     return comparison;
 }

@@ -140,8 +140,9 @@ void add_leak(Comparison& comparison, const LoopRuns& sound, const LoopRuns& lea
     const std::string name = loop_column(leak, closed);
     const std::vector<Figures>&runs = runs_of(leak, closed), &healthy = runs_of(sound, closed);
     comparison.add(
-        plain_cell("leak, of the flow in", name, "%", quantile(column(runs, LoopFigure::leak_share), 0.5), 1));
-    add_median(comparison, "lags further by", name, "deg", changes(runs, healthy, LoopFigure::steady_deg), 3);
+        plain_cell("leak as a share of the inflow", name, "%", quantile(column(runs, LoopFigure::leak_share), 0.5), 1));
+    add_median(comparison, "lag behind the reference grows by", name, "deg",
+               changes(runs, healthy, LoopFigure::steady_deg), 3);
     // 2.8: the compliance grows at least by the flow that leaks over the slope of the pressure.
     add_median(comparison, "compliance grows by", name, "%",
                percent_of(changes(runs, healthy, LoopFigure::by_spool), sound_in3_per_psi), 1, 5);
@@ -150,9 +151,9 @@ void add_leak(Comparison& comparison, const LoopRuns& sound, const LoopRuns& lea
 /// Compares how much of the leak the position shows in the open loop and in the closed loop.
 Comparison leak_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& leaks, std::size_t seeds) {
     Comparison comparison{
-        .name = fmt::format("a leak: what the operator sees, and what identification sees; {} seeds", seeds),
-        .notes = "lags: behind the reference of 4 deg/s, mean of the last second; from, to: 95 % of the median\n"
-                 "judged: the compliance grows by 5 % or more (ours)\n",
+        .name = fmt::format("a leak: the lag that an operator sees, and the compliance identified; {} seeds", seeds),
+        .notes = "the reference moves at 4 deg/s; lag: mean of the last second; from, to: 95 % interval of the median\n"
+                 "judged: the compliance grows by 5 % or more (our bound)\n",
         .against = "own"};
     for (const LoopRuns& leak : leaks)
         for (bool closed : {false, true})
@@ -162,8 +163,8 @@ Comparison leak_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& l
 
 /// Judges the claim that the closed loop masks the leak: the share of the open loop's lag that remains.
 Comparison mask_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& leaks) {
-    Comparison comparison{.name = "the share of the open loop's lag that is left in the closed loop",
-                          .notes = "judged: a quarter or less (ours)\n",
+    Comparison comparison{.name = "the closed loop's additional lag as a share of the open loop's",
+                          .notes = "judged: a quarter or less (our bound)\n",
                           .against = "own",
                           .judged = true};
     for (const LoopRuns& leak : leaks) {
@@ -171,7 +172,7 @@ Comparison mask_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& l
                                                 changes(leak.open, sound.open, LoopFigure::steady_deg));
         const double share = mean(changes(leak.closed, sound.closed, LoopFigure::steady_deg)) /
                              mean(changes(leak.open, sound.open, LoopFigure::steady_deg));
-        comparison.add(at_most(25, plain_cell("left", leak.name, "%", 100 * share, 1)));
+        comparison.add(at_most(25, plain_cell("share", leak.name, "%", 100 * share, 1)));
         comparison.add(plain_cell("  from", leak.name, "%", 100 * left.low, 1));
         comparison.add(plain_cell("  to", leak.name, "%", 100 * left.high, 1));
     }
@@ -186,17 +187,17 @@ void add_drift(Comparison& comparison, const LoopRuns& runs, bool closed) {
             value *= scale;
         add_median(comparison, row, name, unit, values, decimals);
     };
-    add("lag at the end", LoopFigure::steady_deg, 1, "deg", 2);
-    add("greatest error", LoopFigure::greatest_deg, 1, "deg", 2);
+    add("lag, mean of the last second", LoopFigure::steady_deg, 1, "deg", 2);
+    add("greatest position error", LoopFigure::greatest_deg, 1, "deg", 2);
     add("C by the spool", LoopFigure::by_spool, 1000, "0.001 in^3/psi", 2);
     add("C by the voltage", LoopFigure::by_servo, 1000, "0.001 in^3/psi", 2);
 }
 
 Comparison drift_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& drifts, bool closed) {
-    Comparison comparison{.name = fmt::format("the servo-valve acts on another voltage than asked for, {} loop",
-                                              closed ? "closed" : "open"),
-                          .notes = "+20 mV move the spool by 0.01 in; true C 8.6\n",
-                          .against = "own"};
+    Comparison comparison{
+        .name = fmt::format("the servo-valve's voltage has an offset or drifts, {} loop", closed ? "closed" : "open"),
+        .notes = "20 mV move the spool by 0.01 in; the true C is 0.0086 in^3/psi\n",
+        .against = "own"};
     add_drift(comparison, sound, closed);
     for (const LoopRuns& drift : drifts)
         add_drift(comparison, drift, closed);
@@ -257,7 +258,7 @@ Replay replay_closed_loop(const ReplayContext& context) {
     const Plot plot{"A closed loop masks a leak",
                     {lag_panel("Position error, a leak from 0.1 s on", {sound_loop, loop_leaks.back()}, context.seed),
                      compliance_panel(sound, leaks),
-                     lag_panel("Position error, a servo-valve that acts on 40 mV less or more",
+                     lag_panel("Position error, the servo-valve's voltage 40 mV too low or too high",
                                {loop_drifts.front(), loop_drifts[3]}, context.seed)}};
     Replay replay = replay_of({leak_comparison(sound, leaks, context.seeds), mask_comparison(sound, leaks),
                                drift_comparison(sound, drifts, false), drift_comparison(sound, drifts, true)},

@@ -74,10 +74,12 @@ void add_drain(Comparison& comparison, const DrainCase& drain, const std::vector
     plain("error, median", "% of C_o", quantile(errors, 0.5));
     plain("  from ", "% of C_o", median.low);
     plain("  to ", "% of C_o", median.high);
-    plain("limit of the noise, median", "% of C_o", quantile(column(runs, DrainFigure::limit_percent), 0.5));
+    plain("least standard error that the noise allows, median", "% of C_o",
+          quantile(column(runs, DrainFigure::limit_percent), 0.5));
     plain("flagged", "%", 100 * mean(column(runs, DrainFigure::flagged)));
     auto silent = [&](const Figures& run) { return off(run) && run[DrainFigure::flagged] == 0; };
-    Cell missed = plain_cell("off by more, without a flag", drain.name, "seeds", static_cast<double>(count(silent)), 0);
+    Cell missed =
+        plain_cell("off by more than 10 %, without a flag", drain.name, "seeds", static_cast<double>(count(silent)), 0);
     comparison.add(judged ? at_most(0, missed) : missed);
 }
 
@@ -85,7 +87,7 @@ Replay replay_drain_side(const ReplayContext& context) {
     std::vector<Comparison> comparisons;
     for (const char* noise : {"none", "low", "mid"}) {
         Comparison comparison{.name = fmt::format("{} noise, {} seeds of the measured machine", noise, context.seeds),
-                              .notes = "from, to: intervals of 95 %\n",
+                              .notes = "from, to: 95 % interval\n",
                               .against = "asked",
                               .judged = std::string_view(noise) != "mid"};
         for (const DrainCase& drain : drain_cases)

@@ -61,13 +61,15 @@ void add_case(Comparison& comparison, const Case& each, const RecordSource& sour
     bool by_spool = from == AreasFrom::spool;
     auto found = found_in(each.fault, source, from, seeds);
     double middle = lower_median(found), ratio = middle / sound_one;
-    std::string column = each.fault.name, of = by_spool ? "  of the sound machine's" : "  of the sound one's";
+    std::string column = each.fault.name,
+                of = by_spool ? "  relative to the sound machine" : "  by the voltage, relative to the sound machine";
     comparison.add(plain_cell(by_spool ? "C by the spool" : "C by the voltage", column, "in^3/psi", middle, 5));
     // There is no published figure for the effect of a drift on C by the voltage.
     comparison.add(by_spool || !each.in_servo ? judged_cell(of, column, "", each.known_ratio, ratio, each.tolerance, 2)
                                               : plain_cell(of, column, "", ratio, 2));
-    comparison.add(plain_cell(by_spool ? "  records off by 12 %" : "  off by 12 %", column, "%",
-                              percent_off(found, sound_one), 0));
+    comparison.add(
+        plain_cell(by_spool ? "  records off by more than 12 %" : "  by the voltage, records off by more than 12 %",
+                   column, "%", percent_off(found, sound_one), 0));
 }
 
 void add_cases(Comparison& comparison, const RecordSource& source, const Seeds& seeds, AreasFrom from) {
@@ -78,8 +80,10 @@ void add_cases(Comparison& comparison, const RecordSource& source, const Seeds& 
 }
 
 Comparison fault_comparison(const char* where, const RecordSource& source, const Seeds& seeds) {
-    Comparison comparison{
-        .name = fmt::format("{}, median of {} records", where, records_a_fault), .against = "known", .judged = true};
+    Comparison comparison{.name =
+                              fmt::format("{}: compliances identified, medians of {} records", where, records_a_fault),
+                          .against = "known",
+                          .judged = true};
     add_cases(comparison, source, seeds, AreasFrom::spool);
     if (source.has_servo)
         add_cases(comparison, source, seeds, AreasFrom::servo);
@@ -89,8 +93,8 @@ Comparison fault_comparison(const char* where, const RecordSource& source, const
 /// Compares the effect of a leak on least squares over the rise with the known effect.
 Comparison leak_comparison() {
     Comparison comparison{
-        .name = "a leak that the model does not know, scenario A without noise, while the pressure rises: growth "
-                "of C by least squares",
+        .name = "scenario A without noise: growth of C by least squares while the pressure rises, if the model knows "
+                "no leak",
         .against = "known",
         .judged = true};
     auto fit = [](const PlantFault& fault) {
@@ -123,7 +127,8 @@ Replay replay_faults(const ReplayContext& context) {
     Comparison simple = fault_comparison("simple plant, low noise", simple_plant, seeds), leaks = leak_comparison();
     context.progress("faults of the measured machine");
     Comparison measured = fault_comparison("measured machine, mid noise", measured_machine, seeds);
-    measured.notes = "a drift of the servo-valve shows by the voltage only, a fault of hose or cylinder by both\n";
+    measured.notes =
+        "a drift of the servo-valve changes C by the voltage only; a fault of a hose or cylinder changes both\n";
     std::vector<Comparison> comparisons{simple, leaks, measured};
     comparisons.push_back(verdict_comparison(context, "simple plant", simple_plant, AreasFrom::spool));
     for (AreasFrom from : {AreasFrom::spool, AreasFrom::servo})

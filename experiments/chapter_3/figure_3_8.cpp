@@ -57,7 +57,7 @@ constexpr KnownCheck known_checks[]{
 
 Comparison known_comparison() {
     Comparison comparison{
-        .name = "scenario A without noise, its own pressure simulated again from the recorded spool and angle",
+        .name = "scenario A without noise: its pressure simulated from the recorded spool and angle, with other C",
         .against = "known",
         .judged = true};
     BoomData data = measure(motion_at(4, BoomPlant::simple, no_noise), 1);
@@ -77,7 +77,7 @@ struct Curve {
     const char* name;
     double factor;
 };
-constexpr std::array<Curve, 3> curves{{{"identified C", 1}, {"half of it", 0.5}, {"twice", 2}}};
+constexpr std::array<Curve, 3> curves{{{"identified C", 1}, {"half of that C", 0.5}, {"twice that C", 2}}};
 
 // Our value for the thesis's "significant difference".
 constexpr double significant_psi = 80;
@@ -100,9 +100,9 @@ void add_motion(Comparison& comparison, double deg_per_s, const BoomData& data, 
         bool same = curve.factor == 1;
         comparison.add(same ? judged_cell(row("rms difference"), curve.name, "psi", 0, check.rms_psi, excellent_psi, 1)
                             : plain_cell(row("rms difference"), curve.name, "psi", check.rms_psi, 1));
-        comparison.add(
-            plain_cell(row("of the pressure's rise"), curve.name, "%", 100 * check.rms_psi / check.rise_psi, 1));
-        comparison.add(judged_cell(row("above 80 psi (1: yes)"), curve.name, "", same ? 0 : 1,
+        comparison.add(plain_cell(row("rms as a share of the pressure's rise"), curve.name, "%",
+                                  100 * check.rms_psi / check.rise_psi, 1));
+        comparison.add(judged_cell(row("rms above 80 psi (1: yes)"), curve.name, "", same ? 0 : 1,
                                    check.rms_psi >= significant_psi, 0, 0));
     }
 }
@@ -133,8 +133,8 @@ OtherRecords other_records(BoomPlant plant, const Seeds& seeds) {
 Comparison other_comparison(const OtherRecords& other) {
     const bool simple = other.plant == BoomPlant::simple;
     Comparison comparison{
-        .name = fmt::format("{}: C_BOi = {:.5f}, identified at 4 deg/s from the voltage (median of {} records), "
-                            "simulates other motions from their voltage and angle",
+        .name = fmt::format("{}: other motions simulated from voltage and angle with C_BOi = {:.5f} (identified from "
+                            "the voltage at 4 deg/s, median of {} records)",
                             simple ? "simple plant, low noise" : "measured machine, mid noise",
                             other.identified_in3_per_psi, usual_records),
         .against = "thesis",
@@ -142,7 +142,8 @@ Comparison other_comparison(const OtherRecords& other) {
     for (std::size_t i = 0; i < other_motions.size(); ++i)
         add_motion(comparison, other_motions[i].deg_per_s, other.motions[i], other.identified_in3_per_psi,
                    other_motions[i].excellent_psi(other.plant));
-    comparison.notes = "thesis: \"excellent\" (0) and \"a significant difference\" (1: yes)\n";
+    comparison.notes = "the thesis says \"excellent\" of the identified C (known 0), \"a significant difference\" of "
+                       "the others (1: yes)\n";
     return comparison;
 }
 
@@ -153,7 +154,7 @@ Comparison blind_comparison(const Seeds& seeds) {
     double lag = lag_that_finds(thesis_in3_per_psi, clean);
     BoomData other = measure(motion_at(3, BoomPlant::simple, low_noise, found_by_spool_in3_per_psi), seeds[1]);
     Comparison comparison{
-        .name = fmt::format("a machine of true C .005 and a_0 = 8, believed to have {:.2f}: rms difference at "
+        .name = fmt::format("true C .005 and a_0 8, but a_0 taken for {:.2f}: rms difference of the pressure at "
                             "3 deg/s",
                             lag)};
     for (double compliance :
@@ -161,9 +162,10 @@ Comparison blind_comparison(const Seeds& seeds) {
         std::string column = fmt::format("C = {}", compliance);
         auto volts = check_pressure(other, {AreasFrom::servo, lag, 0}, compliance);
         auto spool = check_pressure(other, model_of(other, AreasFrom::spool), compliance);
-        comparison.add(plain_cell("by the voltage", column, "psi", volts.rms_psi, 1));
-        comparison.add(plain_cell("by the spool", column, "psi", spool.rms_psi, 1));
-        comparison.add(plain_cell("by the voltage, of the rise", column, "%", 100 * volts.rms_psi / volts.rise_psi, 1));
+        comparison.add(plain_cell("simulated from the voltage", column, "psi", volts.rms_psi, 1));
+        comparison.add(plain_cell("simulated from the spool", column, "psi", spool.rms_psi, 1));
+        comparison.add(plain_cell("from the voltage, as a share of the rise", column, "%",
+                                  100 * volts.rms_psi / volts.rise_psi, 1));
     }
     return comparison;
 }

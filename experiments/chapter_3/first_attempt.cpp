@@ -92,11 +92,12 @@ void add_searches(Comparison& comparison, const KnownOffset& known, const Found&
         comparison.add(
             cell_of(row, column, "in^3/psi", compliance, lower_median(found.searched_in3_per_psi), 0.0005, 5));
     };
-    add("C by the search, spool", spool);
-    add("C by the search, voltage", volts);
+    add("C by the search, from the spool", spool);
+    add("C by the search, from the voltage", volts);
     std::optional<double> flagged_percent =
         compliance ? std::optional<double>(*compliance == 0 ? 100 : 0) : std::nullopt;
-    comparison.add(cell_of("flagged: at the lower bound", column, "%", flagged_percent, spool.flagged_percent, 10, 0));
+    comparison.add(
+        cell_of("flagged as at the lower bound", column, "%", flagged_percent, spool.flagged_percent, 10, 0));
 }
 
 void add_attempt(Comparison& comparison, const KnownOffset& known, const Seeds& seeds) {
@@ -108,20 +109,22 @@ void add_attempt(Comparison& comparison, const KnownOffset& known, const Seeds& 
 
 Comparison attempt_comparison(const Seeds& seeds) {
     Comparison comparison{
-        .name = "simple plant, low noise: what an offset of the spool's readings, and of A.1, makes of C_BOi, "
-                "median of 50 records",
+        .name =
+            "simple plant, low noise: C_BOi identified while the spool's sensor reads too low or too high, medians of "
+            "50 records",
         .against = "known"};
     for (const KnownOffset& known : known_offsets)
         add_attempt(comparison, known, seeds);
     comparison.notes =
-        "at -.02 in the prototype that the known figures are of found another size; the sign is judged\n";
+        "the known figures are an independent prototype's; at -.02 in its error differs, so only the sign is judged\n";
     return comparison;
 }
 
 /// Compares the error of the steady flow if the spool's reading is believed.
 Comparison flow_comparison() {
-    Comparison comparison{
-        .name = "steady flow of scenario A, by the spool as it reads", .against = "thesis", .judged = true};
+    Comparison comparison{.name = "scenario A: steady flow computed from a spool reading with an offset",
+                          .against = "thesis",
+                          .judged = true};
     ExcavatorScenario scenario = single_boom_scenario();
     double psi = simulate_excavator(scenario).states.back().links.front().inlet_psi;
     double spool = std::get<SpoolOrifices>(scenario.links.front().valve).steps.front().desired_in;
@@ -153,9 +156,11 @@ void add_scatter(Comparison& comparison, const KnownScatter& known, const Seeds&
     auto add = [&](const char* row, double figure, double value, double tolerance) {
         comparison.add(judged_cell(row, known.name, "in", figure, value, tolerance, 5));
     };
-    add("offset found, mean of 50", true_in, mean(found), mean_tolerance(known.known_in, seeds.size(), bias_in));
-    add("  its scatter", known.known_in, deviation(found), deviation_tolerance(known.known_in, seeds.size(), 0.000005));
-    comparison.add(plain_cell("  as the calibration states it", known.name, "in", mean(stated), 5));
+    add("offset found, mean of 50 records", true_in, mean(found),
+        mean_tolerance(known.known_in, seeds.size(), bias_in));
+    add("  its standard deviation", known.known_in, deviation(found),
+        deviation_tolerance(known.known_in, seeds.size(), 0.000005));
+    comparison.add(plain_cell("  the one that the calibration states", known.name, "in", mean(stated), 5));
 }
 
 /// Adds the calibration of the same record with a k or Q that is 1 % wrong.
@@ -167,7 +172,7 @@ void add_model_errors(Comparison& comparison) {
     more_q.pump_in3_per_s *= 1.01;
     auto add = [&](const char* column, const FlowConstants& flow, double size) {
         double moved = std::abs(calibrate(motion, flow).offset_in - right);
-        comparison.add(judged_cell("moved by a model that is 1 % off", column, "in", size, moved, 0.0004, 5));
+        comparison.add(judged_cell("change if a constant is 1 % wrong", column, "in", size, moved, 0.0004, 5));
     };
     add("k", more_k, 0.0011);
     add("Q", more_q, 0.0016);
@@ -175,7 +180,7 @@ void add_model_errors(Comparison& comparison) {
 
 Comparison calibration_comparison(const Seeds& seeds) {
     Comparison comparison{
-        .name = "an offset of .01 in, found from a second of steady motion", .against = "known", .judged = true};
+        .name = "an offset of .01 in, calibrated by one second of steady motion", .against = "known", .judged = true};
     for (const KnownScatter& known : known_scatters)
         add_scatter(comparison, known, seeds);
     add_model_errors(comparison);
@@ -192,10 +197,10 @@ void add_cured(Comparison& comparison, const std::string& column, const std::vec
         comparison.add(judged_cell(row, column, "in^3/psi", truth, lower_median(found.searched_in3_per_psi),
                                    tolerance * truth, 5));
     };
-    add("C with it taken off, spool", spool, 0.05);
+    add("C after correction, from the spool", spool, 0.05);
     comparison.add(judged_cell("  flagged", column, "%", 0, spool.flagged_percent, 0, 0));
     // The measured machine's valve has a dead time, which A.2 lacks.
-    add("C with it taken off, voltage", volts, simple ? 0.05 : 0.12);
+    add("C after correction, from the voltage", volts, simple ? 0.05 : 0.12);
 }
 
 void add_cure(Comparison& comparison, BoomPlant plant, double offset_in, const Seeds& seeds) {
@@ -205,14 +210,15 @@ void add_cure(Comparison& comparison, BoomPlant plant, double offset_in, const S
     std::string column = inches(offset_in);
     comparison.add(judged_cell("offset found", column, "in", offset_in, calibrated_in, 0.0004, 5));
     Found uncured = identify_all(motions, AreasFrom::spool, seeds);
-    comparison.add(plain_cell("C before, spool", column, "in^3/psi", lower_median(uncured.searched_in3_per_psi), 5));
-    comparison.add(plain_cell("  flagged: at the lower bound", column, "%", uncured.flagged_percent, 0));
+    comparison.add(plain_cell("C before correction, from the spool", column, "in^3/psi",
+                              lower_median(uncured.searched_in3_per_psi), 5));
+    comparison.add(plain_cell("  flagged as at the lower bound", column, "%", uncured.flagged_percent, 0));
     add_cured(comparison, column, motions, calibrated_in, seeds, simple);
 }
 
 Comparison cure_comparison(BoomPlant plant, const Seeds& seeds) {
     Comparison comparison{
-        .name = fmt::format("{}: calibrated, the offset taken off, 50 records identified",
+        .name = fmt::format("{}: 50 records identified after the spool's offset is calibrated and corrected",
                             plant == BoomPlant::simple ? "simple plant, low noise" : "measured machine, mid noise"),
         .against = "true",
         .judged = true};
@@ -239,7 +245,7 @@ void add_slow(Comparison& comparison, double offset_in) {
 
 /// Compares scenario B: the slower the pressure rises, the greater the effect of an offset, about 1050 d / (dP/dt).
 Comparison slow_comparison() {
-    Comparison comparison{.name = "a slower motion (scenario B, no noise): least squares while the pressure rises",
+    Comparison comparison{.name = "scenario B, a slower motion, no noise: least squares while the pressure rises",
                           .against = "known",
                           .judged = true};
     for (double offset_in : {-0.015, -0.01, 0.0, 0.01})
@@ -259,7 +265,7 @@ Plot plot_of_offsets(std::uint64_t seed) {
         search.points.push_back({1000 * offset_in, 1000 * found.compliance_in3_per_psi});
     }
     Panel panel;
-    panel.title = "Compliance identified while the pressure rises; the search knows no value below 0";
+    panel.title = "Compliance identified while the pressure rises; the search allows no value below 0";
     panel.x.label = "offset of the spool's readings [0.001 in]";
     panel.y.label = "compliance [0.001 in³/psi]";
     panel.series = {fit, search};
@@ -283,7 +289,7 @@ Replay replay_first_attempt(const ReplayContext& context) {
 
 extern const Experiment first_attempt_experiment{
     .name = "first-attempt",
-    .about = "the thesis's failed identification: an offset of the spool is flagged, calibrated and corrected",
+    .about = "the thesis's failed identification: an offset of the spool's sensor is flagged, calibrated, corrected",
     .chapter = "3",
     .number = 2,
     .run = replay_first_attempt,

@@ -77,10 +77,10 @@ void add_level(Comparison& comparison, const NoiseLevel& level, const Seeds& see
     comparison.add(
         compared_cell("  seeds within 10 %", level.name, "%", level.within_ten_percent, all.within_ten_percent(), 0));
     // One search in thirty is off by at least 5 codes. In one of 400 studies at least a tenth of its 50 searches are.
-    add("codes from the best of all, 90th percentile", "", {0, 5}, quantile(all.codes_from_optimum, 0.9), 0);
-    add("codes from that to the best in SI, greatest", "", {0, 1}, quantile(all.si_codes, 1), 0);
+    add("codes from the best code, 90th percentile", "", {0, 5}, quantile(all.codes_from_optimum, 0.9), 0);
+    add("best codes in psi and SI differ by, greatest", "", {0, 1}, quantile(all.si_codes, 1), 0);
     SearchStudy rising = study(measure_transients(level.noise, rising_way().usable, seeds), rising_way(), seeds);
-    add("while rising: error, median", "%", level.rising_median_percent, rising.median_percent(), 2);
+    add("only samples of rising pressure: error, median", "%", level.rising_median_percent, rising.median_percent(), 2);
     comparison.add(plain_cell("  its 90th percentile", level.name, "%", rising.ninetieth_percent(), 2));
 }
 
@@ -139,7 +139,7 @@ void add_variant(Comparison& comparison, const Variant& variant, const Transient
     else
         add(within, result.within_ten_percent(), 0);
     if (result.codes_from_optimum.size() == seeds.size())
-        add("codes off, 90th", quantile(result.codes_from_optimum, 0.9), 0);
+        add("codes from the best, 90th", quantile(result.codes_from_optimum, 0.9), 0);
 }
 
 Comparison variants_comparison(std::string name, const std::vector<Variant>& all, const ReplayContext& context) {
@@ -167,7 +167,7 @@ Series distribution(const NoiseLevel& level, const Seeds& seeds) {
 
 Plot plot_of_study(const Seeds& seeds) {
     Panel panel;
-    panel.title = "50 searches at each level of noise: how many end within an error";
+    panel.title = "50 searches at each level of noise: share that ends within an error";
     panel.x = {"error of the compliance [%]", 0, 30};
     panel.y = {"searches [%]", 0, 100};
     for (const NoiseLevel& level : noise_levels)
@@ -177,7 +177,7 @@ Plot plot_of_study(const Seeds& seeds) {
 }
 
 Comparison levels_comparison(const Seeds& seeds, const ReplayContext& context) {
-    Comparison comparison{.name = "50 records of scenario A and as many searches, the thesis's way",
+    Comparison comparison{.name = "50 records of scenario A, one search each, as the thesis describes it",
                           .against = "known"};
     for (const NoiseLevel& level : noise_levels) {
         context.progress(fmt::format("noise: {}", level.name));
@@ -189,8 +189,8 @@ Comparison levels_comparison(const Seeds& seeds, const ReplayContext& context) {
 Replay replay_identification_study(const ReplayContext& context) {
     Seeds seeds = record_seeds(context.seed, usual_records);
     return replay_of({levels_comparison(seeds, context),
-                      variants_comparison("other populations, mid noise", populations(), context),
-                      variants_comparison("other ways, mid noise", variants(), context)},
+                      variants_comparison("populations of other sizes, mid noise", populations(), context),
+                      variants_comparison("one change at a time, mid noise", variants(), context)},
                      {{"identification-study", plot_of_study(seeds)}});
 }
 

@@ -117,10 +117,12 @@ void add_coupled_links(Comparison& comparison, const CoupledMotion& moving, bool
     const Interval interval = success_interval(count(LinksFigure::within), runs.size());
     comparison.add(cell("  from", "% of seeds", interval.low, 0));
     comparison.add(cell("  to", "% of seeds", interval.high, 0));
-    const Cell missed = cell("off by more, without a flag", "% of seeds", share(LinksFigure::silent), 0);
+    const Cell missed =
+        cell("a link off by more than 10 %, without a flag", "% of seeds", share(LinksFigure::silent), 0);
     comparison.add(judged ? at_most(0, missed) : missed);
     comparison.add(cell("flagged", "% of seeds", share(LinksFigure::flagged), 0));
-    comparison.add(cell("limit of the worst link, median", "%", median_of_runs(runs, LinksFigure::limit), 1));
+    comparison.add(
+        cell("least standard error of the worst link, median", "%", median_of_runs(runs, LinksFigure::limit), 1));
     comparison.add(cell("generations", "", median_of_runs(runs, LinksFigure::generations), 0));
     comparison.add(cell("on one T800", "s", median_of_runs(runs, LinksFigure::t800_s), 0));
     comparison.add(cell("on 16 T800s", "s", median_of_runs(runs, LinksFigure::t800_16_s), 0));
@@ -132,11 +134,11 @@ Replay replay_links_at_once(const ReplayContext& context) {
         motions.push_back(simulate_coupled(configuration));
     std::vector<Comparison> comparisons;
     for (const LinksLevel& level : links_levels) {
-        Comparison comparison{.name = fmt::format("{}, {} seeds", level.name, context.seeds),
-                              .notes = "from, to: an interval of 95 % (Clopper and Pearson)\n"
-                                       "limit: standard error by weighed least squares (Cramer-Rao)\n",
-                              .against = "asked",
-                              .judged = level.judged};
+        Comparison comparison{
+            .name = fmt::format("{}, {} seeds", level.name, context.seeds),
+            .notes = "from, to: 95 % interval (Clopper and Pearson)\nleast standard error: Cramer-Rao bound\n",
+            .against = "asked",
+            .judged = level.judged};
         for (const CoupledMotion& moving : motions)
             add_coupled_links(comparison, moving, level.judged,
                               run_seeds(context, fmt::format("{}, {}", level.name, moving.name),

@@ -55,14 +55,14 @@ double crossover_by_formula(int alpha) {
 
 /// Compares both; without communication the result should be that of equation 4.9, to the next size.
 Comparison crossover_table(const StudyReplay& study, const Comparison& ideal, const Comparison& on_t800s) {
-    Comparison table{.name = "from how many processors on the hybrid is faster than 16 islands of 6",
+    Comparison table{.name = "number of processors from which the hybrid is faster than 16 islands of 6",
                      .against = "(4.9)"};
     for (int alpha : machine_alphas) {
         table.add(judged_cell(alpha_column(alpha), "no communication", "", crossover_by_formula(alpha),
                               crossover_in(study, ideal, alpha), hybrid_islands, 0));
         table.add(plain_cell(alpha_column(alpha), "on T800s", "", crossover_in(study, on_t800s, alpha), 0));
     }
-    table.notes = "0: it is not with up to 48\n";
+    table.notes = "0: the hybrid is not faster with up to 48 processors\n";
     return table;
 }
 
@@ -113,13 +113,13 @@ Replay replay_architectures(const ReplayContext& context) {
     Replay replay = study.replay();
     for (Comparison& each : replay.comparisons)
         order_by_alpha(study, each);
-    const Comparison ideal = study.table(replay, "speedup, communication taking nothing"),
+    const Comparison ideal = study.table(replay, "speedup, communication takes no time"),
                      on_t800s = study.table(replay, "speedup on T800s");
     replay.comparisons.insert(replay.comparisons.begin(), crossover_table(study, ideal, on_t800s));
     replay.fingerprint = fingerprint_of(study);
     replay.plots = {{"architectures",
                      {"Islands alone and islands with slaves",
-                      {architecture_panel("communication taking nothing", study, ideal),
+                      {architecture_panel("communication takes no time", study, ideal),
                        architecture_panel("on T800s, slaves in a chain", study, on_t800s)}}}};
     return replay;
 }

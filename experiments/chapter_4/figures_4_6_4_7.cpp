@@ -143,7 +143,7 @@ Comparison speedup_table(std::string name, std::string against, CellOf cell_of) 
 }
 
 Comparison run_figure_4_6(SpeedupRuns& runs) {
-    return speedup_table("Figure 4.6: speedup, not pipelined, communication taking nothing", "(4.9)",
+    return speedup_table("Figure 4.6: speedup, not pipelined, communication takes no time", "(4.9)",
                          [&](auto row, auto column, int alpha, int processors) {
                              double known = whole_4_9(alpha, processors);
                              return judged_cell(row, column, "", known,
@@ -154,7 +154,7 @@ Comparison run_figure_4_6(SpeedupRuns& runs) {
 
 Comparison run_figure_4_7(SpeedupRuns& runs) {
     Comparison comparison =
-        speedup_table("Figure 4.7: speedup, pipelined, communication taking nothing", "ideal",
+        speedup_table("Figure 4.7: speedup, pipelined, communication takes no time", "ideal",
                       [&](auto row, auto column, int alpha, int processors) {
                           double known = whole_pipelined(alpha, processors);
                           return judged_cell(row, column, "", known,
@@ -162,8 +162,8 @@ Comparison run_figure_4_7(SpeedupRuns& runs) {
                       });
     comparison.judged = true;
     comparison.notes =
-        "ideal: as many as there are processors, up to alpha + 1\n"
-        "of 300 evaluations each processor has whole ones, and the largest share counts: in both figures\n";
+        "ideal: the number of processors, at most alpha + 1\n"
+        "both figures: 300 evaluations are dealt out whole, so the processor with the most decides the speedup\n";
     return comparison;
 }
 
@@ -174,7 +174,7 @@ Comparison run_on_t800s(SpeedupRuns& runs) {
             return compared_cell(row, column, "", formula_c_1(times_at(alpha, runs.communication(point)), processors),
                                  runs.speedup(point), 2);
         });
-    comparison.notes = "(4.9) with n t_c2 as it was measured in each run (C_time2)\n";
+    comparison.notes = "(4.9) uses the n t_c2 that each run measured (C_time2)\n";
     return comparison;
 }
 
@@ -221,18 +221,18 @@ void add_at_alpha(Comparison& comparison, SpeedupRuns& runs, int alpha) {
 }
 
 Comparison run_at_alpha(SpeedupRuns& runs) {
-    Comparison comparison{.name = "where alpha processors evaluate", .against = "formula", .judged = true};
+    Comparison comparison{.name = "alpha processors evaluate", .against = "formula", .judged = true};
     for (int alpha : speedup_alphas)
         add_at_alpha(comparison, runs, alpha);
-    comparison.notes = "efficiency: speedup over processors; a master that only breeds is one more than alpha\n"
-                       "tolerance: what whole evaluations take, and 1 %; 3 % pipelined\n";
+    comparison.notes = "efficiency: speedup / processors; a master that only breeds is one processor more than alpha\n"
+                       "tolerance: the effect of whole evaluations, and 1 %; if pipelined, and 3 %\n";
     return comparison;
 }
 
 Comparison run_same_generations(SpeedupRuns& runs) {
-    Comparison comparison{.name = "the generations", .against = "known", .judged = true};
-    comparison.add(at_least(1, plain_cell(fmt::format("the same in all {} runs [1: yes]", runs.count()), "populations",
-                                          "", runs.are_the_same_generations() ? 1 : 0, 0)));
+    Comparison comparison{.name = "generations", .against = "known", .judged = true};
+    comparison.add(at_least(1, plain_cell(fmt::format("equal in all {} runs [1: yes]", runs.count()), "populations", "",
+                                          runs.are_the_same_generations() ? 1 : 0, 0)));
     return comparison;
 }
 
@@ -264,7 +264,7 @@ Panel speedup_panel(SpeedupRuns& runs, std::string title, int populations, doubl
 
 std::vector<NamedPlot> speedup_plots(SpeedupRuns& runs) {
     return {{"figures-4-6-4-7",
-             {"Speedup over the number of processors",
+             {"Speedup and number of processors",
               {speedup_panel(runs, "Figure 4.6: not pipelined", 1, formula_4_9),
                speedup_panel(runs, "Figure 4.7: pipelined", 2, formula_pipelined)}}}};
 }
@@ -276,10 +276,10 @@ Replay replay_speedup(const ReplayContext& context) {
     replay.comparisons.push_back(run_at_alpha(runs));
     replay.comparisons.push_back(run_same_generations(runs));
     replay.constants =
-        "   workload:   10 errors of an individual take table-e1's cycles, its breeding 1 / alpha of that; a thousand\n"
-        "               times both where communication takes nothing\n"
-        "   own share:  (alpha - slaves) / (alpha + 1) of a slave's with a pipeline, from the two processors'\n"
-        "               work being equal; 1 without, 0 of a master that only breeds\n";
+        "   workload:   the 10 error evaluations of an individual take the cycles of table-e1, and breeding takes\n"
+        "               1 / alpha of them; both are multiplied by 1,000 where communication takes no time\n"
+        "   own share:  with a pipeline the master evaluates (alpha - slaves) / (alpha + 1) of a slave's share, so\n"
+        "               that both work equally long; without a pipeline 1, and 0 if it only breeds\n";
     replay.fingerprint = runs.fingerprint();
     replay.plots = speedup_plots(runs);
     return replay;

@@ -171,7 +171,7 @@ Comparison judged_optimum(const std::vector<PlantStudy>& exact, const std::vecto
     comparison.add(at_most(
         1e-6, plain_cell(optimum.islands.name, "error before", "", optimum.median(0, Tracking::error_before), 9)));
     for (const PlantStudy& study : {searched[0], searched[1]})
-        comparison.add(at_least(0, plain_cell(study.islands.name, "lag beyond it", "generations",
+        comparison.add(at_least(0, plain_cell(study.islands.name, "additional lag", "generations",
                                               study.median(0, Tracking::lag) - optimum.median(0, Tracking::lag), 1)));
     return comparison;
 }

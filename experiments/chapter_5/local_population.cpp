@@ -50,7 +50,7 @@ std::vector<Claim> maximisation_claims(const std::vector<TaskStudy>& studies) {
     std::vector<Claim> claims;
     for (const TaskStudy& study : studies)
         if (study.reached_percent(0) > 75)
-            claims.push_back({study.task.problem + ": generations, islands of 6 by one of 96",
+            claims.push_back({study.task.problem + ": generations, islands of 6 / one of 96",
                               "",
                               ratio(study.taken.back(), study.taken.front()),
                               {},
@@ -75,10 +75,10 @@ std::vector<Claim> identification_claims(const std::vector<PlantStudy>& studies)
         return less(studies[of].errors_after(), studies[than].errors_after());
     };
     return {
-        {"error after, islands of 24 less one of 96", "", more_error(0, 2), {}, 0.01},
-        {"error after, islands of 6 less islands of 24", "", more_error(2, 4), 0.01, {}},
-        {"lag, islands of 24 less one of 96", "generations", less(studies[2].lags(), studies[0].lags()), {}, 10},
-        {"lag, islands of 6 less islands of 24", "generations", less(studies[4].lags(), studies[2].lags()), 10, {}}};
+        {"error after, islands of 24 minus one of 96", "", more_error(0, 2), {}, 0.01},
+        {"error after, islands of 6 minus islands of 24", "", more_error(2, 4), 0.01, {}},
+        {"lag, islands of 24 minus one of 96", "generations", less(studies[2].lags(), studies[0].lags()), {}, 10},
+        {"lag, islands of 6 minus islands of 24", "generations", less(studies[4].lags(), studies[2].lags()), 10, {}}};
 }
 
 Comparison diversity_of(const std::vector<PlantStudy>& studies, const std::string& noise) {

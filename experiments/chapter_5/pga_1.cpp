@@ -34,10 +34,10 @@ struct SequentialStudies {
 std::vector<Claim> claims_of(const SequentialStudies& studies, double noise) {
     auto delay = [](const PlantStudy& study) { return study.of(0, Tracking::delay_20); };
     auto deviation = [](const PlantStudy& study) { return study.of(0, Tracking::deviation_after); };
-    return {{"deviation, distributed by traditional", "",
+    return {{"deviation, distributed / traditional", "",
              ratio(deviation(studies.distributed), deviation(studies.traditional)), 0.67, 0.99,
              noise > 0 ? ClaimVerdict::fails : ClaimVerdict::holds},
-            {"delay, traditional less distributed",
+            {"delay, traditional minus distributed",
              "generations",
              less(delay(studies.traditional), delay(studies.distributed)),
              {},

@@ -36,7 +36,7 @@ struct BroadcastStudies {
 /// distributed fitness function "close but remained different ... no indication of premature convergence".
 std::vector<Claim> claims_of(const BroadcastStudies& studies, double noise) {
     auto error = [](const PlantStudy& study) { return study.of(0, Tracking::error_after); };
-    return {{"traditional: generations with the same best",
+    return {{"traditional: generations with an unchanged best",
              "share",
              studies.traditional.identical,
              0.9,
@@ -48,19 +48,19 @@ std::vector<Claim> claims_of(const BroadcastStudies& studies, double noise) {
              found_pole,
              {},
              ClaimVerdict::fails},
-            {"distributed: generations with the same best", "share", studies.distributed.identical, {}, 0.5},
+            {"distributed: generations with an unchanged best", "share", studies.distributed.identical, {}, 0.5},
             {"distributed: error of the pole after the change", "", error(studies.distributed), {}, found_pole},
-            {"diversity, distributed less traditional",
+            {"diversity, distributed minus traditional",
              "bits",
              less(studies.distributed.diversity, studies.traditional.diversity),
              0.5,
              {}},
-            {"diversity, larger populations less traditional",
+            {"diversity, larger populations minus traditional",
              "bits",
              less(studies.larger.diversity, studies.traditional.diversity),
              0.5,
              {}},
-            {"diversity, different windows less traditional",
+            {"diversity, different windows minus traditional",
              "bits",
              less(studies.windows.diversity, studies.traditional.diversity),
              0.5,
@@ -82,7 +82,8 @@ Comparison diversity_comparison(const std::string& name, const BroadcastStudies&
 
 /// Judges the diversity against that of 240 other seeds.
 Comparison judged_diversity(const BroadcastStudies& noiseless) {
-    Comparison comparison{.name = "bits of 37 in which two of an island differ, noiseless", .against = "known"};
+    Comparison comparison{.name = "number of the 37 bits in which two individuals of an island differ, noiseless",
+                          .against = "known"};
     const double known[]{3.8, 5.0, 4.2, 5.3};
     auto all = noiseless.all();
     for (std::size_t i = 0; i < all.size(); ++i)

@@ -42,18 +42,18 @@ private:
 std::vector<Claim> claims_of(const WindowStudies& studies) {
     auto delay = [](const PlantStudy& study, std::size_t track) { return study.of(track, Tracking::delay_20); };
     auto deviation = [&](std::size_t track) { return studies.distributed.of(track, Tracking::deviation_after); };
-    std::vector<Claim> claims{{"delay, window 30 less window 10",
+    std::vector<Claim> claims{{"delay, window 30 minus window 10",
                                "generations",
                                less(delay(studies.distributed, 0), delay(studies.distributed, 3)),
                                40,
                                {}},
-                              {"delay, traditional less distributed at window 30",
+                              {"delay, traditional minus distributed at window 30",
                                "generations",
                                less(delay(studies.traditional, 0), delay(studies.distributed, 0)),
                                {},
                                10}};
     if (studies.noise > 0)
-        claims.push_back({"deviation, window 10 by window 30", "", ratio(deviation(3), deviation(0)), 2, {}});
+        claims.push_back({"deviation, window 10 / window 30", "", ratio(deviation(3), deviation(0)), 2, {}});
     return claims;
 }
 
@@ -76,7 +76,7 @@ Comparison judged_delays(const ReplayContext& context, const WindowStudies& nois
     double longest = sooner.median(0, Tracking::delay_20), shortest = sooner.median(3, Tracking::delay_20);
     comparison.add(plain_cell("a sample a generation, window 30", "median", "generations", longest, 1));
     comparison.add(plain_cell("a sample a generation, window 10", "median", "generations", shortest, 1));
-    comparison.add(at_most(1.3, plain_cell("  window 30 by window 10", "median", "", longest / shortest, 2)));
+    comparison.add(at_most(1.3, plain_cell("  window 30 / window 10", "median", "", longest / shortest, 2)));
     return comparison;
 }
 

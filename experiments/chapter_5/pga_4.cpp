@@ -45,20 +45,20 @@ std::vector<Claim> claims_of(const PlantStudy& study, const std::string& rule) {
     auto less_delay = [&](const std::string& choice) {
         return less(of(choice, Tracking::delay_20), of(rule, Tracking::delay_20));
     };
-    std::vector<Claim> claims{{rule + ": delay, window 30 less the rule",
+    std::vector<Claim> claims{{rule + ": delay, window 30 minus the rule",
                                "generations",
                                less_delay(longest_window),
                                40,
                                {},
                                ClaimVerdict::fails},
-                              {rule + ": error during, random island less the rule",
+                              {rule + ": error during, random island minus the rule",
                                "",
                                less(of("random", Tracking::error_during), of(rule, Tracking::error_during)),
                                0.001,
                                {},
                                rule == "row" ? ClaimVerdict::holds : ClaimVerdict::fails}};
     if (study.islands.plant.noise > 0)
-        claims.push_back({rule + ": deviation, the rule by window 30",
+        claims.push_back({rule + ": deviation, the rule / window 30",
                           "",
                           ratio(of(rule, Tracking::deviation_after), of(longest_window, Tracking::deviation_after)),
                           {},

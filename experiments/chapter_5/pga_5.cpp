@@ -44,7 +44,7 @@ void add_claims(std::vector<Claim>& claims, const RivalStudies& studies, const s
     auto holds_if = [](bool expected) { return expected ? ClaimVerdict::holds : ClaimVerdict::fails; };
     std::size_t answer = studies.islands.answer(rule);
     auto of = [&](Tracking figure) { return studies.islands.of(answer, figure); };
-    claims.push_back({"lag, " + rival.islands.name + " less islands, " + rule,
+    claims.push_back({"lag, " + rival.islands.name + " minus islands, " + rule,
                       "generations",
                       less(rival.of(0, Tracking::lag), of(Tracking::lag)),
                       10,

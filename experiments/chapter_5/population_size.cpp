@@ -47,7 +47,7 @@ std::vector<Claim> size_claims(const std::vector<TaskStudy>& studies) {
     std::vector<Claim> claims;
     for (const TaskStudy& study : studies)
         if (study.reached_percent(2) > 75)
-            claims.push_back({study.task.problem + ": evaluations, 400 by 100 individuals",
+            claims.push_back({study.task.problem + ": evaluations, 400 / 100 individuals",
                               "",
                               ratio(study.taken[4], study.taken[2]),
                               1.2,
@@ -63,13 +63,13 @@ PlantIslands one_population(std::size_t population, double noise) {
 /// gain at most ten generations of lag and .01 of error, and the pole is found.
 std::vector<Claim> plant_claims(const std::vector<PlantStudy>& studies) {
     return {{"error after, 100 individuals", "", studies[2].errors_after(), {}, found_pole},
-            {"lag, 100 less 400 individuals", "generations", less(studies[2].lags(), studies[4].lags()), {}, 10},
-            {"error after, 100 less 400 individuals",
+            {"lag, 100 minus 400 individuals", "generations", less(studies[2].lags(), studies[4].lags()), {}, 10},
+            {"error after, 100 minus 400 individuals",
              "",
              less(studies[2].errors_after(), studies[4].errors_after()),
              {},
              0.01},
-            {"lag, 25 less 100 individuals", "generations", less(studies[0].lags(), studies[2].lags()), 10, {}}};
+            {"lag, 25 minus 100 individuals", "generations", less(studies[0].lags(), studies[2].lags()), 10, {}}};
 }
 
 std::vector<TrackRow> rows_of(const std::vector<PlantStudy>& studies) {

@@ -49,7 +49,7 @@ PlantSearch search_of(const CrossingGroup& group, const CrossingTried& tried) {
 std::vector<Comparison> compare_crossings(const CrossingGroup& group, const ReplayContext& context) {
     std::string name = name_of_group(group);
     Comparison shares{.name = name, .against = "other", .judged = true},
-        gains{.name = name + ": percent points more than by one-point crossover"};
+        gains{.name = name + ": percentage points above one-point crossover"};
     std::vector<Tally> tallies;
     for (const CrossingTried& tried : crossings) {
         tallies.push_back(tally_search(context, fmt::format("{}, {}", name, tried.name), search_of(group, tried)));

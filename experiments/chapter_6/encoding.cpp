@@ -71,7 +71,7 @@ void judge_ranking(Comparison& comparison, const std::vector<Tally>& tallies) {
 
 void add_group(std::vector<Comparison>& comparisons, const EncodingGroup& group, const ReplayContext& context) {
     Comparison shares{.name = group.name, .against = "other", .judged = true},
-        gains{.name = fmt::format("{}: percent points more than in natural binary", group.name)};
+        gains{.name = fmt::format("{}: percentage points above natural binary", group.name)};
     std::vector<Tally> tallies;
     for (const CodingTried& tried : codings) {
         tallies.push_back(

@@ -173,7 +173,7 @@ Comparison compare_claims(const SchemaStudy& crossed, const SchemaStudy& uncross
     comparison.add(at_most(1.05, plain_cell("without crossover, the most over its bound", "found", "", most, 3)));
     comparison.add(at_least(2, plain_cell("with crossover, defining length 7 over its bound", "found", "",
                                           crossed.quotient(longest, SchemaFit::above, counted_strings, bound), 3)));
-    comparison.add(compared_cell("survivors of defining length 7 by those of 1, claimed .9 at most", "found", "", 0.9,
+    comparison.add(compared_cell("survivors of defining length 7 / those of 1, claimed .9 at most", "found", "", 0.9,
                                  crossed.quotient(longest, SchemaFit::above, counted_strings, reproduced) /
                                      crossed.quotient(1, SchemaFit::above, counted_strings, reproduced),
                                  3));
@@ -183,9 +183,10 @@ Comparison compare_claims(const SchemaStudy& crossed, const SchemaStudy& uncross
 /// Compares the strings of fit schemata after crossover and mutation with the number from reproduction alone, and with
 /// the share that equation 6.2 guarantees.
 Comparison compare_survival(const SchemaStudy& study) {
-    Comparison comparison{.name = "schemata above the mean fitness, counted over what reproduction alone would make of "
-                                  "them",
-                          .against = "eq. 6.2"};
+    Comparison comparison{
+        .name = "schemata above the mean fitness, number counted / number that reproduction alone would give of "
+                "them",
+        .against = "eq. 6.2"};
     for (std::size_t length = 0; length < schema_bits; ++length) {
         std::string row = length_row(length), name = study.name;
         Interval interval = study.interval(length, SchemaFit::above, counted_strings, reproduced);

@@ -62,7 +62,7 @@ Replay replay_poznan(const ReplayContext& context) {
     comparison.add(cell("half a round trip, to start", 11.0, direct.start_us, 0.2, Origin::calibrated));
     comparison.add(cell("half a round trip, a word", 2.25, direct.word_us, 0.01 * 2.25, Origin::fitted));
     comparison.add(cell("a word through three C004", 4.30, switched.word_us, 0.01 * 4.30, Origin::fitted));
-    comparison.notes = "that the slower pairs had three switches between them was inferred from their rate\n";
+    comparison.notes = "three switches between the slower pairs are inferred from their rate\n";
     Replay replay{.comparisons = {comparison}};
     replay.constants = "   calibrated: 201 cycles for a call of the toolset's ChanIn or ChanOut, to the start\n"
                        "   The link is that of placedpar replay links, fitted to the time of a word among others.\n";

@@ -218,7 +218,7 @@ Replay replay_processor(const ReplayContext& context) {
     context.progress("processor");
     OneProcessor t800(context);
     Replay replay{.comparisons = {compare_scheduler(t800), compare_memory(t800)}};
-    replay.constants = "an instruction of floating point is taken to be of 78 - 19 cycles, a division has 39\n";
+    replay.constants = "a floating-point instruction is taken to last 78 - 19 cycles, a division lasts 39\n";
     replay.fingerprint = t800.fingerprint();
     return replay;
 }

@@ -361,8 +361,9 @@ Replay replay_ray_farm(const ReplayContext& context) {
         [&] { context.progress(fmt::format("{} of {} runs of a farm", ended.load(), runs.size())); });
     Comparison comparison{
         .name = "a farm on 73 transputers",
-        .notes = "What the real program printed at its host for each patch is not simulated, so that the calibrated\n"
-                 "cycles of a packet may stand for that, too. Which cards had 17, 35 and 53 workers is not known.\n",
+        .notes =
+            "The real program printed at its host for each patch. This is not simulated, so the calibrated cycles of\n"
+            "a packet may include it. It is not known which cards worked in the runs with 17, 35 and 53 workers.\n",
         .against = "publ.",
         .judged = true,
         .names_origins = true};

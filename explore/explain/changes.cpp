@@ -20,14 +20,14 @@ namespace placedpar {
 namespace {
 
 constexpr std::int64_t fastest = 1'000'000'000; ///< greatest speed that the language accepts
-constexpr std::size_t most_alone = 10;          ///< number of single things of each kind that are varied
+constexpr std::size_t most_alone = 10;          ///< largest number of single parts of each kind that are varied
 
 /// Attributes of a bus that cost time. The time-out is left out: it only matters if a device does not respond.
 constexpr std::array bus_times{"cycle", "bytecycle", "grant"};
 
-/// Cycles of an access. They cannot be reduced to none: 0 stands for the processor's usual value.
+/// Cycles of a memory access. They are not reduced to 0, which stands for the processor's usual value.
 constexpr const char* memory_cycles = "memorycycles";
-constexpr const char* router_cycles = "router_cycles"; // counts only where channels travel in packets
+constexpr const char* router_cycles = "router_cycles"; // matters only if channels travel in packets
 constexpr const char* cycles_on_chip = "1";
 
 struct Factor {
@@ -46,14 +46,14 @@ std::string faster(std::int64_t rate, const Factor& factor) {
     return std::to_string(factor.by == 0 ? fastest : std::min(wanted, fastest));
 }
 
-/// Describes the reduced constant. The factor 1.1 of a speed divides a time by 1.1, while a constant is described by
-/// its own reduction.
+/// Returns the reduced constant: 0.9 times the constant if the factor is 1.1, half of the constant if it is 2,
+/// otherwise 0.
 std::string less(std::int64_t constant, const Factor& factor) {
     double share = factor.by == 0 ? 0 : factor.by == 2 ? 0.5 : 0.9;
     return std::to_string(std::llround(static_cast<double>(constant) * share));
 }
 
-/// Returns a shorter time, in ns, not below the least that the netlist accepts.
+/// Returns a shorter time, in ns, but not less than `least`, which the netlist accepts.
 std::string shorter(std::int64_t time, std::int64_t least, const Factor& factor) {
     auto wanted = factor.by == 0 ? least : std::llround(static_cast<double>(time) / factor.by);
     return std::to_string(std::max<std::int64_t>(wanted, least));
@@ -63,7 +63,7 @@ std::string array_of(const std::string& name) { return name.substr(0, name.find(
 
 std::string as_array(const std::string& name) { return array_of(name) + (name.find('[') < name.size() ? "[]" : ""); }
 
-/// Returns the names of those with the greatest times, the greatest first.
+/// Returns the names of the busiest uses, the busiest first.
 template <class Uses, class Name, class Spent>
 std::vector<std::string> busiest(const Uses& uses, Name name, Spent spent) {
     std::vector<std::pair<Time, std::string>> by_time;
@@ -146,7 +146,7 @@ private:
             changes_.push_back({of, what, factor.faster, {{set, faster(speed, factor)}}});
     }
 
-    /// Returns the wires that --set can name, as wired or as wire[0], wire[1] ..., by each of their two ends.
+    /// Returns the wires; each wire has both of its ends as keys.
     std::map<std::string, const LinkConnection*> wires_by_end() const {
         std::map<std::string, const LinkConnection*> wires;
         for (std::size_t i = 0; i < network_.count_wires(); ++i)
@@ -165,8 +165,8 @@ private:
         return wanted.name.empty() ? fmt::format("wire[{}]", without_name) : wanted.name;
     }
 
-    /// Returns whether links lead through switches: such a link consists of several wires, and is only varied together
-    /// with all links.
+    /// Returns whether links lead through switches. Such a link consists of several wires, so it is varied only
+    /// together with all links.
     bool switched() const {
         return std::ranges::any_of(network_.connections,
                                    [](const auto& each) { return each.at_run_time || !each.crossings.empty(); });
@@ -186,7 +186,7 @@ private:
             add_link(*wires.at(from));
     }
 
-    /// Adds the changes of a link. Both of its directions may be among the busiest.
+    /// Adds the changes of a link once, even if both of its directions are among the busiest.
     void add_link(const LinkConnection& wire) {
         if (links_known_.insert(&wire).second)
             add_speeds(
@@ -235,8 +235,8 @@ private:
         return integer && is_cost(name) && *integer > 0 ? std::optional(*integer) : std::nullopt;
     }
 
-    /// Adds the changes of a process's computing time, by its own parameters. A process alone on a processor is varied
-    /// by the processor.
+    /// Adds the changes of a process's computing time, by its parameters. A process that is alone on a processor is
+    /// varied by changes of the processor.
     void add_process(const ProcessInstance& process) {
         for (const Factor& factor : factors) {
             Change change{Change::Of::alone, "what " + process.name + " computes", factor.less, {}};
@@ -267,7 +267,7 @@ private:
                 add_process(process);
     }
 
-    /// The value of a constant by the node or process that has it.
+    /// The value of a constant for each node or process that has the constant.
     using Costs = std::map<std::string, std::int64_t>;
 
     template <class Map>

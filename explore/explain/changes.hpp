@@ -25,9 +25,9 @@ using DeclaredWith = std::function<Declared(const Overrides&)>;
 
 /// Returns the changes worth trying. All processors, the processors of an array's processes, all links and all buses
 /// are made 10 % faster, twice as fast, and as fast as a netlist allows (1 GHz, 1 Gbit/s, 1 ns per word). The ten
-/// processors, links, buses and processes that were the busiest in the run are changed likewise, one at a time. Memory
-/// becomes as fast as on-chip memory. Constants of processes or processors in cycles or bytes are reduced by 10 %,
-/// halved, and set to 0. Vals that determine the number of processes or processors are raised by one.
+/// processors, links, buses and processes that were the busiest in the run are also changed, one at a time, in these
+/// three ways. Memory becomes as fast as on-chip memory. Constants of processes or processors in cycles or bytes are
+/// reduced by 10 %, halved, and set to 0. Vals that determine the number of processes or processors are raised by one.
 std::vector<Change> changes_of(const Network&, const RunReport&, const DeclaredWith&);
 
 } // namespace placedpar

@@ -97,7 +97,7 @@ std::string print_machine(const Explanation& explanation) {
     return table.text("\n");
 }
 
-/// Prints the rows with the greatest times, and the others in one row.
+/// Prints the rows with the greatest times, and the sum of the other rows.
 std::string print_shares(const std::vector<PathShare>& shares, std::size_t most, Time whole) {
     Time rest = whole;
     std::string out;
@@ -166,7 +166,7 @@ std::string remark_on_slower(bool any) {
                : "";
 }
 
-/// Prints the greatest gains, then all changes that make the run slower, and the number of those that make hardly any
+/// Prints the greatest gains, then all changes that make the run slower, and the number of changes that make hardly any
 /// difference.
 std::string print_answers(const Explanation& explanation) {
     constexpr std::size_t most = 24;
@@ -204,8 +204,7 @@ std::string print_gain(const Answer& answer, Time whole) {
     return fmt::format("  {}: {} less time\n", name_of(answer.change), percent(whole - answer.time, whole));
 }
 
-/// Prints the greatest shares of the critical path, by what happened meanwhile: "computing 97.6 %, communicating 2.4
-/// %".
+/// Prints the greatest shares of the critical path by activity: "computing 97.6 %, communicating 2.4 %".
 std::string print_kinds_of_time(const Explanation& explanation) {
     Time whole = explanation.report.result.time;
     std::string out;
@@ -216,7 +215,7 @@ std::string print_kinds_of_time(const Explanation& explanation) {
     return out.empty() ? "" : fmt::format("  the critical path is {}\n", out);
 }
 
-/// A group of changes of which the verdict names the best.
+/// The groups of changes. The verdict names the best change of each group.
 enum class Group { everything, part, number, links, none };
 
 Group group_of(const Change& change) {
@@ -229,9 +228,9 @@ Group group_of(const Change& change) {
     return change.of == Change::Of::all ? Group::everything : Group::part;
 }
 
-/// Prints what the critical path consists of, then, greatest gain first, the best of three groups of changes (all
-/// processors, links or buses twice as fast; a part of the machine twice as fast; links as fast as can be), and each
-/// number of processes that gains if it is one higher.
+/// Prints the activities on the critical path, then the changes with gains, the greatest gain first. Each of three
+/// groups has only its best change: all processors, links or buses twice as fast; a part of the machine twice as fast;
+/// links as fast as the language allows. Each number of processes is printed if raising it by one shortens the run.
 std::string print_verdict(const Explanation& explanation) {
     Time whole = explanation.report.result.time;
     std::string out = print_kinds_of_time(explanation);

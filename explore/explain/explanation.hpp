@@ -13,8 +13,8 @@ namespace placedpar {
 /// The causes of the time that a run took.
 struct Explanation {
     RunReport report;
-    std::map<std::string, Account> accounts; ///< by process
-    /// How long outputting processes waited for inputting processes, by the direction of a link, "a.link[0] ->
+    std::map<std::string, Account> accounts; ///< key: process
+    /// Time that sending processes waited for receiving processes, for each direction of a link, "a.link[0] ->
     /// b.link[1]".
     std::map<std::string, Time> waits_at_links;
     std::vector<PathPart> path;

@@ -11,8 +11,8 @@
 
 namespace placedpar {
 
-/// Reads the netlist with these settings. Throws UserError if the netlist is refused. May be called by several threads
-/// at once.
+/// Reads the netlist with these settings. Throws UserError if the netlist is refused. Several threads may call it at
+/// the same time.
 using ChangedNetlist = std::function<Network(const Overrides&)>;
 
 /// The result of the run with a change.
@@ -21,7 +21,7 @@ struct Answer {
     Ending ending = Ending::interrupted;
     Time time{};
     std::string refused = ""; ///< first line of the refusal; "" if the netlist was accepted
-    std::string why = "";     ///< the activities that take more time on the critical path, if the run takes longer
+    std::string why = "";     ///< the activity whose time on the critical path grew most, if the run takes longer
 
     bool completed() const { return refused.empty() && ending == Ending::completed; }
 };
@@ -33,7 +33,7 @@ struct WhatIfs {
     Time until;
     const Interruption& interruption; ///< changes not yet tried at the interruption are left out
     std::function<void(std::size_t, std::size_t)>
-        progress; ///< called with the number of changes tried, and of all changes
+        progress; ///< called with the number of changes tried and the number of all changes
 };
 
 /// Makes the changed runs in parallel on all cores. Returns the shortest completed runs first, then runs that did not

@@ -48,7 +48,7 @@ Distances distances_in(const Network& network) {
     for (std::size_t node = 0; node < network.nodes.size(); ++node)
         if (is_processor(network.nodes[node])) {
             Reached reached = reached_from(node, neighbours);
-            found.links += neighbours[node].size(); // each counted at both of its ends
+            found.links += neighbours[node].size(); // each link is counted at both ends
             found.degree = std::max(found.degree, neighbours[node].size());
             found.diameter = std::max(found.diameter, reached.farthest);
             found.connected = found.connected && reached.nodes == found.processors;

@@ -27,8 +27,8 @@ const std::vector<std::string> each_processor{"rep i = 0 for nodes"};
 
 std::string use(const char* kind, const char* process) { return fmt::format("use \"{}\" for {};\n", kind, process); }
 
-/// Returns the vals that divide a population of 120 among islands. An island has at least `least` individuals: as many
-/// as can arrive at once from four neighbours, and more than it has slaves.
+/// Returns the vals that divide a population of 120 among islands. An island has at least `least` individuals: enough
+/// for all immigrants that can arrive together from four neighbours, and more individuals than slaves.
 std::string population_of(const char* islands, const char* least) {
     return fmt::format("val population 120 / {0} > {1} ? 120 / {0} : {1}; /* of each island */\n"
                        "val exchange_every 3;           /* generations between exchanges */\n",

@@ -8,10 +8,10 @@ namespace placedpar::generate {
 
 /// The processes of a netlist and their placement on the processors t of a topology.
 struct Job {
-    bool has_host = false; ///< a process `host`, which the netlist has to place
-    std::string about; ///< a description, such as "islands of algorithm B, each with its neighbours' as its neighbours"
-    std::string vals;  ///< lines, each with its end
-    std::string statements; ///< lines, each with its end
+    bool has_host = false;  ///< whether there is a process `host`, which the netlist must place
+    std::string about;      ///< a description, such as "Islands: one on every processor. ..."
+    std::string vals;       ///< lines, each with a newline
+    std::string statements; ///< lines, each with a newline
 };
 
 /// Places a master, and a slave on every other processor. Channels to slaves that are not neighbours of the master are
@@ -21,8 +21,8 @@ Job farm(const Topology&);
 Job islands(const Topology&);
 /// Places an island on the head of each chain of figure-e2, and its slaves along the chain.
 Job islands_with_slaves();
-/// Places a process of the kind on every processor, and connects it with its neighbours by the ports `output` and
-/// `input`, which are arrays.
+/// Places a process of the kind on every processor, and connects it with its neighbours by the port arrays `output` and
+/// `input`.
 Job processes_of(const std::string& kind, bool has_host, const std::string& output, const std::string& input,
                  const Topology&);
 

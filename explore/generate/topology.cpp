@@ -23,7 +23,7 @@ void require_links(const TopologyRequest& request, std::size_t needed, const cha
                                          links_of_a_node, instead));
 }
 
-/// The reason for topologies in which every processor has four neighbours.
+/// The text of `no_host` for topologies in which every processor has four neighbours.
 constexpr const char* all_links_taken = "every processor has four neighbours and four links";
 
 Topology pipeline(const TopologyRequest& request) {
@@ -82,7 +82,7 @@ Topology mesh(const TopologyRequest& request) {
             .host = {"", "0", "[0][0]", "1"}};
 }
 
-/// Makes a torus. In a row or column of two, the processors are joined by one wire, not by two.
+/// Makes a torus. In a row or column of two processors, one wire joins the processors, not two.
 Topology torus(const TopologyRequest& request) {
     Grid grid = grid_of(request, 2, 2);
     bool full = grid.rows > 2 && grid.columns > 2;
@@ -121,7 +121,8 @@ Topology hypercube(const TopologyRequest& request) {
 }
 
 /// Makes cube-connected cycles (F. P. Preparata, J. Vuillemin, Communications of the ACM 24, 1981). Each corner of the
-/// cube is a cycle of processors, one for each dimension of the cube, which has the wire of this dimension.
+/// cube is a cycle with one processor for each dimension. The wire of a dimension is at the processor of this
+/// dimension.
 Topology cube_connected_cycles(const TopologyRequest& request) {
     std::size_t nodes = count_of(request, 1), dimensions = 3;
     while (dimensions << dimensions < nodes)
@@ -154,7 +155,7 @@ Topology star(const TopologyRequest& request) {
             .host = {"", "0", "[nodes == 5]", "nodes == 5 ? 1 : 3"}};
 }
 
-/// Returns the largest odd number not above the square root, at least 3: about the best chord.
+/// Returns a nearly optimal chord: the largest odd number not above the square root of `nodes`, at least 3.
 std::size_t usual_chord(std::size_t nodes) {
     std::size_t chord = 3;
     while ((chord + 2) * (chord + 2) <= nodes)
@@ -163,7 +164,7 @@ std::size_t usual_chord(std::size_t nodes) {
 }
 
 /// Makes a chordal ring of degree 3 (B. W. Arden, H. Lee: Analysis of chordal ring network, IEEE Transactions on
-/// Computers C-30, 1981): a chord leads from each even processor to an odd one.
+/// Computers C-30, 1981). A chord leads from each even processor to an odd processor.
 Topology chordal_ring_of_three(const TopologyRequest& request, std::size_t nodes, std::size_t chord) {
     if (nodes % 2 == 1 || chord % 2 == 0)
         refuse_size(request,
@@ -208,7 +209,7 @@ Topology chordal_ring(const TopologyRequest& request) {
     return degree == 3 ? chordal_ring_of_three(request, nodes, chord) : chordal_ring_of_four(request, nodes, chord);
 }
 
-/// Makes the machine of Figure E.2. Each master has a link of its own to the host.
+/// Makes the machine of Figure E.2. Each master has its own link to the host.
 Topology figure_e2(const TopologyRequest& request) {
     Grid grid = grid_of(request, 1, 1);
     return {.about = fmt::format("Figure E.2 of the thesis: a ring of {}, each at the head of a chain of {}", grid.rows,

@@ -11,8 +11,7 @@ namespace placedpar::generate {
 struct WireEnd {
     std::string at;   ///< subscripts of the processor at this end, "[r][c + 1]"
     std::string link; ///< number of the link, "1"
-    std::string
-        port; ///< subscript of the port to this neighbour, for a process on that processor: 0, 1, 2 ... without gaps
+    std::string port; ///< subscript of the port to this neighbour; the ports of a process are numbered 0, 1, 2 ...
 };
 
 /// Wires, one for each round of the loops.
@@ -23,7 +22,7 @@ struct Wires {
 
 /// The end of a wire to the host.
 struct HostWires {
-    std::string loop; ///< "" for one wire
+    std::string loop; ///< "" if there is only one wire
     std::string sun;  ///< the link of the workstation, "0"
     std::string at;   ///< the subscripts of the processor
     std::string link; ///< an expression, "dimensions"
@@ -33,7 +32,7 @@ struct HostWires {
 /// processors. The fragments depend on the vals, so that `--set` can change the size.
 struct Topology {
     std::string about;             ///< "A ring of 8 processors"
-    std::vector<std::string> vals; ///< "val rows 4;", among them `nodes`, the number of processors
+    std::vector<std::string> vals; ///< statements such as "val rows 4;"; one declares `nodes`, the number of processors
     std::string array;             ///< the subscripts with which t is declared, "[rows][columns]"
     std::string first;             ///< subscripts of processor number 0, "[0][0]"
     std::string at;                ///< subscripts of processor number i, "[i / columns][i % columns]"

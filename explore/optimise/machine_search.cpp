@@ -13,9 +13,9 @@ namespace placedpar {
 
 namespace {
 
-constexpr int most_draws = 20'000; ///< failed draws in a row after which no further machines are expected
+constexpr int most_draws = 20'000; ///< failed draws in a row after which no further machine is expected
 
-constexpr std::size_t at_once = 1000; ///< machines given to MachineTrials at once
+constexpr std::size_t at_once = 1000; ///< largest number of machines in one call of MachineTrials::try_out
 
 [[noreturn]] void refuse_empty() { throw UserError("no combination satisfies the study's condition"); }
 
@@ -34,7 +34,7 @@ SearchSettings settings_of(const StudySearch& wanted, std::size_t bits) {
     settings.reproduction = UniversalReproduction{};
     settings.crossover = UniformCrossover{};
     settings.crossover_probability = 0.9;
-    settings.mutation_probability = 1 / static_cast<double>(bits); // a bit of each offspring, on average
+    settings.mutation_probability = 1 / static_cast<double>(bits); // on average, one bit of each offspring
     return settings;
 }
 
@@ -65,8 +65,7 @@ std::optional<SearchCourse> MachineSearch::genetic() {
     return course;
 }
 
-/// Draws the population from the machines for which the condition holds: otherwise the condition could reject almost
-/// all of them.
+/// Draws the population only from machines for which the condition holds, since it may hold for very few.
 std::vector<Genome> MachineSearch::first_population() {
     RandomStream random(wanted_.seed, "optimise/first");
     std::vector<Genome> population;
@@ -82,7 +81,7 @@ std::vector<Genome> MachineSearch::first_population() {
     return population;
 }
 
-/// Returns a fitness by rank for the better half; 0 for the others, which do not become parents.
+/// Returns a fitness by rank for the better half; 0 for the other half, which has no offspring.
 std::vector<double> MachineSearch::fitness_of(const std::vector<std::uint64_t>& machines) {
     std::vector<Merit> merits;
     std::set<std::uint64_t> seen;
@@ -110,7 +109,7 @@ std::optional<SearchCourse> MachineSearch::random(std::size_t simulated) {
     return course;
 }
 
-/// Draws `wanted` machines that have not been drawn before; fewer if almost none are left.
+/// Draws `wanted` machines that have not been drawn before; fewer if almost no such machine is left.
 std::vector<std::uint64_t> MachineSearch::draw(std::size_t wanted, std::set<std::uint64_t>& drawn,
                                                RandomStream& random) {
     std::vector<std::uint64_t> machines;
@@ -137,7 +136,7 @@ std::optional<SearchCourse> MachineSearch::exhaustive() {
     return course;
 }
 
-/// Tries the machines, and adds the new ones to the course. Returns false if interrupted.
+/// Tries the machines, and adds the new machines to the course. Returns false if interrupted.
 bool MachineSearch::take(SearchCourse& course, const std::vector<std::uint64_t>& machines, const std::string& step) {
     listener_({course, step, 0});
     if (!trials_.try_out(machines, [&](std::uint64_t runs) { listener_({course, step, runs}); }))

@@ -27,7 +27,7 @@ struct SearchCourse {
     std::set<std::uint64_t> tried = {};         ///< `machines`, and the machines that cannot be built
     std::map<std::string, Infeasible> why = {}; ///< infeasible machines by the first line of the refusal
 
-    /// Returns the indices of the machines that no other dominates; with one cost, all machines of least cost.
+    /// Returns the indices of the machines that no other machine dominates; with one cost, all machines of least cost.
     std::vector<std::size_t> front() const { return front_of(merits); }
 };
 
@@ -38,8 +38,8 @@ struct CourseProgress {
     std::uint64_t runs; ///< runs of this step made so far
 };
 
-/// The methods of searching for the best machine of a space. Each is deterministic: the number of workers and earlier
-/// runs do not matter. A method that is interrupted returns nothing.
+/// The methods of searching for the best machine of a space. The result of each method depends neither on the number of
+/// workers nor on earlier runs. A method that is interrupted returns nothing.
 class MachineSearch {
 public:
     using Listener = std::function<void(const CourseProgress&)>;
@@ -49,11 +49,11 @@ public:
 
     /// Searches by the genetic algorithm of this project, with NSGA-II's scheme. Each generation is sorted by
     /// order_of(). The better half survives unchanged as the elite, and breeds the other half by stochastic universal
-    /// sampling over linear ranks and uniform crossover. A genome whose machine another genome has already counts as
-    /// infeasible, so that each machine is in the elite once. Throws UserError if the condition holds for none of the
+    /// sampling over linear ranks and uniform crossover. If several genomes code one machine, all but the first count
+    /// as infeasible, so that the elite has each machine once. Throws UserError if the condition holds for none of the
     /// machines drawn.
     std::optional<SearchCourse> genetic();
-    /// Draws different machines for which the condition holds, until `simulated` of them have been simulated, or nearly
+    /// Draws different machines for which the condition holds, until `simulated` machines have been simulated or nearly
     /// all such machines have been drawn.
     std::optional<SearchCourse> random(std::size_t simulated);
     /// Simulates every machine for which the condition holds.

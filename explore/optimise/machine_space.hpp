@@ -20,7 +20,7 @@ public:
     /// machines than 64 bits can count. REQUIRES: the study outlives this object, and has a product.
     explicit MachineSpace(const Study&);
 
-    /// Counts all machines, including those for which the study's condition does not hold.
+    /// Counts all machines, including machines for which the study's condition does not hold.
     std::uint64_t count() const { return count_; }
     /// Returns whether the study's condition holds for the machine.
     bool holds(std::uint64_t machine) const { return product_.where.holds(settings(machine)); }
@@ -32,7 +32,7 @@ public:
     Overrides fixed() const;
 
     std::size_t bits() const { return coding_.bits(); }
-    /// REQUIRES: a string of bits().
+    /// REQUIRES: the genome has bits() bits.
     std::uint64_t machine_of(const Genome&) const;
 
 private:

@@ -10,14 +10,14 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-/// Sorts by feasibility and costs, so that a machine comes before those that it dominates.
+/// Sorts by feasibility and costs. A machine then comes before the machines that it dominates.
 void sort_by_costs(Indices& indices, std::span<const Merit> merits) {
     std::ranges::stable_sort(indices, [&](std::size_t a, std::size_t b) {
         return merits[a].feasible != merits[b].feasible ? merits[a].feasible : merits[a].costs < merits[b].costs;
     });
 }
 
-/// Moves the machines that no other dominates out of `left`. REQUIRES: left is sorted by costs.
+/// Moves the machines that no other machine dominates out of `left`. REQUIRES: left is sorted by costs.
 Indices take_front(Indices& left, std::span<const Merit> merits) {
     Indices front, rest;
     for (std::size_t each : left) {
@@ -30,7 +30,7 @@ Indices take_front(Indices& left, std::span<const Merit> merits) {
 }
 
 /// Adds to each machine of the front the distance between its neighbours in one cost, as a fraction of the front's
-/// range; to the ends of the front, a value above any sum.
+/// range. The two ends of the front get infinity.
 void add_distances(const Indices& front, std::span<const Merit> merits, std::size_t cost,
                    std::vector<double>& distances) {
     Indices order = front;

@@ -56,8 +56,8 @@ std::string print_start(const Trial& start) {
                           start.merit.feasible ? print_cost(start.merit.costs) : refusal_line(start.why), "");
 }
 
-/// Prints how many points of the joint front a course found; for one cost, the best value and after how many machines
-/// it was found.
+/// Prints how many points of the joint front a course found; for one cost, prints the best value and the number of
+/// machines tried until it was found.
 std::string print_course(const SearchCourse& course, const std::set<Costs>& joint) {
     std::string machines = std::to_string(course.machines.size());
     std::set<Costs> own = costs_on_front(course);

@@ -35,7 +35,7 @@ std::vector<std::string> shown_measures(const Study&);
 /// Returns the settings and measures of the best machines, the best first.
 StudySummary summary_of_best(StudyResults&, const Study&, const MachineSpace&, const SearchCourse&);
 
-/// Compares what each method found, and in how many runs, with the unchanged netlist.
+/// Prints the unchanged netlist, then what each method found and the number of machines tried until then.
 std::string print_comparison(const Optimum&);
 
 /// Explains why two runs take different times, by the activities on their critical paths.

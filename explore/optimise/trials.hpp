@@ -20,7 +20,7 @@ namespace placedpar {
 /// The result of trying a machine.
 struct Trial {
     Merit merit;
-    bool simulated = false; ///< false: the netlist refuses the machine, so no run was needed
+    bool simulated = false; ///< false: the netlist or the study's condition refuses the machine
     std::string why = "";   ///< reason if the machine is infeasible: a refusal, the end of a run, or a missing measure
 };
 
@@ -58,7 +58,7 @@ private:
     Interruption& interruption_;
     std::vector<StudyMeasure> costs_;
     std::map<std::uint64_t, Trial> trials_;
-    std::vector<bool> found_;         ///< by cost: whether some run had this measure
+    std::vector<bool> found_;         ///< for each cost: whether some run had this measure
     std::optional<StudyFigures> any_; ///< figures of some completed run
 };
 

@@ -13,9 +13,9 @@ namespace placedpar {
 /// A single value, or the values of a range, which are computed when needed.
 class StudyValues {
 public:
-    /// Reads the values of the setting `name`: "5M", "0..7", "0..100..10" in steps of 10, "1..64..x2" doubling at each
-    /// step. A range is ascending and includes its last value if a step meets this value. Throws UserError if the range
-    /// is empty or its ends are not numbers.
+    /// Reads the values of the setting `name`: "5M", "0..7", "0..100..10" (steps of 10), "1..64..x2" (doubles at each
+    /// step). A range is ascending and includes its last value if a step meets this value. Throws UserError if the
+    /// range is empty or its ends are not numbers.
     StudyValues(const std::string& name, std::string_view text);
 
     std::uint64_t count() const { return count_; }
@@ -53,7 +53,7 @@ struct StudyAxis {
 /// Reads an axis such as "slaves=0..7,10". Commas separate its parts, except within quotes, parentheses or braces.
 /// Throws UserError.
 StudyAxis read_axis(const std::string& text);
-/// Reads the parts after the `=`; a single value that is equal to an earlier one is left out. Throws UserError, which
+/// Reads the parts after the `=`; a single value that is equal to an earlier value is left out. Throws UserError, which
 /// names the axis.
 std::vector<StudyValues> read_values(const std::string& name, const std::string& text);
 

@@ -18,7 +18,7 @@ public:
     /// Returns the same settings in the chosen spelling.
     Overrides of(Overrides set);
     /// Calls the function for each run, with its settings in the chosen spelling. Of several runs that differ only in
-    /// spelling, only the run that was made with the chosen spelling is passed.
+    /// spelling, only one is passed: the run that was made with the chosen spelling, if there is one.
     void for_each(const std::function<void(const StudyRun&, const StudyOutcome&)>&);
 
 private:
@@ -26,9 +26,9 @@ private:
 
     StudyResults& results_;
     const Study* study_;
-    std::map<std::string, std::map<std::string, std::string>> known_, ///< by name and text
-        of_runs_;                                                     ///< by name and meaning
-    bool differ_ = false;                                             ///< whether the spelling of some run differs
+    std::map<std::string, std::map<std::string, std::string>> known_, ///< chosen spelling; keys: name, then text
+        of_runs_;                                                     ///< chosen spelling; keys: name, then meaning
+    bool differ_ = false; ///< whether some run has a spelling that was not chosen
 };
 
 } // namespace placedpar

@@ -18,7 +18,7 @@ namespace {
 
 using FiguresByName = StudyExpression::Figures;
 
-/// Collects why cells of a table have no figure: the number of runs for each kind of ending.
+/// Collects the reasons why cells of a table have no figure, with the settings of these cells.
 class MissingFigures {
 public:
     void add(const Overrides& set, const UserError& why) {

@@ -18,7 +18,8 @@ public:
     void add_settings(const Overrides&);
     void add_measures(const std::vector<std::string>&);
 
-    /// Throws UserError for a name in the expression that has no meaning or several. `other` has further names.
+    /// Throws UserError for a name in the expression that has no meaning or several meanings. `other` has further
+    /// names.
     void require(const StudyExpression&, const FigureNames& other) const;
 
 private:

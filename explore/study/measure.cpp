@@ -217,8 +217,8 @@ void PossibleMeasures::add(const Network& network, const Catalogue& kinds, const
     }
 }
 
-/// Adds the measures of a process. A kind describes measures whose names depend on the process in words, such as "the
-/// problem's parameters".
+/// Adds the measures of a process. If the names of measures depend on the process, the kind describes them in words,
+/// such as "the problem's parameters".
 void PossibleMeasures::add(const ProcessInstance& process, const std::string& described,
                            const ProblemRegistry& problems) {
     auto problem = process.parameters.find("problem");

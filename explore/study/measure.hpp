@@ -36,7 +36,7 @@ std::string figures_text(const StudyFigures&);
 StudyFigures figures_from(const std::string&);
 
 /// One figure of a run, as a study names it: "time", "master[0].T_exe"; "master.T_exe" is the mean over all processes
-/// of the array master; min(...), max(...) and sum(...) are the minimum, maximum and sum over them.
+/// of the array master; min(...), max(...) and sum(...) are the minimum, maximum and sum over these processes.
 class StudyMeasure {
 public:
     /// Throws UserError for a text that cannot name a measure.
@@ -48,7 +48,7 @@ public:
 
     /// Returns the name of the measured quantity: "master.T_exe" for "max(master[0].T_exe)".
     std::string name_without_subscripts() const;
-    /// Returns its name in the figures of tables: "T_exe".
+    /// Returns the measure's name in the figures of tables: "T_exe".
     std::string last_name() const;
 
 private:
@@ -76,7 +76,8 @@ private:
     void add(const ProcessInstance&, const std::string& described, const ProblemRegistry&);
 
     std::set<std::string> names_;   ///< without subscripts
-    std::set<std::string> unknown_; ///< "column.": processes with measurements that their kind does not name
+    std::set<std::string> unknown_; ///< prefixes such as "column.", of processes whose kind does not describe all
+                                    ///< measurements
 };
 
 } // namespace placedpar

@@ -27,7 +27,7 @@ void RankHelper::tell(const RankMessage& message) {
     ranks_.send(0, text_of(message));
 }
 
-/// Rank 0 begins after reading the study, so that only rank 0 reports its errors.
+/// Rank 0 begins after reading the study, so that only rank 0 reports errors in the study.
 void RankHelper::help(const std::function<Study()>& study, const Interruption& interruption) {
     try {
         RankMessage first = wait_for_message();

@@ -15,8 +15,8 @@
 
 namespace placedpar {
 
-/// Makes runs of a sweep in a rank other than 0. Rank 0 hands out the runs (rank_zero.hpp), and the helper makes `jobs`
-/// runs at once. It requests one run more than this number, so that its threads do not wait for rank 0.
+/// Makes runs of a sweep in a rank other than 0. Rank 0 hands out the runs (rank_zero.hpp). The helper makes runs in
+/// `jobs` threads, and requests one run more than it has threads, so that no thread waits for rank 0.
 class RankHelper {
 public:
     /// REQUIRES: `ranks` outlives this object.

@@ -26,7 +26,7 @@ void* load_module() {
     std::error_code unknown;
     std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path();
     for (const auto& path : {folder / name, folder.parent_path() / "lib" / "placedpar" / name, name})
-        if (void* module = dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL)) // Open MPI's own modules look for it
+        if (void* module = dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL)) // global for Open MPI's own modules
             return module;
     return nullptr;
 }

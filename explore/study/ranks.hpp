@@ -12,7 +12,7 @@ namespace placedpar {
 /// sent.
 ///
 /// REQUIRES: used only by the thread that called ranks_of_mpirun(), and not destroyed while another rank may still send
-/// a message to this one.
+/// a message to this rank.
 class Ranks {
 public:
     struct Message {

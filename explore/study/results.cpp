@@ -24,7 +24,7 @@ namespace placedpar {
 namespace {
 
 constexpr std::int64_t results_application = 0x50507374; // "PPst"
-constexpr std::int64_t results_format = 2;               // 1 had no checksums
+constexpr std::int64_t results_format = 2;               // format 1 had no checksums
 
 constexpr const char* results_schema =
     "CREATE TABLE study(id INTEGER PRIMARY KEY CHECK(id = 1), netlist TEXT NOT NULL, options TEXT NOT NULL, "
@@ -61,7 +61,7 @@ std::string text_of_file(const std::string& path) {
     return loaded.file->text();
 }
 
-/// Refuses a folder, for which SQLite's message would be that it cannot open the file.
+/// Refuses a folder, and any other path that is not a file. SQLite would say only that it cannot open the file.
 void require_no_folder(const std::filesystem::path& path) {
     std::error_code ignored;
     if (is_standard_stream(path) ||
@@ -77,7 +77,8 @@ void make_file(const std::filesystem::path& path) {
 
 std::uint64_t fingerprint_from(const std::string& text) { return parse_number<std::uint64_t>(text, 16).value(); }
 
-/// Returns all objects of the database as text. Foreign ones, such as triggers or views, would act on our tables.
+/// Returns all objects of the database as text. Objects of other programs, such as triggers or views, would act on our
+/// tables.
 std::string schema_of(store::Database& database) {
     return database.text("SELECT group_concat(type || ' ' || name || ' ' || tbl_name || ' ' || ifnull(sql, ''), '; ') "
                          "FROM (SELECT * FROM sqlite_schema ORDER BY type, name)");
@@ -94,7 +95,7 @@ std::int64_t checksum_of_run(const Columns&... columns) {
     return checksum_of("run", fmt::format("{}", columns)...);
 }
 
-/// Returns the checksum that a run with the row's contents would have.
+/// Returns the checksum of a run with the row's contents.
 std::int64_t checksum_in(const store::Statement& row) {
     auto of = [&]<int... column>(std::integer_sequence<int, column...>) {
         return checksum_of_run(row.text(column)...);
@@ -211,7 +212,7 @@ StudyResults::StudyResults(const std::filesystem::path& path) : path_(path) {
     });
 }
 
-/// Leaves one file and none of SQLite's companion files, unless another process is reading it.
+/// Removes SQLite's companion files, unless another process is reading the file.
 StudyResults::~StudyResults() {
     try {
         has_.reset();
@@ -220,7 +221,7 @@ StudyResults::~StudyResults() {
         update_.reset();
         if (lock_ && database_)
             database_->run("PRAGMA journal_mode = DELETE");
-    } catch (const store::DatabaseError&) { // the file is then left as it is; it is complete
+    } catch (const store::DatabaseError&) { // the companion files then remain; the file is complete
     }
 }
 
@@ -281,7 +282,8 @@ void StudyResults::read_head() {
         refuse_damaged("the row of table study, or one of table texts");
 }
 
-/// Reads the runs in order, so that none can occur twice, and reading ends however the file is damaged.
+/// Reads the runs in their order. A run out of order is refused, so no run occurs twice, and a loop in a damaged file
+/// is detected.
 void StudyResults::read_runs() {
     std::int64_t count = 0, sum = 0;
     std::pair<std::string, std::int64_t> last;

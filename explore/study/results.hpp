@@ -31,8 +31,9 @@ struct StudyOutcome {
 struct StudySource {
     std::string netlist;                                    ///< path as typed by the user; it is not compared
     std::vector<std::pair<std::string, std::string>> texts; ///< path and text of the netlist and its included files
-    std::string options; ///< JSON of everything else that determines a run, such as faults; for a function, its owner
-    std::string named_by = " with --results"; ///< how to name another file, for the text of a refusal
+    std::string options; ///< JSON of everything else that determines a run, such as faults; for a function, a text that
+                         ///< identifies it
+    std::string named_by = " with --results"; ///< text for a refusal: how to name another file
 
     /// Compares all but the paths of the files.
     bool operator==(const StudySource& other) const;
@@ -46,7 +47,7 @@ StudySource source_of(const Study&, const Network& network);
 /// UserError with the file's name.
 class StudyResults {
 public:
-    /// Opens a file to add runs, or creates it. Refuses a file of another netlist, of other options or of a later
+    /// Opens a file to add runs, or creates it. Refuses a file of another netlist, of other options or of another
     /// format. Unless `of_any_version`, refuses a file of another version of PlacedPar. Also refuses a file to which
     /// another program is adding runs.
     StudyResults(const std::filesystem::path&, const StudySource&, bool of_any_version = false);
@@ -78,7 +79,7 @@ public:
     const std::filesystem::path& path() const { return path_; }
 
 private:
-    /// The data of the file other than the runs, and the checks of the runs.
+    /// The data of the file besides its runs, with the number of runs and the sum of their checksums.
     struct Head {
         StudySource source;
         std::string version, measures;
@@ -90,7 +91,7 @@ private:
 
     void open(const StudySource&, bool of_any_version);
     void make(const StudySource&);
-    /// Returns whether the file has content; throws if the content is not that of a file of results.
+    /// Returns whether the file has content; throws if the file is not a file of results.
     bool is_ours();
     void read_head();
     void write_head();
@@ -105,7 +106,7 @@ private:
     auto parsed(Read read);
 
     std::filesystem::path path_;
-    std::optional<store::FileLock> lock_; ///< none: the file is only read
+    std::optional<store::FileLock> lock_; ///< empty: the file is only read
     std::optional<store::Database> database_;
     std::optional<store::Statement> has_, find_, insert_, update_;
     Head head_;

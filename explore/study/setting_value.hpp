@@ -15,7 +15,7 @@ std::optional<Constant> constant_of_setting(const std::string& text);
 /// for a text.
 std::optional<double> number_of_setting(const std::string& text);
 
-/// Returns whether the name is that of a clock or the speed of a link: "t.clock".
+/// Returns whether the setting of this name is a clock or the speed of a link: "t.clock".
 bool is_frequency(const std::string& name);
 
 /// A value of --set, compared by its meaning: 8 equals 8.0, a text equals the same text in quotes, and for a clock or
@@ -27,7 +27,7 @@ public:
     SettingValue(const std::string& name, std::string spelling);
 
     const std::string& spelling() const { return spelling_; }
-    /// Returns a text that two values share exactly if they are equal.
+    /// Returns a text that is equal for equal values, and different for different values.
     const std::string& meaning() const { return meaning_; }
     std::optional<double> number() const { return number_of_setting(spelling_); }
     /// Returns whether the number has a point or a power of ten: some settings accept 8 but not 8.0.
@@ -40,7 +40,7 @@ private:
     bool is_real_;
 };
 
-/// Returns the spelling to use for both values: the first, unless only the other spelling is accepted by every setting.
+/// Returns the spelling to use for both values: the first, unless some setting accepts only the other spelling.
 /// REQUIRES: the values are equal.
 const SettingValue& better_spelt(const SettingValue& first, const SettingValue& other);
 

@@ -20,8 +20,8 @@ struct StudyProduct {
     std::vector<StudyAxis> axes;
     StudyExpression where{""};
 
-    /// Returns the number of combinations, including those for which the condition does not hold. Throws UserError if
-    /// this number exceeds 64 bits; the message names the cause.
+    /// Returns the number of combinations, including combinations for which the condition does not hold. Throws
+    /// UserError if this number exceeds 64 bits; the message names the cause.
     std::uint64_t count() const;
     /// REQUIRES: index < count().
     Overrides at(std::uint64_t index) const;
@@ -47,33 +47,33 @@ struct StudySearch {
     std::uint64_t seed = 1;            ///< seed of the search's random numbers
 };
 
-/// A function that is run in place of a netlist. It is called from several threads at once. REQUIRES: its figures are
-/// finite.
+/// A function that is run in place of a netlist. Several threads may call it at the same time. REQUIRES: its figures
+/// are finite.
 using StudyFunction = std::function<StudyFigures(const StudyRun&)>;
 
 /// The runs to be made of a netlist or of a function, and the measures to be reported.
 struct Study {
     std::string netlist;         ///< path of the netlist
-    StudyFunction function = {}; ///< none: the netlist is run
+    StudyFunction function = {}; ///< empty: the netlist is run
     ReadOptions read = {};
     std::vector<StudyProduct> products;
     std::uint64_t first_seed = 1, seeds = 1; ///< each combination is run with `seeds` seeds
     Time until = Time::max();                ///< virtual time at which unfinished runs are stopped
     std::vector<std::string> measures;
     Overrides relative_to =
-        {}; ///< each figure is divided by the figure of the run with these settings; none: figures are absolute
-    std::optional<StudySearch> search = {}; ///< none: the study is only swept
+        {}; ///< each figure is divided by the figure of the run with these settings; empty: figures are absolute
+    std::optional<StudySearch> search = {}; ///< empty: the study is only swept
     std::vector<StudyTable> tables = {};    ///< tables of figures beside known figures
     std::vector<std::string> figures = {};  ///< measures that occur in the tables
-    std::string notes = "";                 ///< for people, below the tables
+    std::string notes = "";                 ///< text printed below the tables
 
-    /// Returns the number of runs, including those for which the condition does not hold. Throws UserError if this
+    /// Returns the number of runs, including runs for which the condition does not hold. Throws UserError if this
     /// number or the last seed exceeds 64 bits; the message names the cause.
     std::uint64_t count() const;
     /// Returns a run; nothing if the condition does not hold for it. The seed varies fastest. REQUIRES: index <
     /// count().
     std::optional<StudyRun> at(std::uint64_t index) const;
-    /// Returns whether the study has runs with these settings and any others; conditions are ignored.
+    /// Returns whether some combination of the study includes these settings; ignores conditions.
     bool has_some(const Overrides&) const;
     /// Returns the names of all settings of the study.
     std::vector<std::string> names() const;
@@ -86,7 +86,7 @@ struct Study {
 /// its products and seeds do not change.
 class StudyRuns {
 public:
-    /// Throws as Study::count().
+    /// Throws as Study::count() does.
     explicit StudyRuns(const Study&);
 
     std::uint64_t count() const { return ends_.empty() ? 0 : ends_.back(); }

@@ -94,7 +94,7 @@ private:
                 {"where", [&](const toml::node& node) { read_condition(node, product); }}};
     }
 
-    /// Reads each table of a list when it is its turn among all of [[also]] and [[table]].
+    /// Registers the tables of a list: all tables of [[also]] and [[table]] are read in the order of the file.
     void read_in_turn(const toml::node& node, void (StudyReader::*read)(const toml::table&), const char* what,
                       const char* form) {
         for (const toml::table* each : tables_in(node, what, form))
@@ -117,7 +117,7 @@ private:
 
     using Members = std::map<std::string, const toml::node*>;
 
-    /// A table that has been read, with what later tables can take over by "like".
+    /// A table that has been read, and the data that a later table can take over by "like".
     struct TableRead {
         StudyTable table;
         Members of_rows; ///< members that hold for all its rows
@@ -411,7 +411,7 @@ private:
         return set;
     }
 
-    /// Reports a key of the whole study that stands below a line in brackets, and so belongs to that table.
+    /// Reports a key of the whole study that stands below a line in brackets, and so became a key of that table.
     void report_misplaced(const std::string& name, const toml::node& node) {
         report(node.source().begin, fmt::format("\"{}\" belongs to the whole study, not to this table", name),
                "move it above [set] and [[also]]");
@@ -488,7 +488,7 @@ private:
     std::vector<std::string> of_whole_study_;
     /// The readers of [[also]] and [[table]] by line, so that runs come in the order of the file.
     std::multimap<toml::source_index, std::function<void()>> parts_;
-    std::map<std::string, TableRead> tables_read_; ///< by name
+    std::map<std::string, TableRead> tables_read_; ///< key: name
 };
 
 } // namespace

@@ -32,7 +32,7 @@ svg {{ max-width: 100%; height: auto }}
 /// Returns the <svg> element of an SVG file, without the lines before it.
 std::string inline_svg(const std::string& file) { return file.substr(file.find("<svg")); }
 
-/// Returns the plot, or a paragraph that says why there is none.
+/// Returns the plot, or a paragraph that says why there is no plot.
 std::string figure_of(const StudySummary& summary, const std::string& over) {
     try {
         Plot plot = summary_plot(summary, over);

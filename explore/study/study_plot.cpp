@@ -78,7 +78,7 @@ bool is_drawn_by_decades(const StudySummary& summary, std::size_t over) {
     return least > 0 && greatest / least > wide && median < crowded * greatest;
 }
 
-/// The curves of one measure, by name in the order of the lines.
+/// The curves of one measure, in the order of the lines.
 class PanelOfMeasure {
 public:
     PanelOfMeasure(const StudySummary& summary, std::size_t measure, std::size_t over)
@@ -107,7 +107,7 @@ private:
         curves_[curve].intervals.push_back(interval_of(cell));
     }
 
-    /// Returns the interval; none if all runs have the same value.
+    /// Returns the interval; NaN if all runs have the same value.
     static Interval interval_of(const StudyCell& cell) {
         constexpr double none = std::numeric_limits<double>::quiet_NaN();
         const double half = cell.half_width > 0 ? cell.half_width : none;

@@ -7,9 +7,9 @@
 
 namespace placedpar {
 
-/// Finds out whether a study has runs with given settings. Products with a single combination, which the cells of
-/// tables make by the thousand, are looked up in a set by the meaning of their values; only products with several
-/// combinations are searched one by one.
+/// Finds out whether a study has runs with given settings. Tables make thousands of products with a single combination:
+/// these are looked up in a set by the meaning of their values. Only products with several combinations are searched
+/// one by one.
 class StudySettings {
 public:
     StudySettings() = default;

@@ -15,7 +15,7 @@ namespace placedpar {
 
 namespace {
 
-/// Figures of a run, by measure; none if the run does not have the measure.
+/// Figures of a run, one for each measure; empty if the run does not have the measure.
 using Measured = std::vector<std::optional<StudyFigure>>;
 
 Measured measured(const StudyOutcome& outcome, const std::vector<StudyMeasure>& measures) {
@@ -26,7 +26,7 @@ Measured measured(const StudyOutcome& outcome, const std::vector<StudyMeasure>& 
     return figures;
 }
 
-/// The figures of the reference runs, by which those of other runs are divided.
+/// The figures of the reference runs. The figures of other runs are divided by them.
 class References {
 public:
     References(CanonicalSettings& spellings, const std::vector<StudyMeasure>& measures, const Overrides& relative_to)

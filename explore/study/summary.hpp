@@ -27,10 +27,10 @@ private:
 /// The runs of one combination.
 struct StudyLine {
     std::vector<std::string> values; ///< values of the axes; "" for an axis that this combination does not set
-    std::uint64_t runs = 0;          ///< all
+    std::uint64_t runs = 0;          ///< number of all runs
     std::map<std::string, std::uint64_t> ended; ///< number of runs that did not complete, by how they ended
     std::string refused = "";                   ///< first line of the reason for a refusal
-    std::vector<StudyCell> cells;               ///< by measure
+    std::vector<StudyCell> cells;               ///< for each measure
 };
 
 /// The statistics of a study's runs.
@@ -39,10 +39,10 @@ struct StudySummary {
     std::vector<std::string> axes = {}; ///< axes that have several values
     Overrides fixed = {};               ///< settings that all combinations share
     Overrides relative_to =
-        {}; ///< each figure is divided by the figure of the run with these settings; none: figures are absolute
+        {}; ///< each figure is divided by the figure of the run with these settings; empty: figures are absolute
     std::uint64_t unrelated = 0; ///< number of runs with figures but without such a reference run
     std::vector<std::string> measures = {}, units = {};
-    std::vector<StudyLine> lines = {}; ///< in the order of the values, numbers as numbers
+    std::vector<StudyLine> lines = {}; ///< sorted by the values; numbers are sorted by size
 
     std::uint64_t runs() const;
     /// Returns the names of all settings of the runs.
@@ -52,9 +52,9 @@ struct StudySummary {
 };
 
 /// Summarises the runs in the results; with a study, only the runs of its combinations, with any seed. If `measures` is
-/// empty, the measures requested last are used. With `relative_to`, each figure is divided by the figure of the
-/// reference run: the run that has these settings, is otherwise the same, including the seed, and ended in the same
-/// way. A run without a reference run has no figure. Equal settings are combined and spelt as in the study
+/// empty, the measures requested last are used. With `relative_to`, each figure is divided by the figure of a reference
+/// run. The reference run has the settings `relative_to`, and otherwise the settings, the seed and the ending of the
+/// run. A run without a reference run has no figure. Equal settings are combined and spelt as in the study
 /// (SettingValue).
 StudySummary summary_of(StudyResults&, std::vector<std::string> measures = {}, const Study* study = nullptr,
                         const Overrides& relative_to = {});

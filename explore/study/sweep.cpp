@@ -25,20 +25,20 @@ namespace placedpar {
 namespace {
 
 constexpr std::uint64_t most_read = 100;          ///< combinations that are read if there are very many
-constexpr std::uint64_t most_refused = 300;       ///< as most_read, if combinations are refused for different reasons
-constexpr std::uint64_t most_counted = 1'000'000; ///< number of runs up to which all are looked up
+constexpr std::uint64_t most_refused = 300;       ///< the limit if combinations are refused for different reasons
+constexpr std::uint64_t most_counted = 1'000'000; ///< largest number of runs for which each run is looked up
 
 /// Collects the combinations that cannot be read.
 class Refusals {
 public:
-    /// Adds a refusal. REQUIRES: called while it is being caught.
+    /// Adds a refusal. REQUIRES: called from the handler that caught it.
     void add(const UserError& refused) {
         if (count_++ == 0)
             first_ = std::current_exception();
         said_.insert(refused.what());
     }
     std::uint64_t count() const { return count_; }
-    /// Returns whether other combinations may be readable: few have been refused, or for different reasons.
+    /// Returns whether other combinations may be readable: few have been refused, or the reasons differ.
     bool leave_hope() const { return count_ < most_read || (said_.size() > 1 && count_ < most_refused); }
     void rethrow_first() const { std::rethrow_exception(first_); }
 
@@ -53,10 +53,10 @@ class NetworkReader {
 public:
     explicit NetworkReader(const Study& study)
         : seeds_(study.seeds), runs_(study), netlist_(study.netlist, study.read) {}
-    NetworkReader(const NetworkReader&) = delete; // the kinds know the problems
+    NetworkReader(const NetworkReader&) = delete; // not copied: the kinds refer to the problems
 
-    /// Returns the network; nothing if the condition does not hold for the combination, or if it is refused, which is
-    /// noted in `refusals`.
+    /// Returns the network; nothing if the condition does not hold for the combination. If the network is refused, adds
+    /// the refusal to `refusals` and returns nothing.
     std::optional<Network> at(std::uint64_t combination, Refusals& refusals) const {
         std::optional<StudyRun> run = runs_.at(combination * seeds_);
         try {
@@ -76,8 +76,9 @@ private:
     const Catalogue kinds_ = known_kinds(problems_);
 };
 
-/// Yields all combinations of a study, beginning with the first and the last. Any number of them is spread evenly over
-/// the study: the step is the golden ratio of the count, which, unlike a round number, is in phase with no axis.
+/// Yields all combinations of a study, beginning with the first and the last. After any number of steps, the
+/// combinations so far are spread evenly over the study: the step is the number of combinations times the golden ratio,
+/// so the steps do not repeat the values of any axis.
 class SpreadCombinations {
 public:
     explicit SpreadCombinations(const Study& study) : count_(study.count() / study.seeds) {
@@ -86,7 +87,7 @@ public:
         while (std::gcd(step_, count_) != 1)
             ++step_;
     }
-    /// Returns the next combination; nothing after all. The last combination comes twice.
+    /// Returns the next combination; nothing after the last. The last combination comes twice.
     std::optional<std::uint64_t> next() {
         if (given_ > count_)
             return std::nullopt;
@@ -100,7 +101,7 @@ private:
     std::uint64_t count_, step_ = 1, at_ = 0, given_ = 0;
 };
 
-/// Calls `look` with networks of the study until it returns true: with all of them, or, if there are very many, with
+/// Calls `look` with networks of the study until it returns true. If there are very many networks, calls it only with
 /// some that are spread over the study.
 void look_at_networks(const Study& study, const std::function<bool(const Network&)>& look) {
     const NetworkReader reader(study);
@@ -114,7 +115,7 @@ void look_at_networks(const Study& study, const std::function<bool(const Network
     }
 }
 
-/// Makes runs in one thread, as StudyWorker::outcome_of().
+/// Makes runs in one thread, as StudyWorker::outcome_of() does.
 using RunMaker = std::function<std::optional<StudyOutcome>(const StudyRun&, Interruption&)>;
 
 RunMaker maker_of(const Study& study) {
@@ -166,8 +167,8 @@ void StudyWorker::go_to_network(const Overrides& set) {
     departed_ = 0;
 }
 
-/// Returns whether to record the next run. If runs differ between seeds, or cannot be repeated, recording is given up
-/// after a few.
+/// Returns whether to record the next run. If runs differ between seeds or cannot be repeated, recording stops after a
+/// few runs.
 bool StudyWorker::is_worth_recording() const {
     constexpr std::uint64_t departures_at_most = 3;
     return study_.seeds > 1 && departed_ < departures_at_most && is_determinate(network_, kinds_);
@@ -182,8 +183,8 @@ std::optional<RunReport> StudyWorker::repeat(const RunSettings& settings) {
     return report;
 }
 
-/// Makes a run, if possible by repeating the record. A run that differs from the record is recorded instead, since
-/// later runs may be like it.
+/// Makes a run, if possible by repeating the record. If the run differs from the record, the run becomes the new
+/// record, since later runs may equal it.
 RunReport StudyWorker::report_of(const StudyRun& run, Interruption& interruption) {
     RunSettings settings{.seed = run.seed, .until = study_.until, .interruption = &interruption};
     if (record_ && record_->can_be_repeated())
@@ -312,7 +313,7 @@ StudySweep::Missing StudySweep::missing() {
     return {found, true};
 }
 
-/// Measures the time of a run. A refused run takes no time, so others are tried, up to a limit.
+/// Measures the time of a run. A refused run takes no time, so further runs are tried, up to a limit.
 std::optional<double> StudySweep::seconds_a_run(Interruption& interruption) {
     bool was_run = false;
     std::uint64_t refused = 0;

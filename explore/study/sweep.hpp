@@ -18,24 +18,23 @@
 
 namespace placedpar {
 
-/// Returns a network of the study. It tries some combinations spread over the study, or all combinations if the
-/// condition holds for none of these, and returns the first network that can be read. If none can be read, throws
-/// UserError with the refusal of the first.
+/// Returns a network of the study. Tries some combinations spread over the study, or all combinations if the condition
+/// holds for none of these, and returns the first network that can be read. If no network can be read, throws UserError
+/// with the first refusal.
 Network readable_network(const Study&);
 
-/// Throws UserError if no run can have one of the measures. All combinations are checked; if there are very many, only
-/// some combinations spread over the study. `network` is a network of the study.
+/// Throws UserError for a measure that no run can have. Checks all combinations; if there are very many, only some
+/// combinations spread over the study. `network` is a network of the study.
 void require_possible(const std::vector<std::string>& measures, const Study&, const Network&);
 
-/// Makes runs of a study, one after the other. Data that runs share are made once: the kinds; the parsed netlist; for
-/// the runs of one combination, the network, and the events on the machine if they do not depend on the seed
-/// (RecordedRun); for the runs of one seed, the records of measurement; and the fitness of strings of objective
-/// problems.
+/// Makes runs of a study, one after the other. Data that runs share are made once: the kinds and the parsed netlist;
+/// for each combination, the network and, if they do not depend on the seed, the events on the machine (RecordedRun);
+/// for each seed, the records of measurement. The fitness of a string of an objective problem is computed once, too.
 class StudyWorker {
 public:
     /// REQUIRES: the study outlives this object.
     explicit StudyWorker(const Study& study) : study_(study), netlist_(study.netlist, study.read) {}
-    StudyWorker(const StudyWorker&) = delete; // the kinds know the problems
+    StudyWorker(const StudyWorker&) = delete; // not copied: the kinds refer to problems_
     StudyWorker& operator=(const StudyWorker&) = delete;
 
     /// Makes a run; returns nothing if it was interrupted.
@@ -65,33 +64,33 @@ private:
     std::uint64_t repeated_ = 0;
 };
 
-/// Makes the missing runs of a study. The outcome of a run depends neither on its time nor on other runs, so the
+/// Makes the missing runs of a study. The outcome of a run depends neither on when it is made nor on other runs, so the
 /// results do not depend on the order.
 class StudySweep {
 public:
-    /// REQUIRES: both arguments outlive this object. Throws as Study::count().
+    /// REQUIRES: both arguments outlive this object. Throws as Study::count() does.
     StudySweep(const Study& study, StudyResults& results) : study_(study), runs_(study), results_(results) {}
 
-    /// Makes and keeps one or two runs, unless the results have them already. Throws UserError for a measure that these
-    /// runs do not have, so that the error comes before the other runs are made.
+    /// Makes and keeps a few of the first and last runs, unless the results have them already. Throws UserError for a
+    /// measure that these runs do not have, so that the error comes before the other runs are made.
     void try_measures(Interruption&);
 
-    /// The number of missing runs; an upper bound if there are very many.
+    /// The number of missing runs; an upper bound if very many runs are missing.
     struct Missing {
         std::uint64_t runs = 0;
         bool exact = true;
     };
     Missing missing();
-    /// Returns the mean wall-clock time of a run, in seconds. Makes a run if none has been made, and another run with
-    /// another seed. Returns nothing if interrupted. REQUIRES: called once.
+    /// Returns the mean wall-clock time of a run, in seconds. Makes a run, and a second run with another seed if there
+    /// are several seeds. Returns nothing if interrupted. REQUIRES: called once.
     std::optional<double> seconds_a_run(Interruption&);
 
-    /// Makes all missing runs, `workers` at once. `show` is called from time to time with the number of runs that have
-    /// ended. `others`, if not null, lets other ranks make some of the runs: it is called repeatedly, in the caller's
-    /// thread, until it returns false.
+    /// Makes all missing runs in `workers` threads. `show` is called from time to time with the number of runs that
+    /// have ended. `others`, if not null, lets other ranks make some of the runs: it is called repeatedly, in the
+    /// caller's thread, until it returns false.
     void run(std::size_t workers, Interruption&, const std::function<void(std::uint64_t ended)>& show,
              const std::function<bool(bool stopped)>& others = nullptr);
-    /// Returns the next run for a worker to make; nothing if none is left, or the sweep is to stop.
+    /// Returns the next run for a worker to make; nothing if no run is left, or if the sweep must stop.
     std::optional<StudyRun> next();
     void keep(const StudyRun&, const StudyOutcome&);
 

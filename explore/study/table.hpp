@@ -17,7 +17,7 @@ struct StudyVariant {
 
 /// The allowed distance of a figure from the known figure.
 struct StudyTolerance {
-    StudyExpression amount{""}; ///< expression of the settings and `known`; none: no tolerance
+    StudyExpression amount{""}; ///< expression of the settings and `known`; empty: no tolerance
     bool in_percent = false;    ///< percent of the known figure; otherwise in the unit of the figure
 };
 
@@ -25,7 +25,7 @@ struct StudyTolerance {
 struct StudyRow {
     StudyVariant runs;
     std::string measure =
-        ""; ///< measure whose value is the row's figure, as the study names it; "": `figure` gives the figure
+        ""; ///< measure that is the row's figure, named as in the study; "": `figure` gives the figure
     StudyExpression figure{
         ""}; ///< expression of the settings, the measures by their last names, and the rows above by their names
     std::string unit = "";
@@ -34,13 +34,14 @@ struct StudyRow {
     std::vector<StudyTolerance> tolerances = {};
     std::vector<Origin> origins = {};
     std::optional<Judge> judge = {}; ///< empty: the judge that the table's `against` names
-    Overrides relative_to = {};      ///< measures are divided by those of the otherwise same run with these settings
+    Overrides relative_to = {};      ///< each measure is divided by the measure of the run that differs only in these
+                                     ///< settings
 };
 
 /// A table of a study's figures beside known figures, with a cell for each row and column.
 struct StudyTable {
     std::string name, against = "known", notes = "";
-    bool judged = false;   ///< judged even if it is not the first table
+    bool judged = false;   ///< whether the table is judged even if it is not the first table
     bool fit = false;      ///< whether a line below the table gives the deviation of its figures from the known figures
     Overrides shared = {}; ///< settings of all its runs, unless a row or column sets them
     std::vector<StudyVariant> columns = {};

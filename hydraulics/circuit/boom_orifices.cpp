@@ -23,8 +23,7 @@ double inlet_in2(double spool_in) {
 double outlet_in2(double spool_in) {
     if (spool_in <= boom_dead_band_in)
         return 0;
-    if (spool_in <
-        boom_outlet_knee_in) // A.7: the slope is .0113 / (.248 - .188), which happens to be the dead band's .188
+    if (spool_in < boom_outlet_knee_in) // A.7; its slope .188 equals the dead band by coincidence
         return (spool_in - 0.248) * 0.188 + 0.0113;
     if (spool_in < 0.376)
         return (spool_in - 0.376) * 1.09 + 0.1509; // A.8

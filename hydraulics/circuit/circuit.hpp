@@ -12,7 +12,7 @@
 namespace placedpar::hydraulics {
 
 /// The five configurations of the main valve. They differ in the flows that the check valves of the cross-over network
-/// let through. We have the text of Figure 2.11 without its drawing, so this is our interpretation.
+/// let through. We have the text of Figure 2.11 without its drawing, so the five are our interpretation.
 enum class Configuration : unsigned char { a, b, c, d, e };
 
 inline constexpr std::array<Configuration, 5> all_configurations{Configuration::a, Configuration::b, Configuration::c,
@@ -32,10 +32,10 @@ enum class Through : unsigned char {
 /// arrives from pumps and from the bypasses that lead to this junction.
 struct Junction {
     Link link;
-    int pumps; ///< number of pumps, each of constant flow: 0 to 2
+    int pumps; ///< 0 to 2 pumps, each of constant flow
     Through through;
-    std::size_t next =
-        0; ///< index of the junction to which the bypass leads, if any; INVARIANT: higher than this junction's index
+    /// The index of the junction to which the bypass leads, if any. INVARIANT: higher than this junction's index.
+    std::size_t next = 0;
     Side side = Side::inlet; ///< the side of the link whose compliance is at this junction
 };
 
@@ -43,13 +43,12 @@ struct Junction {
 using Circuit = std::vector<Junction>;
 
 /// Returns the links of a configuration in groups that are hydraulically coupled, ordered by their first link. A search
-/// for the compliance of one link must find the compliances of the link's whole group at once.
+/// for the compliance of one link must find the compliances of the link's whole group together.
 std::vector<LinkSet> coupled_groups(Configuration);
 
 /// Returns the circuit of the active links of one group. An inactive link is left out: its spool rests, its inlet is
 /// shut and its bypass is wide open. REQUIRES: `active` is a non-empty part of one coupled group.
 Circuit circuit_of(Configuration, LinkSet active);
-/// Returns the circuit of the boom alone, fed by its pump.
 Circuit boom_circuit();
 /// Returns the drain side of a link as a circuit (equation 3.4): a junction without a pump, at the pressure of the
 /// cylinder. The piston supplies its flow, and the outlet orifice takes the place of the bypass to the tank.

@@ -51,7 +51,8 @@ inline CircuitTerms terms_of(std::span<const LinkSample> samples, const FlowCons
 template <typename T>
 using PerJunction = std::array<T, all_links.size()>;
 
-/// These two functions return the flow into the cylinder (3.5) and the pressure that it causes at the junction (3.6).
+/// These two functions return the flow into the cylinder (3.5) and the pressure that this flow causes at the junction
+/// (3.6).
 template <typename T>
 T inlet_flow(const LinkTerms& link, const T& compliance_in3_per_psi) {
     return cylinder_flow(link.piston_flow_in3_per_s, link.inlet_slope_psi_per_s, compliance_in3_per_psi);
@@ -69,13 +70,14 @@ T flow_left(const Junction& junction, const T& inlet, const FlowConstants& flow,
     return junction.pumps * flow.pump_in3_per_s - taken;
 }
 
-/// Returns the imbalance of flow at each junction of a circuit, in in^3/s: inflow, minus the flow into the cylinder,
-/// minus the flow through the bypass. Pressures at the junctions are not measured but estimated from the flows into the
-/// cylinders (3.6). If the next junction's estimate is higher, nothing flows through the bypass.
+/// Returns the imbalance of flow at each junction of a circuit, in in^3/s. The imbalance is the inflow minus the flow
+/// into the cylinder and the flow through the bypass. Pressures at the junctions are not measured but estimated from
+/// the flows into the cylinders (3.6). If the estimate at the next junction is higher, nothing flows through the
+/// bypass.
 ///
-/// T is double, or several doubles at once (orifice.hpp). `compliance_in3_per_psi` and `terms` have one entry for each
-/// junction, in the circuit's order. REQUIRES: there are at most 4 junctions, and inlet_in2 > 0 in each sample from
-/// which the terms were computed.
+/// T is double, or a class that holds several doubles (orifice.hpp). `compliance_in3_per_psi` and `terms` have one
+/// entry for each junction, in the circuit's order. REQUIRES: there are at most 4 junctions, and inlet_in2 > 0 in each
+/// sample from which the terms were computed.
 template <typename T>
 PerJunction<T> missing_flows_in3_per_s(const Circuit& circuit, std::span<const T> compliance_in3_per_psi,
                                        const CircuitTerms& terms, const FlowConstants& flow, InletFlow form) {
@@ -120,7 +122,7 @@ template <typename T>
 T circuit_error_in3_per_s(const Circuit& circuit, std::span<const T> compliance_in3_per_psi, const CircuitTerms& terms,
                           const FlowConstants& flow, InletFlow form) {
     using std::abs;
-    if (circuit.size() == 1) // faster; most searches are for one compliance
+    if (circuit.size() == 1) // a shortcut: most searches are for one compliance
         return abs(missing_flow_in3_per_s<T>(circuit[0], compliance_in3_per_psi[0], terms[0], flow, form));
     auto missing = missing_flows_in3_per_s<T>(circuit, compliance_in3_per_psi, terms, flow, form);
     T error = abs(missing[0]);

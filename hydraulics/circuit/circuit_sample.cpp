@@ -25,7 +25,6 @@ std::vector<double> spool_by_voltage(const Record& record, Link link, double spo
     return spool_from_volts(record.of(link, Sensor::servo), record.time_s, spool_lag_per_s, record.period_s);
 }
 
-/// Returns the areas of one link at every instant.
 std::vector<OrificeAreas> areas_of(const Record& record, Link link, AreasFrom from,
                                    const LinkCalibration& calibration) {
     if (from == AreasFrom::areas)
@@ -34,12 +33,12 @@ std::vector<OrificeAreas> areas_of(const Record& record, Link link, AreasFrom fr
                                     ? record.of(link, Sensor::spool)
                                     : spool_by_voltage(record, link, calibration.constants.spool_lag_per_s);
     std::vector<OrificeAreas> areas;
-    for (double spool_in : spool) // sensor noise may make it slightly negative
+    for (double spool_in : spool) // sensor noise may make spool_in slightly negative
         areas.push_back(boom_orifices(std::max(spool_in - calibration.spool_offset_in, 0.0)));
     return areas;
 }
 
-/// Names the channels of one side of a link in the record.
+/// One side of a link in the record: its readings and its areas.
 struct LinkChannels {
     Side side;
     const std::vector<double>&psi, &angle_deg;

@@ -19,7 +19,7 @@ struct CircuitSample {
     std::vector<LinkSample> links; ///< in the circuit's order
     std::size_t stretch = 0;       ///< index of the part of the record between two gaps
 
-    /// Returns the values as plain numbers, end to end: a sample of CircuitProblem.
+    /// Returns the values of all links, one link after the other, as CircuitProblem reads them.
     std::vector<double> values() const;
 };
 
@@ -30,9 +30,9 @@ struct CircuitSample {
 std::vector<CircuitSample> circuit_samples(const Record& record, const Circuit& circuit,
                                            const LinkCalibrations& calibrations);
 
-/// Returns whether flow enters every link, and would do so if each link's pressure were `margin_psi` higher. Uses the
-/// steady flow of the circuit (junction_flow.hpp). On an outlet side, returns whether flow leaves the link, and would
-/// do so if its pressure were `margin_psi` lower.
+/// Returns whether flow enters every link, and would still enter it if each link's pressure were `margin_psi` higher.
+/// Uses the steady flow of the circuit (junction_flow.hpp). On an outlet side, returns whether flow leaves the link,
+/// and would still leave it if its pressure were `margin_psi` lower.
 bool all_open(const Circuit& circuit, std::span<const LinkSample> links, const FlowConstants& flow, double margin_psi);
 
 /// Returns the rms slope of the pressure of one link. REQUIRES: there is a sample.
@@ -40,16 +40,16 @@ double excitation_psi_per_s(std::span<const CircuitSample> samples, std::size_t 
 
 /// States which samples identification may use (ours; the thesis says "during the transient period").
 struct UsableSamples {
-    double open_by_psi = 25;            ///< at the first sample all links must be open by this margin ...
-    double first_slope_psi_per_s = 150; ///< ... and every pressure must rise faster than this
-    std::size_t skipped = 0;            ///< number of usable samples to leave out, counted from that first sample
-    std::size_t count = 20;             ///< number of samples; 0.4 s of transient, thesis 4.4
-    bool rising = false;                ///< stop at the first falling pressure, thesis 3.1.3
+    double open_by_psi = 25;            ///< margin by which all links must be open at the first sample
+    double first_slope_psi_per_s = 150; ///< least rise of every pressure at the first sample
+    std::size_t skipped = 0;            ///< number of usable samples to leave out at the beginning
+    std::size_t count = 20;             ///< greatest number of samples; 20 samples last 0.4 s (thesis 4.4)
+    bool rising = false;                ///< whether to stop at the first falling pressure (thesis 3.1.3)
 };
 
 /// Returns `count` samples, from the first sample that the rule accepts. Later samples are left out if an inlet is shut
-/// or the pumps cannot reach a cylinder's pressure, since equation 3.6 does not hold there. Returns fewer than `count`
-/// if the record ends.
+/// or the pumps cannot reach a cylinder's pressure, since equation 3.6 does not hold there. Returns fewer samples if
+/// the record ends, or if `rising` is set and a pressure falls.
 std::vector<CircuitSample> usable_samples(std::span<const CircuitSample> samples, const Circuit& circuit,
                                           const FlowConstants& flow, const UsableSamples& rule = {});
 

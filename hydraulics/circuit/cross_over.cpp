@@ -8,7 +8,6 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// States where the surplus of a branch goes.
 enum class Surplus { to_tank, to_boom, to_stick };
 
 Surplus surplus_of(Configuration configuration) {
@@ -70,7 +69,8 @@ BranchPressures branch_pressures(Configuration configuration, const PerLink<Junc
             psi[index_of(circuit[j].link)] = flows[j].psi;
     }
     const double boom = psi[index_of(Link::boom)], stick = psi[index_of(Link::stick)];
-    // An open check valve has the same pressure on both sides. The line before a shut one has that of its pump.
+    // An open check valve has the same pressure on both sides. The line before a shut check valve has the pump's
+    // pressure.
     const bool alone_1 = configuration == Configuration::b, alone_2 = configuration == Configuration::c;
     const double pump_1 = psi[index_of(Link::bucket)], pump_2 = psi[index_of(Link::swing)];
     return {alone_1 ? pump_1 : std::min(pump_1, boom), boom, alone_2 ? pump_2 : std::min(pump_2, stick), stick};

@@ -7,9 +7,9 @@ namespace placedpar::hydraulics {
 
 class Parameters; // hydraulics/data/parameters.hpp
 
-/// The pressures on which the configuration depends (2.4). We have the text of Figure 2.10 without its drawing, so this
-/// is our interpretation: branch n is the line from its pump past its first link, a check valve, and the junction of
-/// its second link.
+/// The pressures on which the configuration depends (2.4). We have the text of Figure 2.10 without its drawing, and
+/// interpret it as follows: branch n leads from pump n past its first link, a check valve, and the junction of its
+/// second link.
 struct BranchPressures {
     double p12_psi; ///< branch 1 before its check valve: past the bucket
     double p13_psi; ///< branch 1 behind its check valve: at the boom
@@ -19,14 +19,15 @@ struct BranchPressures {
 
 /// The pressure differences at which the valves of the cross-over network move.
 ///
-/// Behind the boom and behind the stick, a valve leads the surplus flow to the tank, or to the other branch's second
-/// link. If P_n3 of a branch exceeds that of the other branch by `shift_psi`, the branch gets the surplus of the other.
-/// If P_n3 of the other branch is then higher by `release_psi`, the other branch works itself, and its valve goes back.
-/// Between these two limits the valve stays in its position.
+/// Behind the boom and behind the stick, a valve leads the surplus flow to the tank or to the second link of the other
+/// branch. If P13 exceeds P23 by `shift_psi`, branch 1 gets the surplus of branch 2. When P23 then exceeds P13 by
+/// `release_psi`, branch 2 moves its own load, and its surplus goes to the tank again. Between these two limits the
+/// valve stays in its position. The surplus of branch 1 follows the same rule with P13 and P23 exchanged.
 struct CrossOverLimits {
     double shift_psi;   ///< > 0
     double release_psi; ///< > 0
-    double seat_psi;    ///< >= 0: a check valve counts as shut if the pressure behind it is higher by this
+    double seat_psi;    ///< >= 0: an open check valve shuts if the pressure behind it exceeds the pressure before it by
+                        ///< this difference
 };
 
 /// Reads the rows cross_over.*.
@@ -43,7 +44,7 @@ Configuration next_configuration(Configuration now, const BranchPressures&, cons
 /// Returns the pressures of the steady flow through the whole main valve in a configuration.
 BranchPressures branch_pressures(Configuration, const PerLink<JunctionOpening>&, const FlowConstants&);
 
-/// Returns the configuration that the valves reach from `now` with constant openings. If they would move for ever,
+/// Returns the configuration that the valves reach from `now` with constant openings. If the valves never come to rest,
 /// returns the configuration after eight moves.
 Configuration settled_configuration(Configuration now, const PerLink<JunctionOpening>&, const FlowConstants&,
                                     const CrossOverLimits&);

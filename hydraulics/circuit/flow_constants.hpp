@@ -4,8 +4,8 @@ namespace placedpar::hydraulics {
 
 class Parameters; // hydraulics/data/parameters.hpp
 
-/// The constants that all orifices of the excavator share: flow = k a sqrt(pressure drop), a pump of constant flow, a
-/// tank. Units throughout this room are inch, psi (gauge), lbf and s; each name includes its unit.
+/// The constants that all orifices of the excavator share. The flow through an orifice is k a sqrt(pressure drop); each
+/// pump has a constant flow. Units throughout this room are inch, psi (gauge), lbf and s; each name includes its unit.
 ///
 /// k, Q and P_e belong together (excavator.csv): use a complete set, not values from several sets.
 struct FlowConstants {
@@ -25,10 +25,10 @@ FlowConstants flow_constants(const Parameters& parameters);
 FlowConstants flow_constants();
 
 /// Returns the excavator's own constants, the best fit of Table 2.6. The rms residual is 0.61e-4 in of spool position,
-/// about the rounding error of the table.
+/// which is about the rounding error of the table.
 const FlowConstants& fitted_flow_constants();
-/// Returns round numbers that fit nearly as well: the rms residual is 0.67e-4 in. The relief pressure is the
-/// excavator's.
+/// Returns round numbers that fit nearly as well: the rms residual is 0.67e-4 in. The relief pressure is the same as in
+/// fitted_flow_constants().
 const FlowConstants& rounded_flow_constants();
 
 } // namespace placedpar::hydraulics

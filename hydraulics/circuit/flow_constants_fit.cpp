@@ -26,7 +26,6 @@ FlowConstants unscaled(const Eigen::VectorXd& x, double relief_psi) {
     return {x[0] * flow_scale, x[1] * flow_scale, x[2] * tank_scale, relief_psi};
 }
 
-/// The residuals that Eigen's solver minimises.
 struct SpoolResiduals : Eigen::DenseFunctor<double> {
     SpoolResiduals(std::span<const SteadyFlowPoint> points, double relief)
         : DenseFunctor(3, static_cast<int>(points.size())), table(points), relief_psi(relief) {}
@@ -44,7 +43,7 @@ struct SpoolResiduals : Eigen::DenseFunctor<double> {
     double relief_psi;
 };
 
-/// Returns the standard deviations of the fitted constants: the inverse of the normal matrix times the residual
+/// Returns the standard deviations of the fitted constants, from the inverse of the normal matrix times the residual
 /// variance.
 FlowConstants deviation_of(const Eigen::VectorXd& x, const Eigen::NumericalDiff<SpoolResiduals>& problem,
                            double squares) {

@@ -18,11 +18,10 @@ struct SteadyFlowPoint {
 /// pressure.
 std::span<const SteadyFlowPoint> table_2_6();
 
-/// Constants fitted to a table, with their residuals.
 struct FlowConstantsFit {
     FlowConstants constants;
     FlowConstants deviation;          ///< standard deviation of each constant, computed from the residuals
-    std::vector<double> residuals_in; ///< for each entry, the spool by the model minus the spool in the table
+    std::vector<double> residuals_in; ///< for each entry, the model's spool position minus the table's
     double rms_in;
 };
 
@@ -31,7 +30,7 @@ struct FlowConstantsFit {
 /// method does not converge, and std::domain_error as boom_spool_for_flow does.
 FlowConstantsFit fit_flow_constants(std::span<const SteadyFlowPoint> table, const FlowConstants& start);
 
-/// Returns the residuals (FlowConstantsFit::residuals_in) with the given constants.
+/// Returns the residuals for the given constants, as FlowConstantsFit::residuals_in.
 std::vector<double> spool_residuals_in(std::span<const SteadyFlowPoint> table, const FlowConstants& constants);
 
 } // namespace placedpar::hydraulics

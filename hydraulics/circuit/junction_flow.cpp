@@ -39,7 +39,7 @@ private:
             return std::min(inlet.conductance > 0 ? inlet.psi : infinity,
                             bypass.conductance > 0 ? bypass.psi : infinity);
         }
-        /// Returns the conductance of the outlets with that pressure beyond them.
+        /// Returns the conductance of the outlets beyond which the pressure is lowest_psi().
         double lowest_conductance() const {
             double lowest = lowest_psi();
             return (inlet.psi == lowest ? inlet.conductance : 0) + (bypass.psi == lowest ? bypass.conductance : 0);
@@ -60,8 +60,7 @@ private:
 
     double pumped(std::size_t junction) const { return circuit_[junction].pumps * constants_.pump_in3_per_s; }
 
-    /// Returns the flow into the junction at pressure `psi`, and leaves the upstream junctions solved for that
-    /// pressure.
+    /// Solves the upstream junctions for the pressure `psi` at this junction, and returns the flow into it.
     double inflow(std::size_t junction, double psi) const {
         double sum = pumped(junction);
         for (std::size_t i = 0; i < junction; ++i)
@@ -94,7 +93,7 @@ private:
             balance(junction, outlets, most);
     }
 
-    /// Sets a junction without inflow to its lowest pressure.
+    /// Sets the result of a junction that no flow reaches; junction_flow.hpp states its pressure.
     void leave_unreached(std::size_t junction, const Outlets& outlets) const {
         double before = -infinity;
         for (std::size_t i = 0; i < junction; ++i)
@@ -104,7 +103,7 @@ private:
         flows_[junction] = {before > -infinity ? before : drained, 0, 0, 0};
     }
 
-    /// Finds the pressure at which inflow and outflow balance, or the relief pressure. `most` is the inflow at the
+    /// Finds the pressure at which inflow and outflow balance, at most the relief pressure. `most` is the inflow at the
     /// lowest pressure.
     void balance(std::size_t junction, const Outlets& outlets, double most) const {
         double psi = balanced_psi(junction, outlets, most);
@@ -127,7 +126,7 @@ private:
         auto psi_at = [=](double u) { return u < relieved ? std::min(lowest + u * u, highest) : highest; };
         auto excess = [&](double u) { return inflow(junction, psi_at(u)) - outlets.flow(psi_at(u)); };
         double least = excess(greatest);
-        if (least >= 0) // the relief valve is open, or it is a rounding error
+        if (least >= 0) // the relief valve is open, or `least` exceeds 0 by a rounding error
             return psi_at(greatest);
         std::uintmax_t iterations = 200;
         auto [below, above] = boost::math::tools::toms748_solve(
@@ -135,9 +134,9 @@ private:
         return psi_at(below + (above - below) / 2);
     }
 
-    /// Adds the flow left over by rounding to the outlet whose pressure drop it changes least. The drop is flow^2 /
-    /// conductance^2, so this is the outlet with the greater conductance^2 / flow. An outlet without flow gets none,
-    /// unless both have none: then the flow is too small to affect the pressure and goes to the lowest pressure.
+    /// Adds the flow left over by rounding to the outlet whose pressure drop, flow^2 / conductance^2, it changes least:
+    /// the outlet with the greater conductance^2 / flow. An outlet without flow gets nothing. If neither outlet has
+    /// flow, the rest is too small to affect the pressure and goes to the outlet with the lowest pressure.
     static void give_rest(const Outlets& outlets, double rest, double& in, double& by) {
         double a = outlets.inlet.conductance, b = outlets.bypass.conductance;
         bool to_inlet = a * a * by >= b * b * in;

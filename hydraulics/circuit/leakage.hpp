@@ -10,12 +10,12 @@ struct PistonLeak {
     double start_s = 0;
 };
 
-/// Flow across a worn piston seal, from the pump side to the drain side: Q_l = k_l (P_i - P_o), laminar.
+/// Returns the laminar flow across a worn piston seal, from the pump side to the drain side.
 inline double leakage_in3_per_s(double leak_in3_per_s_psi, double inlet_psi, double outlet_psi) {
     return leak_in3_per_s_psi * (inlet_psi - outlet_psi);
 }
 
-/// Returns the apparent growth of the compliance in a model without the leak, in in^3/psi.
+/// Returns the apparent growth of the compliance, in in^3/psi, in a model that leaves out the leak.
 ///
 /// The flow is Q_i = C_i dP_i/dt + A_i dX/dt + Q_l; in the model C_i' dP_i/dt replaces the first and the last term.
 /// (The thesis prints equation 2.5 with both C_i' and Q_l, from which equation 2.7 would not follow.) At one instant

@@ -9,7 +9,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-// The matrices have a fixed size, since sums over a dynamic size could depend on the alignment of its memory.
+// The matrices have a fixed size: with a dynamic size, the order of a sum could depend on the alignment of memory.
 using Points = Eigen::Matrix<double, line_fit_points, 1>;
 
 } // namespace

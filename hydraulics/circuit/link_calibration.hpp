@@ -10,8 +10,6 @@ namespace placedpar::hydraulics {
 
 class Parameters; // hydraulics/data/parameters.hpp
 
-/// This file converts sensor readings to flows and areas.
-
 /// Returns the volume that the pump side of a link takes per radian of its joint, in in^3/rad: A_i times the moment
 /// arm. For the swing this volume is the displacement of its motor.
 constexpr double piston_in3_per_rad(double inlet_area_in2, double moment_arm_in) {
@@ -37,19 +35,19 @@ PerLink<LinkConstants> link_constants(const Parameters& parameters);
 /// Everything that converts the readings of one link to flows and areas.
 struct LinkCalibration {
     LinkConstants constants;
-    double spool_offset_in = 0;         ///< amount by which the spool's readings, or A.1, are too high
+    double spool_offset_in = 0;         ///< the spool's readings, or the spool by A.1, are too high by this offset
     std::optional<AreasFrom> from = {}; ///< nullopt: the first of the three sources that the record has
 };
 using LinkCalibrations = PerLink<LinkCalibration>;
 
-/// Returns link_constants(), without an offset.
+/// Returns the calibrations with link_constants() and without an offset.
 LinkCalibrations link_calibrations(const Parameters& parameters);
 /// Returns the calibrations of the outlet sides. Only the boom's outlet side is described (boom.outlet_area); the other
 /// links keep the constants of their inlet sides.
 LinkCalibrations drain_calibrations(const Parameters& parameters);
 
-/// Returns `asked`; if it is nullopt, the first AreasFrom source whose channels are in `there`. No sensor reads the
-/// area of an outlet.
+/// Returns `asked`; if it is nullopt, returns the first of `areas`, `spool` and `servo` whose channels are in `there`.
+/// No sensor reads the area of an outlet.
 AreasFrom areas_from(const ChannelSet& there, Link link, std::optional<AreasFrom> asked, Side side = Side::inlet);
 
 /// Returns the channels from which the flows and areas of one side of a link are computed: the side's pressure, the

@@ -8,8 +8,8 @@
 namespace placedpar::hydraulics {
 
 /// The values of one link at one instant that enter the error of identification. On the outlet side (drain_circuit()),
-/// the pressure is P_o, the piston's flow is -A_o times its velocity, inlet_in2 is infinite since the pressure is read
-/// at the junction, and bypass_in2 is a_o. The imbalance of flow is then that of equation 3.4.
+/// the pressure is P_o, the piston's flow is -A_o times its velocity, and bypass_in2 is a_o. There inlet_in2 is
+/// infinite, since the pressure is read at the junction. The imbalance of flow is then the error of equation 3.4.
 struct LinkSample {
     double inlet_psi;             ///< P_i, the raw reading
     double inlet_slope_psi_per_s; ///< slope of the 5-point line

@@ -14,7 +14,6 @@ struct ReplaySample {
     double velocity_in_per_s; ///< velocity of the piston
 };
 
-/// The circuit whose pressure is computed.
 struct ReplayCircuit {
     FlowConstants flow;
     double inlet_area_in2;               ///< A_i

@@ -12,7 +12,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// Returns the central difference with a fixed step. Its error is about the square of the step relative to the scale on
+/// Returns the central difference with a fixed step. Its relative error is about (step / L)^2, where L is the scale on
 /// which `f` curves.
 template <class Function>
 double slope(const Function& f, double at, double step) {

@@ -15,7 +15,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-// A.1, thesis; inch per powers of volt
+// Coefficients of A.1, in inches per power of a volt.
 constexpr double cubic = 0.0892, quadratic = 0.2352, linear = 0.2815, rest_in = 0.1297;
 
 double slope_in_per_volt(double volts) { return (3 * cubic * volts + 2 * quadratic) * volts + linear; }

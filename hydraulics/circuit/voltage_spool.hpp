@@ -15,8 +15,8 @@ double desired_spool_in(double volts);
 /// Throws std::invalid_argument if the spool is below 0 or not finite.
 double servo_volts(double spool_in);
 
-/// An offset that grows with time. It comes from a worn spool, the servo-valve's pressure regulation, or the sensors
-/// that measured spool and voltage (2.3.2). With rate 0 the offset is constant.
+/// An offset that grows with time. Causes are a worn spool, the servo-valve's pressure regulation, or the sensors that
+/// measured spool and voltage (2.3.2). With rate 0 the offset is constant.
 struct OffsetDrift {
     double at_start = 0;   ///< in the unit of the quantity to which it is added
     double rate_per_s = 0; ///< in the unit of at_start, per second
@@ -29,19 +29,18 @@ struct DriftedVoltageSpool {
     OffsetDrift volts;
     OffsetDrift spool_in;
 
-    /// Returns the spool position, which is never below 0, where we assume that the spool's travel ends.
+    /// Returns the spool position. It is at least 0, where we assume that the spool's travel ends.
     double desired_spool_in(double volts_commanded, double time_s) const;
 };
 
 /// The dynamics of the spool, A.2: a first-order lag, exact for a command that is held over each sampling period.
-/// Spool(k) = Desired(k-1) (1 - e) + e Spool(k-1) with e = exp(-a_0 T). The thesis prints k in place of both k-1. With
-/// Desired(k) the spool would move one period early, and an identified compliance would be wrong by 17 %.
+/// Spool(k) = Desired(k-1) (1 - e) + e Spool(k-1) with e = exp(-a_0 T). The thesis prints k instead of k-1 in both
+/// terms. With Desired(k) the spool would move one period early, and an identified compliance would be wrong by 17 %.
 class SpoolLag {
 public:
     /// Throws std::invalid_argument unless lag and period are above 0.
     SpoolLag(double lag_per_s, double period_s, double spool_in);
 
-    /// Returns the present spool position.
     double spool_in() const { return spool_in_; }
     /// Advances by one period, or several, with the command `desired_in`.
     void hold(double desired_in, double periods = 1) {
@@ -59,8 +58,8 @@ private:
 std::vector<double> spool_from_volts(std::span<const double> volts, double lag_per_s, double period_s,
                                      const DriftedVoltageSpool& = {});
 /// Returns the spool position at instants that are whole numbers of periods apart, as in a record. Over a gap the last
-/// command before the gap is held, which is exact if it was constant. REQUIRES: as many instants as voltages, in rising
-/// order.
+/// command before the gap is held, which is exact if the command was constant. REQUIRES: one instant for each voltage,
+/// in rising order.
 std::vector<double> spool_from_volts(std::span<const double> volts, std::span<const double> time_s, double lag_per_s,
                                      double period_s, const DriftedVoltageSpool& = {});
 

@@ -30,7 +30,6 @@ std::optional<Link> link_named(std::string_view);
 /// The side of a cylinder: the pump feeds the inlet side, and the outlet side drains to the tank.
 enum class Side : unsigned char { inlet, outlet };
 
-/// A set of links.
 class LinkSet {
 public:
     constexpr LinkSet() = default;

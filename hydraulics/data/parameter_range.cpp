@@ -8,7 +8,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-// The ends of the names.
+// The ends of parameters' names, by the range of their values.
 constexpr auto positive = std::to_array<std::string_view>({
     ".orifice",
     ".relief",

@@ -18,8 +18,8 @@ struct ParameterRange {
 };
 
 /// Returns the range, which depends on the parameter's name. An area or a mass is above 0, a noise is 0 or above; an
-/// offset, a load or a voltage may have either sign. All readers of parameters use this function. Conditions that
-/// involve several parameters are checked where the parameters are used.
+/// offset, a load or a voltage may have either sign. Conditions that involve several parameters are checked where the
+/// parameters are used.
 ParameterRange range_of(std::string_view parameter);
 
 } // namespace placedpar::hydraulics

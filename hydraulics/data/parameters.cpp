@@ -17,7 +17,6 @@ namespace {
 constexpr std::array<std::string_view, 5> columns{"name", "value", "unit", "mark", "source"};
 constexpr std::array<std::string_view, 4> marks{"thesis", "fitted", "ours", "measured"};
 
-/// The cells of a row by column.
 struct NamedCells {
     const TextCell &name, &value, &unit, &mark, &source;
 };
@@ -33,7 +32,6 @@ void refuse(std::vector<Diagnostic>& faults, std::size_t line, const TextCell& c
     faults.push_back(error_at(line, cell.column, std::move(message), std::move(hint)));
 }
 
-/// Reads the text that defines all parameters.
 std::vector<Parameter> parameters_of(std::string_view text) {
     std::vector<Diagnostic> faults;
     TextTable table = split_table(text, faults);

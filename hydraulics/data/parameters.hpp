@@ -33,7 +33,7 @@ public:
 ///     boom.inlet_area,206.5,cm^2,measured,"data sheet, both cylinders"
 class Parameters {
 public:
-    /// Returns the constants of excavator.csv, which is part of the program. They are read at the first call.
+    /// Returns the constants of excavator.csv, which is part of the program.
     static const Parameters& excavator();
 
     /// Throws UnknownParameter.

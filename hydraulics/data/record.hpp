@@ -20,7 +20,7 @@ enum class Sensor : unsigned char {
     angle,           ///< deg, of the joint
     spool,           ///< in
     servo,           ///< V, at the servo-valve
-    inlet_area,      ///< in^2: a_i, where the spool's function is not the boom's
+    inlet_area,      ///< in^2: a_i, for links whose areas do not follow the boom's functions A.3 to A.9
     bypass_area      ///< in^2: a_e
 };
 
@@ -28,7 +28,6 @@ inline constexpr std::array<Sensor, 7> all_sensors{Sensor::inlet_pressure, Senso
                                                    Sensor::spool,          Sensor::servo,           Sensor::inlet_area,
                                                    Sensor::bypass_area};
 
-/// Returns the sensor of the pressure on one side of a link.
 constexpr Sensor pressure_sensor(Side side) {
     return side == Side::inlet ? Sensor::inlet_pressure : Sensor::outlet_pressure;
 }
@@ -60,7 +59,8 @@ class Record {
 public:
     std::string description;
     double period_s = 0;
-    /// Rising. INVARIANT: the times of neighbours differ by a whole number of periods, within sampling_tolerance.
+    /// Times in rising order. INVARIANT: the times of neighbours differ by a whole number of periods, within
+    /// sampling_tolerance.
     std::vector<double> time_s;
     /// The true configuration of the main valve, a to e, at each instant of a simulated motion; empty if unknown.
     std::string configuration;
@@ -92,18 +92,18 @@ public:
     using UserError::UserError;
 };
 
-/// A limit beyond all measured values in any unit of this room; slopes and squares of such values are finite.
+/// A limit above all measured values in any unit of this room. Slopes and squares of values below this limit are
+/// finite.
 inline constexpr double largest_reading = 1e12;
 
-/// One value of a record.
 struct SensorReading {
     Link link;
     Sensor sensor;
     double time_s, value;
 };
 
-/// Returns the earliest reading that is not finite or is beyond largest_reading. Of several such readings at one
-/// instant, returns that of the first channel.
+/// Returns the earliest reading that is not finite or is beyond largest_reading. Among several such readings at one
+/// instant, returns the reading of the first channel.
 std::optional<SensorReading> first_unmeasurable(const Record& record);
 
 /// The largest distance of a sample from its regular instant, as a share of the period.

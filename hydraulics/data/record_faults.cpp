@@ -83,7 +83,7 @@ std::optional<Diagnostic> fault_of_step(double step_s, double period_s, const Te
     return std::nullopt;
 }
 
-/// Returns whether a step deviates from whole periods by more than slopes allow.
+/// Returns whether a step deviates from whole periods by more than sampling_tolerance.
 bool jitters(const Record& record) {
     for (std::size_t i = 1; i < record.size(); ++i) {
         double periods = (record.time_s[i] - record.time_s[i - 1]) / record.period_s;

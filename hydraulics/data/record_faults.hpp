@@ -12,7 +12,7 @@
 
 namespace placedpar::hydraulics {
 
-/// read_record uses these checks of the measurements. There is one function for each common fault of loggers.
+/// read_record() makes these checks, one for each common fault of loggers.
 
 /// The position of a channel's name in the text.
 struct HeaderPlace {
@@ -20,7 +20,7 @@ struct HeaderPlace {
 };
 
 struct TimeColumn {
-    std::size_t index; ///< index of the table's cells
+    std::size_t index; ///< index of the column
     HeaderPlace place;
     const Unit& unit; ///< unit in the text
 };
@@ -36,8 +36,8 @@ void drop_repeated_rows(TextTable& table, const std::optional<RowBefore>& before
 
 /// Sets record.period_s, unless it is above 0, to the median step of record.time_s, and checks that the times rise by
 /// whole numbers of periods. Times that jitter around whole periods are resampled. Warns of jitter, of gaps, and of a
-/// period that would be usual in another unit. REQUIRES: table's rows are the record's samples, at least two if there
-/// is no period.
+/// period that would be usual in another unit. REQUIRES: the table's rows are the record's samples; there are at least
+/// two if record.period_s is 0.
 void check_times(Record& record, const TextTable& table, const TimeColumn& time, const std::optional<RowBefore>& before,
                  std::vector<Diagnostic>& faults);
 
@@ -46,12 +46,12 @@ void check_times(Record& record, const TextTable& table, const TimeColumn& time,
 void check_channel(std::string_view name, Sensor sensor, const Unit& unit, double least, double greatest,
                    HeaderPlace place, std::vector<Diagnostic>& faults);
 
-/// Warns of pressures below vacuum; the warning is for the first sample with such a pressure. `index` is the channel's
-/// index among the cells. REQUIRES: table's rows are the samples.
+/// Warns of pressures below vacuum, at the first sample with such a pressure. `index` is the index of the channel's
+/// cells. REQUIRES: the table's rows are the samples.
 void check_pressure(std::string_view name, const Unit& unit, std::span<const double> psi, const TextTable& table,
                     std::size_t index, std::vector<Diagnostic>& faults);
-/// Warns of readings, `period_s` apart, that freeze and then jump by at least `least_jump`. REQUIRES: table's rows are
-/// the samples.
+/// Warns of readings that freeze and then jump by at least `least_jump`. `period_s` is the time between readings.
+/// REQUIRES: the table's rows are the samples.
 void check_frozen(std::string_view name, const Unit& unit, std::span<const double> readings, double least_jump,
                   double period_s, const TextTable& table, std::size_t index, std::vector<Diagnostic>& faults);
 

@@ -52,7 +52,7 @@ bool is_missing(const TextCell& cell) {
     return std::ranges::find(words, text) != words.end();
 }
 
-/// Returns the number of decimals that distinguishes all times, as far as they were given.
+/// Returns the number of decimals, 3 to 9, that shows all times without rounding.
 int time_decimals(const Record& record) {
     int decimals = 3;
     for (double scale = 1e3; decimals < 9; ++decimals, scale *= 10)
@@ -63,7 +63,7 @@ int time_decimals(const Record& record) {
     return decimals;
 }
 
-/// Prints no "-0.000", since its sign could depend on the last bit.
+/// Prints "0.000" instead of "-0.000", since the sign of such a number could depend on its last bit.
 std::string print_number(double value, int decimals) {
     std::string text = fmt::format("{:.{}f}", value, decimals);
     bool zero = text.find_first_not_of("-0.") == std::string::npos;
@@ -180,20 +180,20 @@ void RecordReader::check_readings(const Column& column, Record& record, std::vec
 }
 
 void RecordReader::check(Record& record, std::vector<Diagnostic>& faults) {
-    RowBefore last{table_.rows.back(), record.time_s.back()}; // before its times are resampled
+    RowBefore last{table_.rows.back(), record.time_s.back()}; // before check_times() resamples the times
     const auto time =
-        std::ranges::find_if(columns_, [](const Column& each) { return !each.sensor; }); // gives the period
+        std::ranges::find_if(columns_, [](const Column& each) { return !each.sensor; }); // the column of the time
     check_times(record, table_, {time->index, {table_.header.line, time->at}, *time->unit}, before_, faults);
     for (const Column& column : columns_)
         if (column.sensor && record.period_s > 0 && record.has(column.link, *column.sensor))
             check_readings(column, record, faults);
-    if (has_errors(faults)) // these faults may be the cause of others
+    if (has_errors(faults)) // the warnings about whole channels may explain these faults
         std::ranges::move(finish(), std::back_inserter(faults));
     before_ = std::move(last);
     period_s_ = record.period_s;
 }
 
-/// Removes the header's warnings that an earlier piece gave.
+/// Removes the header's warnings that were given with an earlier piece.
 void RecordReader::forget_told(std::vector<Diagnostic>& faults) {
     std::set<std::size_t> now = told_;
     std::erase_if(faults, [&](const Diagnostic& fault) {
@@ -205,7 +205,7 @@ void RecordReader::forget_told(std::vector<Diagnostic>& faults) {
     told_ = std::move(now);
 }
 
-/// Returns whether there are rows to read, or an earlier piece to continue.
+/// Reads the lines into table_, and the header of the first piece. Returns false if nothing can be read.
 bool RecordReader::read_table(std::string_view lines, std::vector<Diagnostic>& faults) {
     table_.rows.clear();
     line_ = append_lines(table_, lines, line_, faults);

@@ -24,9 +24,9 @@ struct ReadRecord {
 /// States which channels a record must have.
 struct RecordNeeds {
     /// Given the channels that a header names, returns the channels that must have a value in every row. If this
-    /// function is empty, every channel must.
+    /// function is empty, every channel must have one.
     std::function<ChannelSet(const ChannelSet&)> of = {};
-    /// Whether rows that lack a required value are left out; if false, the record is refused.
+    /// true: rows that lack a required value are left out; false: the record is refused.
     bool skip_missing = false;
 };
 
@@ -60,7 +60,6 @@ public:
     std::vector<Diagnostic> finish() const;
 
 private:
-    /// A column of the text.
     struct Column {
         std::size_t index;
         std::size_t at; ///< position of the column's name in the header's line
@@ -94,7 +93,7 @@ private:
     std::set<std::size_t> told_; ///< positions in the header of the columns about which a warning has been given
 };
 
-/// The sensors' line fit needs 5 samples.
+/// The line fit of slopes needs 5 samples.
 inline constexpr std::size_t fewest_samples = 5;
 
 /// Returns a text that read_record reads, with every measured channel in this room's units.

@@ -10,7 +10,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// Returns the number of whole periods from the first sample to each.
+/// Returns, for each sample, the number of whole periods since the first.
 std::vector<double> whole_periods(const Record& record) {
     std::vector<double> periods{0};
     for (std::size_t i = 1; i < record.size(); ++i)

@@ -11,9 +11,9 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// The limits are ours: five slower samples would be longer than a transient, and faster readings are untested.
+/// The limits are ours: five samples at a longer period would outlast a transient, and shorter periods are untested.
 constexpr double slowest_s = 0.1, quickest_s = 0.0001;
-/// The tolerance of these limits for a stated period.
+/// The factor by which a stated period may exceed these limits.
 constexpr double rounding = 1 + 1e-6;
 
 double mean_of(std::span<const double> values) {

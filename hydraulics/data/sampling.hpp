@@ -10,7 +10,7 @@ namespace placedpar::hydraulics {
 inline constexpr double method_period_s = 0.020;
 
 /// States how readings become the samples for identification. Each sample is the mean of `readings` successive
-/// readings, and none is dropped. The samples are as near to method_period_s apart as whole readings allow.
+/// readings. The period of the samples is a multiple of the readings' period, near method_period_s.
 struct Sampling {
     double reading_s = method_period_s; ///< time between two readings
     std::size_t readings = 1;           ///< number of readings per sample
@@ -19,7 +19,7 @@ struct Sampling {
     static Sampling of(double reading_s);
 
     double period_s() const { return reading_s * static_cast<double>(readings); }
-    /// Returns the number of samples whose duration is nearest to this time, at least one.
+    /// Returns the number of samples that last about `duration_s`, at least one.
     std::size_t samples_in(double duration_s) const;
 };
 
@@ -28,9 +28,10 @@ std::string rate_text(double period_s);
 /// Returns a text such as "1 kHz averaged to 50 Hz, 20 readings each".
 std::string print_sampling(const Sampling&);
 
-/// Returns the record with its readings averaged to samples, each at the middle of its readings. No sample combines
-/// readings from both sides of a gap, and readings left over before a gap are dropped. A voltage is held from one
-/// sample to the next, so a sample's voltage is the mean of the readings between the middles of the two samples.
+/// Returns the record with its readings averaged to samples. The time of a sample is the middle of its readings. No
+/// sample combines readings from both sides of a gap, and readings left over before a gap are dropped. A voltage is
+/// held from one sample to the next, so a sample's voltage is the mean of the readings between the middles of this
+/// sample and the next.
 Record averaged(const Record& record, const Sampling& sampling);
 
 } // namespace placedpar::hydraulics

@@ -13,11 +13,11 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// The desired flow is limited to these shares of the pump's flow, within which every pressure below relief has a spool
-/// position.
+/// The desired flow is limited to these shares of the pump's flow. In this range there is a spool position for every
+/// pressure below the relief pressure.
 constexpr double least_share = 0.01, greatest_share = 0.9;
 
-/// Returns the slope of the last readings, that of the line fitted to five of them; 0 before there are five.
+/// Returns the slope of the line fitted to the last five readings; 0 if there are fewer.
 double last_slope_per_s(const std::vector<double>& readings, double period_s) {
     constexpr std::size_t side = line_fit_points / 2;
     return readings.size() < line_fit_points

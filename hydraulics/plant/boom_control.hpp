@@ -11,10 +11,10 @@ namespace placedpar::hydraulics {
 /// at constant speed. Every sampling period the control computes the flow for a desired speed, the spool position for
 /// this flow at the pressure read (boom_spool_for_flow()), and the voltage for this position by the inverse of A.1.
 struct BoomControl {
-    double speed_deg_per_s;    ///< of the reference
-    double step_time_s;        ///< at which it begins to rise
-    double proportional_per_s; ///< K_p: adds this times the error of the angle to the desired speed
-    double velocity;           ///< K_v: adds this times the error of the speed
+    double speed_deg_per_s;    ///< speed at which the reference rises
+    double step_time_s;        ///< time at which the reference begins to rise
+    double proportional_per_s; ///< K_p: the angle's error times K_p is added to the desired speed
+    double velocity;           ///< K_v: the speed's error times K_v is added to the desired speed
 
     /// Returns the feedforward without feedback, the open loop of the thesis's recordings (3.1.2).
     BoomControl open_loop() const { return {speed_deg_per_s, step_time_s, 0, 0}; }
@@ -27,13 +27,13 @@ struct BoomControl {
 /// Reads the rows boom_control.*, controller.asked_flow and excavator.step_time.
 BoomControl boom_control(const Parameters& parameters = Parameters::excavator());
 
-/// The true motion under control, and the readings that the control had.
+/// The true motion under control, and the readings on which the control acted.
 struct ControlledMotion {
     std::vector<MeasuredState> states;
     Record record;
 };
 
-/// Simulates the measured excavator under this control. The voltage stays in the range of A.1 that raises the boom.
+/// Simulates the measured excavator under this control. The voltage stays in the range in which A.1 raises the boom.
 /// Until the reference rises, the voltage is that of the command at rest. Throws UnfitScenario (requirement.hpp) as
 /// simulate_measured_excavator() does.
 ControlledMotion simulate_controlled(const MeasuredExcavator& excavator, const BoomSensors& sensors,

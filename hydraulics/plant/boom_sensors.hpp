@@ -12,9 +12,9 @@ namespace placedpar::hydraulics {
 /// The sensors of the measured excavator's boom. Each reading is the true value with noise, rounded by a converter.
 struct BoomSensors {
     MeasurementNoise noise;
-    Converter pressure;     ///< from 0 psi on
-    Converter resolver;     ///< of 360 deg
-    Converter spool;        ///< from 0 in on
+    Converter pressure;     ///< its range begins at 0 psi
+    Converter resolver;     ///< its range is 360 deg
+    Converter spool;        ///< its range begins at 0 in
     double spool_offset_in; ///< amount by which the spool's sensor reads too high
     double joint_at_rest_deg;
     double period_s;

@@ -11,7 +11,7 @@ struct Converter {
     double range;
     int bits; ///< 0: values pass unchanged
 
-    /// Returns the resolution; 0 without bits.
+    /// Returns the resolution; 0 if there are no bits.
     double step() const;
     /// Returns the value of the nearest code; a value half-way between two codes goes to the even code. The error is at
     /// most half a step.

@@ -7,7 +7,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// Advances one coordinate exactly by `seconds`.
+/// Advances the position and the velocity of one coordinate by `seconds`, exactly.
 void follow(double& at, double& velocity, double asked, double lag_s, double seconds) {
     const double left = std::exp(-seconds / lag_s), behind = velocity - asked;
     at += asked * seconds + behind * lag_s * (1 - left);

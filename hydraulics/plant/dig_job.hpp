@@ -9,26 +9,25 @@
 
 namespace placedpar::hydraulics {
 
-/// The joysticks for a while: the velocity that the operator asks of the bucket's tip (2.1), and the force with which
-/// the soil opposes it.
+/// A time during which the joysticks are held. The joysticks demand a velocity of the bucket's tip (2.1), and the soil
+/// opposes the motion with a force.
 struct JoystickMove {
     double seconds;   ///< > 0
-    TipPose velocity; ///< per second
+    TipPose velocity; ///< change of the pose per second
     double soil_lbf;  ///< >= 0
 };
 
-/// What the operator does.
 struct DigJob {
-    std::string name;  ///< of its file
-    std::string about; ///< perhaps empty
+    std::string name;  ///< name of the job's file
+    std::string about; ///< description; may be empty
     TipPose start;
     std::vector<JoystickMove> moves;
 
     double duration_s() const;
 };
 
-/// The reference trajectory of the tip: its velocity approaches that of the joysticks like exp(-t / lag), and its pose
-/// is the exact integral.
+/// The reference trajectory of the tip. The error of its velocity falls like exp(-t / lag); its pose is the exact
+/// integral of the velocity.
 class TipReference {
 public:
     /// REQUIRES: the job has moves and outlives this object; lag_s > 0.
@@ -36,10 +35,10 @@ public:
 
     const TipPose& pose() const { return pose_; }
     const TipPose& velocity() const { return velocity_; } ///< per second
-    /// Returns the index of the move in progress; after the last move, that of the last.
+    /// Returns the index of the move in progress; after the end of the job, the index of the last move.
     std::size_t move() const { return move_; }
     double soil_lbf() const { return job_.moves[move_].soil_lbf; }
-    /// Advances by a time in which the joysticks are held as at its beginning.
+    /// Advances by `seconds`, during which the joysticks stay as they are at the beginning.
     void advance(double seconds);
 
 private:
@@ -49,8 +48,8 @@ private:
     TipPose pose_, velocity_{};
 };
 
-/// Returns the first move in which the reference, looked at every `period_s`, leaves the arm's reach; nullopt if it
-/// never does.
+/// Returns the index of the first move in which the reference leaves the arm's reach, checked every `period_s`; nullopt
+/// if there is none.
 std::optional<std::size_t> unreachable_move(const DigJob&, const ArmLengths&, double lag_s, double period_s);
 
 } // namespace placedpar::hydraulics

@@ -22,12 +22,14 @@ concept ModalSystem = requires(S system, const std::vector<double>& state, std::
 ///
 /// A step is clean if all its stages and its end have the mode of its beginning.
 /// 1. Try the step to the end.
-/// 2. If it is unclean, bisect to the longest clean step, take it, and continue from there.
-/// 3. If a step of the resolution is unclean, the event is less than the resolution away: take this step across it.
-///    Such hops double until a step is clean again, so that time advances even with endless events.
-/// 4. After the limit of pieces, as when a valve chatters, step to the end regardless of events.
+/// 2. If it is unclean, bisect to the longest clean step, take that step, and continue from its end.
+/// 3. If even a step of length resolution_s is unclean, the event is nearer than resolution_s: take this step, a hop,
+/// across
+///    it. The length of hops doubles until a step is clean again, so that time advances even with endless events.
+/// 4. When the limit of pieces is reached, for example because a valve chatters, step to the end regardless of events.
 ///
-/// Events that cancel each other between the stages of one step are not seen, so choose the step accordingly.
+/// Events that cancel each other between the stages of one step are not seen, so choose a step shorter than such
+/// events.
 template <ModalSystem System>
 class EventStepper {
 public:
@@ -38,8 +40,8 @@ public:
     /// is far below the resolution of any reading.
     static constexpr double resolution_s = 1e-12;
 
-    /// The largest number of pieces in one call, and the largest average number per call. An event takes about 5
-    /// pieces.
+    /// The largest number of pieces into which one call is divided, and the largest average number over many calls. An
+    /// event takes about 5 pieces.
     static constexpr double most_pieces = 64, pieces_a_call = 0.5;
 
     EventStepper(const System& system, State state, double time_s)
@@ -94,7 +96,7 @@ private:
         return same && next_.mode == now_.mode;
     }
 
-    /// Returns the longest clean step to within a thousandth. The steps that follow cover the rest.
+    /// Returns a clean step that is shorter than the longest clean step by at most about a thousandth.
     double long_clean(double clean_s, double unclean_s) {
         while (unclean_s - clean_s > std::max(resolution_s, unclean_s / 1024)) {
             double middle_s = clean_s + (unclean_s - clean_s) / 2;

@@ -11,7 +11,7 @@ namespace placedpar::hydraulics {
 /// The open valves and the branch of each curve at one link and its junction.
 struct LinkMode {
     bool inlet_open = false;  ///< the junction's pressure exceeds the link's
-    bool bypass_open = false; ///< the junction's pressure exceeds the next junction's
+    bool bypass_open = false; ///< the junction's pressure exceeds the pressure beyond the bypass
     bool relieving = false;
     bool leaking = false;
     int spool_branch = 0;    ///< interval between knees of A.3 to A.9 in which the spool is
@@ -40,7 +40,7 @@ public:
     /// Returns the state in which every load is held: drain sides at tank pressure, inlet pressures in balance, spools
     /// at rest.
     State at_rest() const;
-    /// Computes the derivative and returns the mode in which it holds.
+    /// Computes the derivative, and returns the mode in which the derivative is valid.
     Mode rate(const State&, State& derivative, double time_s) const;
     /// Returns the flow at each link's junction.
     std::vector<JunctionFlow> flows(const State&, double time_s) const;

@@ -16,7 +16,7 @@ struct LinkState {
     double velocity_in_per_s; ///< v
     double spool_in;          ///< 0 for a valve without a spool
     OrificeAreas areas;
-    JunctionFlow flow; ///< at the link's junction
+    JunctionFlow flow; ///< flow at the link's junction
 };
 
 struct ExcavatorState {
@@ -24,8 +24,8 @@ struct ExcavatorState {
     std::vector<LinkState> links; ///< in the scenario's order
 };
 
-/// The opening or shutting of a load check valve. Its time is as accurate as the integration, but no more accurate than
-/// about 10 ns, because nearer to the event the pressure drop over the inlet is smaller than its rounding error.
+/// The opening or shutting of a load check valve. Its time has the accuracy of the integration, at best about 10 ns:
+/// nearer to the event, the pressure drop over the inlet is smaller than its rounding error.
 struct CheckEvent {
     double time_s;
     Link link;
@@ -39,9 +39,9 @@ struct ExcavatorMotion {
 
 /// Simulates a scenario from rest: equations B.2 to B.5 or, with spools, 3.1 to 3.4 and A.2 to A.9. The simulation
 /// covers all active links, with load checks, relief valves, friction and leaks (excavator_dynamics.hpp). Steps end at
-/// every instant at which a valve opens or shuts, a curve has a knee or a command begins, so that the method's order 4
-/// holds across them (event_step.hpp). The exception is the drain side, whose equation is not smooth where its pressure
-/// passes the tank's. Throws UnfitScenario (requirement.hpp) if the scenario is not valid.
+/// every instant at which a valve opens or shuts, a curve has a knee or a command begins, so that the method keeps its
+/// order 4 (event_step.hpp). The exception is the drain side, whose equation is not smooth where its pressure crosses
+/// the tank's. Throws UnfitScenario (requirement.hpp) if the scenario is not valid.
 ExcavatorMotion simulate_excavator(const ExcavatorScenario&);
 
 /// Simulates the scenario in the same way, but passes each state to `show` instead of returning all states.

@@ -11,7 +11,6 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// Reads the sensors of one link.
 void read_link(const LinkState& state, const ActiveLink& active, const MeasurementNoise& noise,
                const UniformSource& uniform, Record& record) {
     auto read = [&](Sensor sensor, double value, double deviation, double resolution) {

@@ -12,12 +12,12 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// Returns the leak of a link; the rows fault.leak* are the boom's.
+/// Returns the leak of a link. Only the boom can leak (rows fault.leak*).
 PistonLeak leak_of(Link link, const Parameters& parameters) {
     return link == Link::boom ? PistonLeak{parameters["fault.leak"], parameters["fault.leak_start"]} : PistonLeak{};
 }
 
-/// Returns the valve of B.5 of a link whose row names begin with `name`.
+/// Returns the valve by B.5 from the rows two_links.NAME_*.
 TimedOrifices two_link_orifices(std::string_view name, const Parameters& parameters) {
     auto value = [&](std::string_view what) { return parameters[fmt::format("two_links.{}_{}", name, what)]; };
     return {.inlet_final_in2 = value("inlet_final"),
@@ -28,8 +28,8 @@ TimedOrifices two_link_orifices(std::string_view name, const Parameters& paramet
             .step_time_s = 0};
 }
 
-/// Returns the demanded flow and the link's pressure at that flow. If its junction's bypass is shut, the link takes the
-/// whole flow.
+/// Returns the flow that the controller demands, and the link's pressure at this flow. If the junction's bypass is
+/// shut, the link takes the whole flow.
 FlowTarget target_of(const Junction& junction, const FlowConstants& flow, const Parameters& parameters) {
     LinkMechanics link = coupled_mechanics(junction.link, parameters);
     double in = junction.through == Through::nowhere ? junction.pumps * flow.pump_in3_per_s

@@ -21,13 +21,13 @@ inline HoseEnds ends_of(const Hose& hose, double compliance_in3_per_psi) {
     return {valve, compliance_in3_per_psi - valve};
 }
 
-/// The line's state, or the rate at which it changes. Flow is positive from the first end to the second.
+/// The state of a line, or the rates at which the state changes. Flow is positive from the first end to the second.
 struct HoseLine {
     double first_psi, flow_in3_per_s, second_psi;
 };
 
-/// Returns the rates of a line with compliances `first` and `second`, fed at its first end and drawn from at its
-/// second.
+/// Returns the rates of a line whose ends have the compliances `first` and `second`. The flow `fed` enters at the first
+/// end, and the flow `drawn` leaves at the second.
 inline HoseLine rates_of(const Hose& hose, double first_in3_per_psi, double second_in3_per_psi, const HoseLine& line,
                          double fed_in3_per_s, double drawn_in3_per_s) {
     return {(fed_in3_per_s - line.flow_in3_per_s) / first_in3_per_psi,

@@ -13,8 +13,8 @@ struct LinkMechanics {
     double moment_arm_in;                 ///< piston travel per radian of the joint
     double mass_lbf_s2_per_in;            ///< M, the link's inertia at the piston
     double damping_lbf_s_per_in;          ///< b
-    double friction_lbf;                  ///< F_c, of friction F_c tanh(v / friction_velocity)
-    double friction_velocity_in_per_s;    ///< > 0: the friction is smooth through rest
+    double friction_lbf;                  ///< F_c; the friction is F_c tanh(v / friction_velocity)
+    double friction_velocity_in_per_s;    ///< > 0, so that the friction is smooth at rest
     double load_lbf;                      ///< F, the load on the piston
     double inlet_compliance_in3_per_psi;  ///< C_i
     double outlet_compliance_in3_per_psi; ///< C_o; ignored without a drain side

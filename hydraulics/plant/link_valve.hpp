@@ -8,8 +8,8 @@
 
 namespace placedpar::hydraulics {
 
-/// The simplified valve of B.5. After a step input its areas approach their final values like exp(-rate t), without a
-/// spool. Before the step the inlet and the outlet are shut.
+/// The simplified valve of B.5, which has no spool. Before the step the inlet and the outlet are shut. After the step
+/// all areas approach their final values like exp(-rate t).
 struct TimedOrifices {
     double inlet_final_in2;  ///< a_i1
     double bypass_rest_in2;  ///< a_e0
@@ -19,7 +19,8 @@ struct TimedOrifices {
     double step_time_s;
 };
 
-/// A command for the spool: to go to `desired_in` at `time_s`, at once or evenly within a ramp.
+/// A command that changes the desired spool position to `desired_in`: by a step at `time_s`, or by a linear ramp that
+/// begins at `time_s`.
 struct SpoolStep {
     double time_s;
     double desired_in;

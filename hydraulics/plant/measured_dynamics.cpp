@@ -14,7 +14,7 @@ namespace {
 /// Below this pressure there is vapour, and the mixture's formula is not valid.
 constexpr double least_psia = 1;
 
-/// Returns the compliance of the cylinder's end of the inlet side, increased by free air, which gathers there.
+/// Returns the compliance at the cylinder's end of the inlet side, where free air gathers and adds to the compliance.
 double cylinder_compliance(const MeasuredExcavator& excavator, double without_air, double psi) {
     if (excavator.oil.air_fraction == 0)
         return without_air;

@@ -47,11 +47,11 @@ public:
     explicit MeasuredDynamics(const MeasuredExcavator& excavator) : excavator_(excavator) { hold(0); }
 
     State at_rest() const;
-    /// Holds the command and the drift at their values at this instant.
+    /// Fixes the drift, and the command delayed by the dead time, at their values at `time_s`.
     void hold(double time_s);
-    /// Holds another voltage, with the drift at its value at this instant.
+    /// Fixes the voltage at `volts`, and the drift at its value at `time_s`.
     void hold(double volts, double time_s);
-    /// Computes the derivative and returns the mode in which it holds.
+    /// Computes the derivative, and returns the mode in which the derivative is valid.
     Mode rate(const State& state, State& derivative, double time_s) const;
     /// Returns the pump's flow, with its ripple.
     double pump_in3_per_s(double time_s) const;
@@ -66,8 +66,8 @@ private:
     double desired_spool_in_ = 0;
 };
 
-/// Returns the flow of the drain side through an orifice (3.4), in either direction. It is laminar near a drop of 0, so
-/// that its slope is finite there: Q = k a drop / (drop^2 + laminar^2)^(1/4).
+/// Returns the flow of the drain side through an orifice (3.4), in either direction. The flow is laminar near a drop of
+/// 0, so that its slope is finite there: Q = k a drop / (drop^2 + laminar^2)^(1/4).
 double drain_in3_per_s(double outlet_in2, double drop_psi, double laminar_psi, const FlowConstants& flow);
 
 } // namespace placedpar::hydraulics

@@ -21,7 +21,7 @@ StickFriction friction_of(const Parameters& parameters) {
             .bristle_damping_lbf_s_per_in = parameters["stiction.bristle_damping"]};
 }
 
-/// Both the sensor and A.1 read too high by the offset, so a voltage moves the spool that much less than A.1 states.
+/// The sensor and A.1 both read too high by the offset, so a voltage moves the spool less far than A.1 states.
 DriftedVoltageSpool voltage_spool_of(const Parameters& parameters) {
     return {{parameters["fault.servo_bias"], parameters["fault.servo_drift"]}, {-parameters["fault.spool_offset"], 0}};
 }

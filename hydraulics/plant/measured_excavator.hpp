@@ -15,13 +15,13 @@ namespace placedpar::hydraulics {
 
 /// The ripple in the flow of an axial piston pump.
 struct PumpRipple {
-    double amplitude;       ///< of the fundamental, relative to the flow
+    double amplitude;       ///< amplitude of the fundamental, relative to the mean flow
     double frequency_per_s; ///< pistons times shaft speed
 };
 
-/// Replaces the excavator of the thesis, whose recordings we do not have. It is the boom in configuration a, with
-/// effects that the model for identification leaves out. What this model shares with the identification model
-/// (orifices, masses, areas) comes from the same rows of excavator.csv.
+/// A detailed model in place of the thesis's excavator, whose recordings we do not have. It describes the boom in
+/// configuration a, with effects that the model for identification leaves out. Values that both models share (orifices,
+/// masses, areas) come from the same rows of excavator.csv.
 struct MeasuredExcavator {
     FlowConstants flow;
     LinkMechanics boom; ///< its friction_velocity is not used

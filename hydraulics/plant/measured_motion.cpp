@@ -52,7 +52,7 @@ std::vector<MeasuredState> simulate(const MeasuredExcavator& excavator, Hold hol
 } // namespace
 
 std::vector<MeasuredState> simulate_measured_excavator(const MeasuredExcavator& excavator) {
-    // The command is constant within a step: a command begins between two steps.
+    // The command at the middle of a step applies to the whole step, since commands begin between two steps.
     return simulate(excavator, [&](MeasuredDynamics& dynamics, const MeasuredState& state, std::size_t) {
         dynamics.hold(state.time_s + excavator.integration_step_s / 2);
     });
@@ -62,7 +62,7 @@ std::vector<MeasuredState> simulate_measured_excavator(const MeasuredExcavator& 
                                                        const VoltageControl& control) {
     const std::size_t stride = steps_in(excavator.sampling_period_s, excavator.integration_step_s);
     const Converter& converter = excavator.servo_converter;
-    std::vector<double> volts; // of each sampling period
+    std::vector<double> volts; // voltage of each sampling period
     return simulate(excavator, [&](MeasuredDynamics& dynamics, const MeasuredState& state, std::size_t step) {
         if (step % stride == 0)
             volts.push_back(converter.limited(control(state), -converter.range / 2));

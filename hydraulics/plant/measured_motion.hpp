@@ -10,7 +10,7 @@ namespace placedpar::hydraulics {
 /// The true state of the measured excavator at one instant.
 struct MeasuredState {
     double time_s;
-    double inlet_psi;           ///< at the valve's end of the hose, at the sensor
+    double inlet_psi;           ///< at the valve's end of the hose, where the sensor is
     double inlet_cylinder_psi;  ///< at the cylinder's end
     double outlet_psi;          ///< at the valve's end of the drain side's hose
     double outlet_cylinder_psi; ///< at the cylinder's end
@@ -20,7 +20,7 @@ struct MeasuredState {
     double pump_in3_per_s;       ///< the pump's flow, with its ripple
     double inlet_in3_per_s;      ///< Q_i, from the valve
     double bypass_in3_per_s;     ///< Q_e
-    double inlet_hose_in3_per_s; ///< into the cylinder
+    double inlet_hose_in3_per_s; ///< flow from the inlet hose into the cylinder
     double leak_in3_per_s;       ///< Q_l
 };
 
@@ -28,15 +28,15 @@ struct MeasuredState {
 /// friction is relaxed. The method is Runge-Kutta of order 4 (Boost.Odeint). Returns one state per step, the first at
 /// time 0. Steps end where the load check or the relief valve opens or shuts, at the knees of the orifices and where a
 /// leak begins (event_step.hpp); friction is not smooth where the piston reverses. Throws UnfitScenario
-/// (requirement.hpp) if a value is out of range, or if the step is too long for the hoses, the bristles or the drain:
-/// it names the fastest of these and the longest step that it allows.
+/// (requirement.hpp) if a value is out of range, or if the step is too long for a part of the model: the message names
+/// this part and its longest step.
 std::vector<MeasuredState> simulate_measured_excavator(const MeasuredExcavator& excavator);
 
-/// Returns the voltage to be held for a sampling period, given the state at the beginning of the period.
+/// A function that returns the voltage for a sampling period, given the state at the beginning of the period.
 using VoltageControl = std::function<double(const MeasuredState&)>;
 
-/// Simulates the excavator under a control in place of its command. The voltage passes the converter, and acts after
-/// the dead time. Throws UnfitScenario as well if the sampling period is not a whole multiple of the step.
+/// Simulates the excavator under `control` instead of its command. The voltage passes the converter, and acts after the
+/// dead time. Throws UnfitScenario also if the sampling period is not a whole multiple of the step.
 std::vector<MeasuredState> simulate_measured_excavator(const MeasuredExcavator& excavator,
                                                        const VoltageControl& control);
 

@@ -38,7 +38,7 @@ double standard_normal(const UniformSource& uniform);
 inline constexpr double sampling_period_s = 0.020;
 
 /// The resolutions of readings, far below any noise. The last bits of exp, log and tanh may differ between mathematical
-/// libraries; rounding keeps them out of the record and of everything computed from it.
+/// libraries; rounding keeps these bits out of the record and out of everything computed from the record.
 inline constexpr double pressure_resolution_psi = 0x1p-20;
 inline constexpr double angle_resolution_deg = 0x1p-30;
 inline constexpr double spool_resolution_in = 0x1p-30;

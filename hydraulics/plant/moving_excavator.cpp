@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t bu = index_of(Link::bucket), bo = index_of(Link::boom), st = index_of(Link::stick),
                       sw = index_of(Link::swing);
 
-/// The components of the state for each link, and behind them the pressure at the junction of each link.
+/// The components of the state for each link. The pressures at the links' junctions follow the components of all links.
 enum Part : std::size_t { inlet_psi, piston_in, velocity, inlet_area, bypass_area, outlet_area, parts };
 constexpr std::size_t junctions = parts * all_links.size();
 using MachineState = std::array<double, junctions + all_links.size()>;
@@ -28,12 +28,11 @@ double part(const MachineState& state, std::size_t link, Part which) { return st
 double& part(MachineState& state, std::size_t link, Part which) { return state[link * parts + which]; }
 double junction_psi(const MachineState& state, std::size_t link) { return state[junctions + link]; }
 
-/// The flows of the main valve.
 struct ValveFlows {
     PerLink<double> inlet, bypass, outlet, relief;
 };
 
-/// The machine's differential equations while configuration, commands and loads are constant.
+/// The machine's differential equations with constant configuration, commands and loads.
 class MovingDynamics {
 public:
     explicit MovingDynamics(const MovingExcavator& machine) : machine_(machine) {}
@@ -49,7 +48,8 @@ public:
             flows.inlet[i] = one_way(part(state, i, inlet_area), psi - part(state, i, inlet_psi));
             flows.bypass[i] = one_way(part(state, i, bypass_area), psi - beyond_psi(state, i));
             flows.outlet[i] = one_way(part(state, i, outlet_area), part(state, i, inlet_psi) - machine_.flow.tank_psi);
-            flows.relief[i] = std::max(psi - machine_.flow.relief_psi, 0.0); // 1 in^3/s a psi
+            // The relief valve passes 1 in^3/s per psi above the relief pressure.
+            flows.relief[i] = std::max(psi - machine_.flow.relief_psi, 0.0);
         }
         return flows;
     }
@@ -106,7 +106,7 @@ private:
     const MovingExcavator& machine_;
 };
 
-/// Simulates a job from one time of the controller to the next.
+/// Simulates a job in steps of the control period.
 class Digging {
 public:
     Digging(const MovingExcavator& machine, const DigJob& job)
@@ -139,7 +139,6 @@ public:
         return now;
     }
 
-    /// Advances by a period of the controller.
     void advance() {
         const auto next = controlled();
         set_loads();
@@ -170,7 +169,8 @@ private:
                            joint_rates(machine_.arm, angles, reference_.velocity()));
     }
 
-    /// Lets the soil oppose the reference's velocity, fully from a few inches a second on.
+    /// Sets the load of each link, including the soil's force against the reference's velocity. Below 5 in/s this force
+    /// is proportional to the velocity.
     void set_loads() {
         constexpr double full_in_per_s = 5;
         const TipPose& v = reference_.velocity();

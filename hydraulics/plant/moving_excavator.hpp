@@ -13,27 +13,26 @@ namespace placedpar::hydraulics {
 struct MovingLink {
     double inlet_psi, angle_rad, rate_rad_per_s, load_lbf;
     OrificeAreas areas;
-    double inlet_in3_per_s; ///< from the main valve
+    double inlet_in3_per_s; ///< flow from the main valve
 };
 
 struct MovingState {
     double time_s;
     PerLink<MovingLink> links;
-    double p11_psi, p21_psi; ///< at the pumps
+    double p11_psi, p21_psi; ///< pressures at the pumps
     BranchPressures branch;
-    Configuration configuration; ///< by the true pressures
+    Configuration configuration; ///< the configuration that the true pressures cause
     TipPose asked;               ///< the reference trajectory
 };
 
-/// Simulates the job from rest and shows each state at the times of the controller. At these times the controller
-/// reads angles, rates and inlet pressures, computes the rates that resolve the tip's reference into joints and
-/// corrects them by proportional and derivative feedback. From the rates follow the flows, and from these by
-/// feedforward.hpp the areas for the present configuration. The areas follow through the pilot valves' dead time and
-/// lag.
+/// Simulates the job from rest, and calls `show` with the state at each time of the controller. At these times the
+/// controller reads angles, rates and inlet pressures. It resolves the velocity of the tip's reference into joint rates
+/// and corrects these by P-D feedback. From the rates follow the flows, and from the flows the areas for the present
+/// configuration (feedforward.hpp). The pilot valves set the areas after a dead time and with a lag.
 ///
-/// Integrates by the Runge-Kutta method of order 4 in fixed steps. Each pump's line has the volume of its pipes, so
-/// that flows are explicit; the cross-over valves move between steps. Throws UnfitScenario if the job leaves the arm's
-/// reach or the soil lifts a load.
+/// Integrates by the Runge-Kutta method of order 4 in fixed steps. Each junction has the compliance of the oil in its
+/// pipes, so that flows follow directly from the pressures. The cross-over valves move between steps. Throws
+/// UnfitScenario if the job leaves the arm's reach or the soil lifts a load.
 void simulate_moving(const MovingExcavator&, const DigJob&, const std::function<void(const MovingState&)>& show);
 
 } // namespace placedpar::hydraulics

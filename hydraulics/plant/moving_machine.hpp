@@ -7,19 +7,19 @@
 
 namespace placedpar::hydraulics {
 
-/// The gains of the controller of 2.3.2 and what its feedforward leaves over the orifices.
+/// The gains of the controller of 2.3.2, and the pressure drops that its feedforward leaves over the orifices.
 struct TrackingGains {
-    double proportional_per_s;   ///< of an error in angle
-    double derivative;           ///< of an error in rate
-    double least_flow_in3_per_s; ///< below it, a link is held
+    double proportional_per_s;   ///< gain of the angle's error
+    double derivative;           ///< gain of the rate's error
+    double least_flow_in3_per_s; ///< a link with a smaller demanded flow is held
     double inlet_drop_psi, bypass_drop_psi;
 };
 
 /// An excavator whose four links dig: the simplified links and valves of appendix B, the whole main valve with its
 /// cross-over network, and the controller that follows the joysticks.
 ///
-/// A link that goes back is not pumped: its load drives it, and the valve throttles its oil to the tank (ours; the
-/// thesis gives no equations for that direction).
+/// The pump does not drive a link backwards: the link's load does, and the valve throttles the link's oil to the tank
+/// (ours; the thesis gives no equations for that direction).
 struct MovingExcavator {
     FlowConstants flow{};
     CrossOverLimits cross_over{};
@@ -27,10 +27,10 @@ struct MovingExcavator {
     ArmLengths arm{};
     TrackingGains gains{};
     double joystick_lag_s = 0;
-    double bypass_rest_in2 = 0;               ///< of a valve at rest
-    double dead_time_s = 0;                   ///< of the pilot valves; their lag is LinkMechanics::spool_lag_per_s
-    double branch_compliance_in3_per_psi = 0; ///< of the oil in a pump's line and valve: volume / bulk modulus
-    double laminar_psi = 0;                   ///< drop below which flow is proportional to it
+    double bypass_rest_in2 = 0; ///< bypass area of a valve at rest
+    double dead_time_s = 0;     ///< dead time of the pilot valves; their lag is LinkMechanics::spool_lag_per_s
+    double branch_compliance_in3_per_psi = 0; ///< compliance of the oil at each junction: volume / bulk modulus
+    double laminar_psi = 0;                   ///< pressure drop below which the flow is proportional to the drop
     double control_period_s = 0;              ///< also the interval between the states that are shown
     double integration_step_s = 0;
 };

@@ -6,8 +6,8 @@
 
 namespace placedpar::hydraulics {
 
-/// Simulates a job and reads inlet pressure, angle and the areas of inlet and bypass of every link at the controller's
-/// times, with noise, in this order, link after link. The record also holds the true configuration. Throws as
+/// Simulates a job, and reads every link at the controller's times with noise: inlet pressure, angle, inlet area and
+/// bypass area, in this order, link after link. The record also holds the true configuration. Throws as
 /// simulate_moving() does.
 Record measure_moving(const MovingExcavator&, const DigJob&, const MeasurementNoise&, const UniformSource& uniform);
 

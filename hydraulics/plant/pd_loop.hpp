@@ -10,7 +10,7 @@
 
 namespace placedpar::hydraulics {
 
-/// Transfer function of a joint under P-D control, equation 2.9:
+/// The transfer function of a joint under P-D control, equation 2.9:
 ///     theta / theta_d = K_p a_0 / (s^3 + a_2 s^2 + (a_1 + a_0 K_v) s + K_p a_0)
 struct PdLoop {
     double a0_per_s3; ///< 2 K_x D_m / (J C), a gain
@@ -65,7 +65,6 @@ double stability_margin(const PdLoop& loop);
 /// (matrix exponential).
 std::vector<double> step_response(const PdLoop& loop, double step_s, std::size_t count);
 
-/// Figures of a step response.
 struct StepFigures {
     double overshoot_percent; ///< relative to the final value 1; 0 if never exceeded
     double peak_time_s;       ///< time of the greatest value

@@ -17,7 +17,8 @@ struct DigJob; // hydraulics/plant/dig_job.hpp
 struct LinksInMotion {
     Configuration configuration = Configuration::a;
     LinkSet links;
-    const DigJob* job = nullptr; ///< not null for digging_scenario(), whose links and configurations follow from it
+    /// Not null for digging_scenario(), where links and configurations follow from the job.
+    const DigJob* job = nullptr;
 };
 
 /// A motion of a simulated machine that can be recorded.
@@ -31,15 +32,15 @@ struct RecordScenario {
     bool (*uses)(std::string_view parameter);
     /// Simulates and measures. Throws UnfitScenario (requirement.hpp) if a parameter is out of its range.
     Record (*make)(const Parameters& parameters, const LinksInMotion& moving, const UniformSource& uniform);
-    /// Whether the scenario can move any links in any configuration; a scenario that cannot ignores `moving`.
+    /// true: the scenario can move any links in any configuration; false: it ignores `moving`
     bool any_links = false;
 };
 
-/// Returns the scenarios: scenario-a and scenario-b of the simple plant, two-links and links of appendix B, and
-/// excavator, the measured machine.
+/// Returns "scenario-a" and "scenario-b" (the simple plant), "two-links" and "links" (appendix B), and "excavator" (the
+/// measured machine).
 std::span<const RecordScenario> record_scenarios();
 
-/// Returns the scenario in which an excavator does a job. It is not among record_scenarios(), since it takes the job.
+/// Returns the scenario in which an excavator does a job. It is not among record_scenarios(), since it needs a job.
 const RecordScenario& digging_scenario();
 
 /// Returns null if there is no such scenario.

@@ -6,12 +6,12 @@
 
 namespace placedpar::hydraulics {
 
-/// The control system's command to the boom's servo-valve: a voltage, reached by a ramp or at once, and optionally a
-/// second voltage later.
+/// The control system's command to the boom's servo-valve: a step or a ramp to a voltage, and optionally a later step
+/// to a second voltage.
 struct ServoCommand {
     double at_rest_volts;
     double step_time_s;
-    double ramp_s; ///< 0: at once
+    double ramp_s; ///< 0: a step
     double desired_volts;
     std::optional<double> second_time_s;
     double second_volts;

@@ -21,7 +21,7 @@ double sliding_force_lbf(const StickFriction& friction, double velocity_in_per_s
 
 double bristle_rate_in_per_s(const StickFriction& friction, double velocity_in_per_s, double bristle_in) {
     double force = sliding_force_lbf(friction, velocity_in_per_s);
-    if (force == 0) // no friction at all
+    if (force == 0)
         return 0;
     return velocity_in_per_s - friction.bristle_stiffness_lbf_per_in * std::abs(velocity_in_per_s) * bristle_in / force;
 }

@@ -45,7 +45,8 @@ TipPose tip_pose(const ArmLengths& lengths, const JointAngles& angles) {
 
 std::optional<JointAngles> joint_angles(const ArmLengths& lengths, const TipPose& pose, double margin_rad) {
     const InPlane bucket_at = along(lengths.bucket_in, pose.pitch_rad);
-    const double out = pose.reach_in - bucket_at.out, up = pose.height_in - bucket_at.up; // the bucket's joint
+    // The position of the bucket's joint.
+    const double out = pose.reach_in - bucket_at.out, up = pose.height_in - bucket_at.up;
     const double a = lengths.boom_in, b = lengths.stick_in;
     const double cosine = (out * out + up * up - a * a - b * b) / (2 * a * b);
     if (!(std::abs(cosine) <= 1))
@@ -62,7 +63,7 @@ std::optional<JointAngles> joint_angles(const ArmLengths& lengths, const TipPose
 
 JointAngles joint_rates(const ArmLengths& lengths, const JointAngles& angles, const TipPose& velocity) {
     const Arm arm = arm_at(lengths, angles);
-    // The bucket's joint moves as the tip, less the bucket's own turning.
+    // The velocity of the bucket's joint is the tip's velocity minus the part due to the bucket's rotation.
     const double out = velocity.reach_in + arm.bucket.up * velocity.pitch_rad;
     const double up = velocity.height_in - arm.bucket.out * velocity.pitch_rad;
     const double x = arm.boom.out + arm.stick.out, y = arm.boom.up + arm.stick.up, square = x * x + y * y;

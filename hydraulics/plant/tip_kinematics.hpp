@@ -16,25 +16,23 @@ struct ArmLengths {
 /// Reads the rows arm.*.
 ArmLengths arm_lengths(const Parameters& parameters);
 
-/// Where the bucket's tip is, and which way the bucket points. The same four numbers also serve as velocities, per
-/// second.
+/// The position of the bucket's tip and the direction of the bucket, or their rates per second.
 struct TipPose {
-    double reach_in;  ///< from the boom's foot, horizontally
-    double height_in; ///< above the boom's foot
-    double pitch_rad; ///< of the bucket, above the horizontal
+    double reach_in;  ///< horizontal distance from the boom's foot
+    double height_in; ///< height above the boom's foot
+    double pitch_rad; ///< angle of the bucket above the horizontal
     double swing_rad;
 };
 
-/// The angles of the joints in rad. The boom's is above the horizontal. The stick's is its bend from the boom's
-/// direction, 0 to pi, and the bucket's its bend from the stick's direction; both grow as the arm folds inwards and
-/// down, which is the direction in which the pump moves them.
+/// The angles of the joints in rad. The boom's angle is measured upwards from the horizontal. The stick's angle is its
+/// bend from the boom's direction, 0 to pi; the bucket's angle is its bend from the stick's direction. Both bends grow
+/// as the arm folds inwards and down, which is the direction in which the pump moves the links.
 using JointAngles = PerLink<double>;
 
-/// Returns the pose of the tip.
 TipPose tip_pose(const ArmLengths&, const JointAngles&);
 
-/// Returns the angles that give this pose, with the stick's bend from 0 to pi; nullopt if boom and stick do not reach
-/// it, or only stretched or folded to within `margin_rad`, where rates have no bound.
+/// Returns the angles for a pose, with the stick's bend from 0 to pi. Returns nullopt if boom and stick do not reach
+/// the pose, or if the bend is within `margin_rad` of 0 or pi, where rates have no bound.
 std::optional<JointAngles> joint_angles(const ArmLengths&, const TipPose&, double margin_rad = 0.05);
 
 /// Returns the rates of the joints that move the tip at this velocity (resolved motion, 2.1). REQUIRES: the stick's

@@ -10,7 +10,8 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// The share of a junction's flow that a link may ask for; the rest keeps its bypass open, so that it can be steered.
+/// The largest share of a junction's flow that a link may ask for. The rest flows through the bypass, which stays open
+/// and can be controlled.
 constexpr double most_of_a_junction = 0.98;
 
 /// Returns the flow into the link that the controller asks for: feedforward of the rate, with P-D feedback.
@@ -22,7 +23,7 @@ double asked_flow(const MovingExcavator& machine, Link link, const TrackedLink& 
     return piston_in3_per_rad(mechanics.inlet_area_in2, mechanics.moment_arm_in) * rate;
 }
 
-/// Limits the targets to what reaches each junction, and to pressures with which no junction passes the relief valve's.
+/// Limits flows to what reaches each junction, and pressures so that no junction exceeds the relief pressure.
 void limit(const Circuit& circuit, std::vector<FlowTarget>& targets, const MovingExcavator& machine) {
     const FlowConstants& flow = machine.flow;
     const double drops_psi = all_links.size() * (machine.gains.inlet_drop_psi + machine.gains.bypass_drop_psi);
@@ -36,8 +37,9 @@ void limit(const Circuit& circuit, std::vector<FlowTarget>& targets, const Movin
     }
 }
 
-/// Returns the configuration for which the controller steers. A first link that asks for the whole flow of its pump
-/// gets it, with its bypass shut. Otherwise the check valve behind it is held open, so that its flow can be steered.
+/// Returns the configuration for which the controller computes the areas. If the first link of a branch asks for the
+/// whole flow of its pump, the link gets this flow, and its bypass is shut. Otherwise bypass and check valve stay open,
+/// so that the link's flow can be controlled.
 Configuration steered(Configuration configuration, const PerLink<double>& asked_in3_per_s, const FlowConstants& flow) {
     auto asks_all = [&](Link link) {
         return asked_in3_per_s[index_of(link)] >= most_of_a_junction * flow.pump_in3_per_s;

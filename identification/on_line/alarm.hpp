@@ -12,20 +12,20 @@
 namespace placedpar::identification {
 
 enum class AlarmKind : unsigned char {
-    compliance,     ///< air in the oil, or a hose that gives way
-    leak,           ///< from a hose or past a piston
+    compliance,     ///< a changed compliance, for example because of air in the oil or a softer hose
+    leak,           ///< a leak from a hose or past a piston
     offset,         ///< the spool is not at the position that its sensor reads
     drift,          ///< the spool is not at the position that the servo-valve's voltage demands
     leak_or_offset, ///< either a leak, or an offset or a drift
     sensor,         ///< physically impossible readings
-    branch          ///< all links of a branch are off in the same way, so a shared part is at fault
+    branch          ///< all links of a branch have the same fault, so a shared part is the cause
 };
 
 inline constexpr std::array<AlarmKind, 7> all_alarm_kinds{
     AlarmKind::compliance,     AlarmKind::leak,   AlarmKind::offset, AlarmKind::drift,
     AlarmKind::leak_or_offset, AlarmKind::sensor, AlarmKind::branch};
 
-/// Returns nullopt for a sound link and for verdicts that decide nothing.
+/// Returns the alarm for a verdict; nullopt if the verdict states no fault.
 std::optional<AlarmKind> alarm_of(VerdictKind kind);
 std::string_view name_of(AlarmKind);
 
@@ -34,7 +34,7 @@ struct Alarm {
     hydraulics::LinkSet links; ///< one link, or all links of a branch
     std::string text;          ///< a sentence for the operator
 
-    /// Compares kind and links only; the figures in the texts may differ.
+    /// Compares kind and links only; the numbers in the texts may differ.
     friend bool operator==(const Alarm& a, const Alarm& b) { return a.kind == b.kind && a.links == b.links; }
 };
 
@@ -45,7 +45,7 @@ struct LinkVerdict {
 };
 
 /// Returns the active alarms, ordered by kind and link. Cross-check 2 of thesis 3.3 locates the fault: if all links of
-/// a branch are off in the same way, the fault is in a part that they share, their pump or the supply of their valves.
+/// a branch have the same fault, it is in a part that they share, their pump or the supply of their valves.
 std::vector<Alarm> find_alarms(const hydraulics::PerLink<LinkVerdict>& verdicts);
 
 } // namespace placedpar::identification

@@ -7,7 +7,7 @@
 
 namespace placedpar::identification {
 
-/// The settled compliance of a link as found by one population set.
+/// The settled compliance that one population set found for a link.
 struct SetEstimate {
     hydraulics::LinkSet set;
     double compliance_in3_per_psi; ///< the newest settled value
@@ -19,7 +19,7 @@ struct SetEstimate {
 /// Cross-check 1 of thesis 3.3 compares the compliances that several population sets found for one link under different
 /// hydraulic configurations.
 struct LinkCheck {
-    std::vector<SetEstimate> estimates; ///< ordered by name of set, without stale ones
+    std::vector<SetEstimate> estimates; ///< estimates that are not stale, ordered by name of set
 
     /// Returns (greatest - least) / median, or 0 for fewer than two estimates.
     double spread() const;

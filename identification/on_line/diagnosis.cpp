@@ -15,8 +15,8 @@ using namespace hydraulics;
 
 namespace {
 
-/// The share of a sample's period by which a sample may be early or late, or a reading late. If this share is exceeded,
-/// 5 samples no longer count as equally spaced, and the windows restart.
+/// The greatest deviation of a sample's time, or delay of a reading, as a share of the sampling period. Beyond this
+/// limit, 5 samples no longer count as equally spaced, and the windows restart.
 constexpr double jitter = 0.1;
 
 /// Returns the alarms of `a` that are not in `b`.
@@ -85,12 +85,12 @@ const SetProblem& Diagnosis::problem(LinkSet set) {
 void Diagnosis::change(const ConfigurationChange& change) {
     if (state_.configuration == change.configuration && state_.active == change.active)
         return;
-    restart_windows(); // restarts the sets in use until now
+    restart_windows(); // for the sets of the old configuration
     state_.configuration = change.configuration;
     state_.active = change.active;
     for (Link link : all_links)
         if (!state_.active.contains(link))
-            state_.tracks[index_of(link)] = {}; // its voltage is no longer read
+            state_.tracks[index_of(link)] = {}; // readings of an inactive link are not kept
 }
 
 void Diagnosis::restart_windows() {

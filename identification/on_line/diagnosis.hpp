@@ -23,7 +23,8 @@ namespace placedpar::identification {
 /// The deviations of the links of a set in a single movement, in the order of links_of().
 struct JudgedMovement {
     hydraulics::LinkSet set;
-    std::vector<Deviation> links; ///< from a healthy link, which has its compliance in health, no leak and no offset
+    /// Deviations from a healthy link, which has the healthy compliance, no leak and no offset.
+    std::vector<Deviation> links;
 };
 
 /// The readings of a sample that is not complete yet.
@@ -38,7 +39,7 @@ struct OpenSample {
 
 /// Holds everything that is needed to restore a Diagnosis.
 struct DiagnosisState {
-    std::string name; ///< of the excavator
+    std::string name; ///< name of the excavator
     ExcavatorParameters parameters;
     std::optional<hydraulics::Configuration> configuration;
     hydraulics::LinkSet active;
@@ -49,8 +50,8 @@ struct DiagnosisState {
     std::optional<double> sample_s; ///< middle of the last complete sample since the windows began
     hydraulics::PerLink<LinkTrack> tracks;
     std::map<hydraulics::LinkSet, PopulationSet::State> sets; ///< all sets ever used
-    hydraulics::PerLink<double>
-        health_in3_per_psi{}; ///< compliances in health: set by the control system, or else those of the machine's kind
+    /// Healthy compliances, set by the control system, or else typical of the machine's kind.
+    hydraulics::PerLink<double> health_in3_per_psi{};
     hydraulics::PerLink<FrozenWatch> pressures, angles;
     std::map<hydraulics::LinkSet, SetWatch::State> watches; ///< one for each set ever used
     bool judged = false;       ///< whether a verdict may have changed since the alarms were last determined
@@ -95,25 +96,27 @@ public:
     /// Returns the middle of the last complete sample since the windows began.
     std::optional<double> sample_s() const { return state_.sample_s; }
     const std::map<hydraulics::LinkSet, PopulationSet>& sets() const { return sets_; }
-    /// Returns the compliance of the link in health: the value set by the control system, or else that of the machine's
-    /// kind.
+    /// Returns the compliance of the healthy link: the value that the control system has set, or else the value for the
+    /// machine's kind.
     double health_in3_per_psi(hydraulics::Link link) const {
         return state_.health_in3_per_psi[hydraulics::index_of(link)];
     }
     const std::vector<Alarm>& alarms() const { return state_.alarms; }
     std::vector<hydraulics::LinkSet> sets_in_use() const;
     LinkCheck check(hydraulics::Link link) const;
-    /// Returns the most informative verdict of any set. A fault comes before no fault, then the set that has judged
-    /// most movements is preferred.
+    /// Returns the most informative verdict of all sets. A fault is preferred to no fault; among equals, the set with
+    /// the most judged movements is preferred.
     LinkVerdict verdict(hydraulics::Link link) const;
-    /// Returns the compliance that the link is compared with: that of its own first movements, or that of its kind.
+    /// Returns the compliance with which the link is compared: the value from its own first movements, or else for its
+    /// kind.
     double baseline_in3_per_psi(hydraulics::Link link) const;
 
     /// Records that a control system has connected, so the time of its samples may restart.
     void connected() { state_.time_may_restart = true; }
-    /// Changes configuration and active links. If both are unchanged it does nothing; otherwise the windows restart.
+    /// Changes configuration and active links. Does nothing if both are unchanged; otherwise the windows restart.
     void change(const ConfigurationChange& change);
-    /// Sets the links' compliances in health and judges the links anew. Returns the alarms that this raises or clears.
+    /// Sets compliances of healthy links and forgets the judgements of these links. Returns the alarms raised or
+    /// cleared.
     SampleOutcome set_baseline(const Baseline& baseline);
     /// Processes the readings of one instant. Throws RefusedSample if there is no configuration yet, a reading of an
     /// active link is missing, or the sample is not later than the last one.

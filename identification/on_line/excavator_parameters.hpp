@@ -9,16 +9,16 @@ namespace placedpar::identification {
 
 /// The constants of an excavator that the on-line diagnosis needs.
 struct ExcavatorParameters {
-    double period_s = 0; ///< between samples
+    double period_s = 0; ///< time between samples
     hydraulics::FlowConstants flow{};
     hydraulics::PerLink<hydraulics::LinkConstants> links{};
-    hydraulics::PerLink<double> compliance_in3_per_psi{}; ///< of healthy machines of its kind; above 0
+    hydraulics::PerLink<double> compliance_in3_per_psi{}; ///< compliances of healthy machines of this kind; above 0
 
     friend bool operator==(const ExcavatorParameters&, const ExcavatorParameters&) = default;
 };
 
-/// Takes the rows of link_constants(), flow_constants() and the inlet_compliance of each link. The sampling period is
-/// 20 ms, as in the thesis.
+/// Returns the constants from the rows of link_constants(), flow_constants() and the inlet_compliance of each link. The
+/// sampling period is 20 ms, as in the thesis.
 ExcavatorParameters excavator_parameters(const hydraulics::Parameters& parameters);
 
 } // namespace placedpar::identification

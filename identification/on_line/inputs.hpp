@@ -8,7 +8,7 @@
 
 namespace placedpar::identification {
 
-/// These types hold what a control system reports about its excavator. The monitor handles how they arrive.
+/// These types hold what a control system reports about its excavator. The monitor receives the reports.
 
 struct ConfigurationChange {
     hydraulics::Configuration configuration;

@@ -20,22 +20,23 @@ class LinkEstimate {
 public:
     /// Holds everything that is needed to restore the object.
     struct State {
-        std::vector<double> recent_in3_per_psi;  ///< of the best individuals, oldest first
-        std::vector<double> settled_in3_per_psi; ///< one for each of the last settled transients
-        double standard_error_in3_per_psi = 0; ///< of the newest estimate, by least squares on its window; 0: none yet
-        double settled_error_in3_per_psi = 0;  ///< of the newest settled value
-        double time_s = 0;                     ///< time of the sample that last moved the estimate
-        double settled_time_s = 0;             ///< time of the sample that moved the newest settled value
-        double excitation_psi_per_s = 0;       ///< rms slope of the inlet pressure over the window
-        bool excited = false;                  ///< the excitation is above the gate
-        bool fits = true;                      ///< the best individual had positive fitness
-        bool settled = false;                  ///< whether it has settled in the present transient
+        std::vector<double> recent_in3_per_psi; ///< compliances of the last generations' best individuals, oldest first
+        std::vector<double> settled_in3_per_psi; ///< one value for each of the last settled transients
+        /// The standard error of the newest estimate, by least squares on its window; 0: none yet.
+        double standard_error_in3_per_psi = 0;
+        double settled_error_in3_per_psi = 0; ///< standard error of the newest settled value
+        double time_s = 0;                    ///< time of the sample that last changed the estimate
+        double settled_time_s = 0;            ///< time of the sample that last changed the newest settled value
+        double excitation_psi_per_s = 0;      ///< rms slope of the inlet pressure over the window
+        bool excited = false;                 ///< the excitation is above the gate
+        bool fits = true;                     ///< the best individual had positive fitness
+        bool settled = false;                 ///< whether the estimate has settled in the present transient
         std::size_t generations_in_transient = 0;
 
         friend bool operator==(const State&, const State&) = default;
     };
 
-    /// Merges settled values closer in time than this into one transient. Ours: an operator's movements are seconds
+    /// Settled values less than this time apart belong to one transient. Ours: an operator's movements are seconds
     /// apart.
     static constexpr double transients_apart_s = 1;
 
@@ -44,7 +45,7 @@ public:
     const State& state() const { return state_; }
     friend bool operator==(const LinkEstimate&, const LinkEstimate&) = default;
 
-    /// Takes the rms slope of the pressure over the window. Below the gate the transient ends.
+    /// Sets the rms slope of the pressure over the window. If the gate is then shut, the transient ends.
     void excite(double rms_psi_per_s, const DiagnosisSettings& settings);
     void end_transient();
     /// Adds the best individual of a generation; `step` is the resolution of the search.

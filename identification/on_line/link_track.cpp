@@ -18,8 +18,8 @@ void push_bounded(std::vector<double>& values, double value) {
     values.push_back(value);
 }
 
-/// The time without a sample, in time constants of the spool, after which the voltage in between no longer matters. The
-/// spool is then assumed to be where the newest voltage demands, as at the start. Ours.
+/// The length of a gap between samples, in time constants of the spool, beyond which the earlier voltage no longer
+/// matters (ours). The spool is then assumed to be at the position for the newest voltage, as at the start.
 constexpr double known_for_lags = 5;
 
 ValveAreas areas_at(double spool_in) {
@@ -52,7 +52,7 @@ void LinkTrack::add_valve(const Reading& reading, const LinkConstants& constants
         state_.sums.spool_in += follow_spool_in(servo->servo_V, constants, elapsed_s);
         return;
     }
-    state_.spool_in = state_.desired_in = std::nullopt; // no longer computed
+    state_.spool_in = state_.desired_in = std::nullopt; // the spool is no longer computed from the voltage
     if (const auto* spool = std::get_if<SpoolPosition>(&reading.valve)) {
         state_.sums.spool_in += spool->spool_in;
         return;

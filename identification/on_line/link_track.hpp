@@ -12,7 +12,7 @@
 namespace placedpar::identification {
 
 /// Keeps the last samples of one link, each the mean of some readings, and computes their slopes. A line through 5
-/// samples gives the slope at the middle one, so centre() is 2 samples old.
+/// samples gives the slope at the middle sample, so centre() is 2 samples old.
 class LinkTrack {
 public:
     /// The sums of the readings of a sample that is not complete yet.
@@ -26,11 +26,11 @@ public:
         friend bool operator==(const Sums&, const Sums&) = default;
     };
 
-    /// Plain values, oldest first.
+    /// Each list holds the last samples, oldest first.
     struct State {
         std::vector<double> inlet_psi, angle_deg, inlet_in2, bypass_in2;
-        std::optional<double> spool_in,
-            desired_in; ///< actual and desired position of a spool that is computed from its voltage
+        /// The actual and the desired spool position, if computed from the voltage.
+        std::optional<double> spool_in, desired_in;
         Sums sums;
 
         friend bool operator==(const State&, const State&) = default;
@@ -41,8 +41,8 @@ public:
     const State& state() const { return state_; }
     friend bool operator==(const LinkTrack&, const LinkTrack&) = default;
 
-    /// Adds a reading. `elapsed_s` is the time since the previous reading, above 0. If it is unknown, a spool computed
-    /// from its voltage is assumed to be at rest.
+    /// Adds a reading. `elapsed_s` is the time since the previous reading, above 0. If this time is unknown, a spool
+    /// computed from its voltage is assumed to be at rest.
     void read(const Reading& reading, const hydraulics::LinkConstants& constants, std::optional<double> elapsed_s);
     /// Makes a sample, the mean of the readings since the last sample. Areas and spool positions are not mixed; the
     /// sample uses the kind that was read last. REQUIRES: there is a reading.
@@ -50,11 +50,11 @@ public:
     /// Forgets the readings but not the spool, which continues to move over a gap or a change of circuit.
     void restart();
 
-    /// Returns the middle one of the last 5 samples; nullopt while there are fewer.
+    /// Returns the middle of the last 5 samples; nullopt while there are fewer.
     std::optional<hydraulics::LinkSample> centre(const hydraulics::CentredLineFit& fit,
                                                  const hydraulics::LinkConstants& constants) const;
 
-    /// Returns whether the middle one of the last 5 samples stands out from the others; false while there are fewer.
+    /// Returns whether the middle of the last 5 samples stands out from the others; false while there are fewer.
     bool spikes(double period_s) const;
 
 private:

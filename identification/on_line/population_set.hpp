@@ -19,8 +19,8 @@ namespace placedpar::identification {
 
 /// A population with its estimates. Population and estimates outlive changes of configuration.
 ///
-/// Its random numbers depend on the seed, the names of excavator and set, and the number of samples seen. Its results
-/// are therefore a function of its own samples, independent of other sets, and a restart does not change them.
+/// The random numbers depend on the seed, the names of excavator and set, and the number of samples seen. The results
+/// are therefore a function of the set's own samples; other sets and a restart of the program do not change them.
 class PopulationSet {
 public:
     /// Holds everything that is needed to restore the object.
@@ -43,8 +43,8 @@ public:
     hydraulics::LinkSet links() const { return links_; }
     const State& state() const { return state_; }
 
-    /// Adds the newest sample to the window and makes the trials if window and gate allow it. Returns the number of
-    /// generations made. REQUIRES: the problem has the links of this set.
+    /// Adds the newest sample to the window. If the window is long enough and the gate is open, makes the generations
+    /// of this sample. Returns the number of generations made. REQUIRES: the problem has the links of this set.
     std::size_t take(const SetProblem& problem, const SetSample& sample, double time_s);
 
     /// Empties the window after a change of configuration or a gap in the samples, because earlier samples do not
@@ -54,8 +54,8 @@ public:
 private:
     void push(const SetSample& sample);
     void evolve(const SetProblem& problem, double time_s);
-    /// Restores the columns of links without excitation from the former population, since their bits would drift at
-    /// random.
+    /// Restores the columns of links without excitation, which the generations have changed at random, from the former
+    /// population.
     void keep_frozen_columns(const std::vector<Genome>& former);
     void add_errors(const SetProblem& problem);
     void record(const SetProblem& problem, const Individual& best, double time_s);

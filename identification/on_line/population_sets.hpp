@@ -17,7 +17,7 @@ const std::array<hydraulics::LinkSet, 15>& all_population_sets();
 std::string_view name_of_set(hydraulics::LinkSet);
 std::optional<hydraulics::LinkSet> set_named(std::string_view);
 
-/// Returns the links in the order in which a set's binary string codes them: that of Figure 3.13 in every circuit.
+/// Returns the links in the order in which a set's string codes them: the order of Figure 3.13, in every circuit.
 std::vector<hydraulics::Link> links_of(hydraulics::LinkSet);
 /// Returns the index of the link in links_of(set). REQUIRES: set.contains(link).
 std::size_t position_in(hydraulics::LinkSet set, hydraulics::Link link);

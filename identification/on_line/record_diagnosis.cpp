@@ -30,8 +30,7 @@ WholeMovement whole_movement(const Deviation& deviation, double health_in3_per_p
     return {deviation, units, health_in3_per_psi + units.compliance_in3_per_psi * deviation.by[0]};
 }
 
-/// Compares the estimate with the whole movement, since a search for several compliances at once can settle on a wrong
-/// string.
+/// Compares the estimate with the whole movement, since a search for several compliances can settle on a wrong string.
 void confirm(LinkFinding& link, std::size_t links) {
     if (!link.compliance_in3_per_psi || !link.whole)
         return;

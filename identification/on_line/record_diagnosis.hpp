@@ -12,33 +12,34 @@
 
 namespace placedpar::identification {
 
-/// One link's result of a least-squares fit to a complete movement, rest included. Verdicts are based on these results.
+/// The result of a least-squares fit to a whole movement, including its rests, for one link. Verdicts use such results.
 struct WholeMovement {
-    Deviation deviation; ///< from a healthy link, which has its compliance in health, no leak and no offset
+    Deviation deviation; ///< deviation from a healthy link: one with the healthy compliance, no leak and no offset
     WayUnits units;
     double compliance_in3_per_psi;
 };
 
-/// The result of a movement for one link: its settled estimate, or else its last estimate.
+/// The result of a movement for one link: the settled estimate, or the last estimate if none has settled.
 struct LinkFinding {
     hydraulics::Link link;
     std::optional<double> compliance_in3_per_psi; ///< nullopt: the pressure never moved enough
-    double standard_error_in3_per_psi = 0;        ///< of least squares on the window of the estimate
-    std::pair<double, double> spread_in3_per_psi; ///< least and greatest of the last generations' best
-    std::vector<Flag> flags;                      ///< empty: nothing unusual
-    std::optional<WholeMovement> whole = {};      ///< nullopt: too few samples
+    double standard_error_in3_per_psi = 0;        ///< standard error of least squares on the window of the estimate
+    /// The least and the greatest compliance of the last generations' best individuals.
+    std::pair<double, double> spread_in3_per_psi;
+    std::vector<Flag> flags;                 ///< empty if nothing is unusual
+    std::optional<WholeMovement> whole = {}; ///< nullopt: too few samples
 };
 
-/// The results of one movement. It lasts from the valves' opening to their closing, to a gap in the record, or for 4 s:
-/// see Movement.
+/// The results of one movement. A movement lasts from the opening of the valves to their closing, to a gap in the
+/// record, or for 4 s (see Movement).
 struct MovementFinding {
     hydraulics::LinkSet set; ///< the links that moved together
     double from_s, to_s;     ///< times in the record
     std::vector<LinkFinding> links;
 };
 
-/// Diagnoses a record as the service does while the machine works. The same samples, seed and name give the same
-/// estimates and verdicts, bit by bit. Records of any length may be given in pieces.
+/// Diagnoses a record as the service diagnoses a working machine. Equal samples, seed and name give equal estimates and
+/// verdicts, bit by bit. A record of any length may be given in pieces.
 class RecordDiagnosis {
 public:
     RecordDiagnosis(Diagnosis diagnosis, const DiagnosisSettings& settings,

@@ -14,8 +14,8 @@ namespace placedpar::identification {
 using SetSample = std::vector<hydraulics::LinkSample>;
 
 /// The search for the compliances of a population set in one configuration of the main valve. The string codes the
-/// links in the order of Figure 3.13, each in Gray code, so that a population means the same in every configuration
-/// that uses it. This class hides the order of the circuit's junctions.
+/// links in the order of Figure 3.13, each in Gray code, so that the strings of a population have the same meaning in
+/// all configurations. This class hides the order of the circuit's junctions.
 class SetProblem {
 public:
     /// REQUIRES: `links` is a non-empty part of one coupled group of the configuration.

@@ -11,15 +11,16 @@ using namespace hydraulics;
 
 namespace {
 
-/// A piston that retracts faster than this on average while oil flows in has an angle of the wrong sign; ours.
+/// A piston that retracts faster than this on average, while oil flows in, shows that its angle has the wrong sign
+/// (ours).
 constexpr double least_inflow_in3_per_s = 1;
 
-/// A piston that extends faster than this, apart from oil that the hose gives off, is driven by oil; ours.
+/// A greater flow into the cylinder, including the oil that the hose takes up, shows that oil drives the piston (ours).
 constexpr double driven_in3_per_s = 10;
-/// A boom that swings after its valve has shut swings back within half a second.
+/// Within this time a boom that swings after its valve has shut swings back.
 constexpr double longest_swing_s = 0.5;
 
-/// Returns whether the movement determines the size of this deviation. A steady movement hardly does.
+/// Returns whether the movement determines the size of this deviation. A steady movement hardly determines any.
 bool tells(const Deviation& deviation, FaultHypothesis way) {
     return deviation.standard_error(way) <= LinkJudge::most_uncertain;
 }

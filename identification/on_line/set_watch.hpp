@@ -19,8 +19,8 @@ public:
         Movement::State movement;
         std::vector<hydraulics::AreasFrom> valves; ///< sources of the newest sample's areas
         std::vector<LinkJudge::State> judges;
-        std::vector<std::size_t>
-            moving_shut; ///< number of samples, up to the newest, in which the valve is shut but oil flows in
+        std::vector<std::size_t> moving_shut; ///< number of successive samples, up to the newest, in which the valve is
+                                              ///< shut but oil flows in
 
         friend bool operator==(const State&, const State&) = default;
     };
@@ -29,15 +29,16 @@ public:
     SetWatch(const hydraulics::Sampling& sampling, State state) : sampling_(sampling), state_(std::move(state)) {}
     const State& state() const { return state_; }
 
-    /// The deviation of each link in a movement that has ended, in the order of links_of(); nullopt if none has ended.
+    /// The deviation of each link in the movement that has ended, in the order of links_of(); nullopt if none has
+    /// ended.
     using Judged = std::optional<std::vector<Deviation>>;
 
-    /// Adds a sample. `health_in3_per_psi` are the links' compliances in health. REQUIRES: the problem has the links of
-    /// this set, and each span has one entry per link.
+    /// Adds a sample. `health_in3_per_psi` holds the healthy compliances of the links. REQUIRES: the problem has the
+    /// links of this set, and each span has one entry per link.
     Judged take(const SetProblem& problem, const SetSample& sample, std::span<const hydraulics::AreasFrom> valves,
                 std::span<const double> health_in3_per_psi);
-    /// Returns whether a piston has moved for half a second while its valve reads shut, and records such readings as
-    /// impossible. Must be called before take(), with the same sample.
+    /// Returns whether a piston has moved for half a second while its valve reads shut, and records an impossible
+    /// reading. Must be called before take(), with the same sample.
     bool note_moving_shut(const SetSample& sample, std::span<const double> health_in3_per_psi);
     /// Judges an unfinished movement after a gap in the samples or a change of configuration.
     Judged end_movement(const SetProblem& problem, std::span<const double> health_in3_per_psi);

@@ -10,8 +10,8 @@
 
 namespace placedpar::identification {
 
-/// Computes the fitness of the strings of several generations over one window. Short strings, those of one link, are
-/// evaluated only once each. A converging population has many equal strings, and most of them were in earlier
+/// Computes the fitness of the strings of several generations over one window. The short strings of one link are
+/// evaluated only once each: a converging population has many equal strings, and most of them were in earlier
 /// generations.
 class WindowFitness {
 public:
@@ -30,8 +30,8 @@ private:
     const SetProblem& problem_;
     std::vector<hydraulics::CircuitTerms> window_;
     double bias_;
-    std::vector<std::uint8_t> met_; ///< whether a string was seen, by the string as a number
-    std::vector<double> known_;     ///< the fitness of each string seen
+    std::vector<std::uint8_t> met_; ///< for each string, read as a number, whether it was seen
+    std::vector<double> known_;     ///< fitness of each string that was seen
 };
 
 } // namespace placedpar::identification

@@ -12,8 +12,8 @@ namespace placedpar {
 using namespace identification;
 
 std::string print_compliance(std::string_view name, double compliance, double standard_error) {
-    static const double m3_per_pascal = hydraulics::unit_named("m^3/Pa")->factor; // in in^3/psi
-    if (!std::isfinite(compliance)) // can result from readings such as 1e9
+    static const double m3_per_pascal = hydraulics::unit_named("m^3/Pa")->factor; // 1 m^3/Pa in in^3/psi
+    if (!std::isfinite(compliance))                                               // readings such as 1e9 can cause this
         return fmt::format("{:<7} {:>9}  {:>9}  {:>9}  {:>9}", name, "-", "-", "-", "-");
     if (!std::isfinite(standard_error))
         return fmt::format("{:<7} {:9.5f}  {:>9}  {:9.3e}  {:>9}", name, compliance, "-", compliance / m3_per_pascal,

@@ -16,7 +16,7 @@ using namespace identification;
 
 namespace {
 
-/// Fills the columns of the times in lines that do not begin a movement.
+/// Blanks in place of the times, for lines that do not begin a movement.
 constexpr std::string_view no_times = "                       ";
 
 std::string print_finding(const LinkFinding& link) {
@@ -26,7 +26,7 @@ std::string print_finding(const LinkFinding& link) {
                             link.standard_error_in3_per_psi);
 }
 
-/// Returns false for links whose areas are measured directly.
+/// Returns whether the deviation includes an offset, which directly measured areas do not have.
 bool knows_offset(const Deviation& deviation) { return deviation.by[index_of(FaultHypothesis::offset)] != 0; }
 
 std::string with_error(const Deviation& deviation, FaultHypothesis way, double unit) {
@@ -45,7 +45,7 @@ double compliance_error(const WholeMovement& whole) {
     return whole.units.compliance_in3_per_psi * whole.deviation.standard_error(FaultHypothesis::compliance);
 }
 
-/// Returns the result of the whole movement, printed below that of the search.
+/// Returns the result of the whole movement, which is printed below the result of the search.
 std::string print_whole(const WholeMovement& whole) {
     return fmt::format("{}{}  leak {} in^3/(s psi){}\n", no_times,
                        print_compliance("  whole", whole.compliance_in3_per_psi, compliance_error(whole)),

@@ -10,7 +10,7 @@ bool has_inverse(const PerPairOfHypotheses&);
 /// The size of each deviation that counts as one unit: the size that a verdict should detect (ours).
 struct WayUnits {
     double compliance_in3_per_psi;      ///< 20 % of the link's compliance
-    double leak_in3_per_s_psi = 0.0014; ///< a leak of 5 % of the steady 50 in^3/s, at 1750 psi
+    double leak_in3_per_s_psi = 0.0014; ///< a leak of 5 % of the steady flow of 50 in^3/s, at 1750 psi
     double offset_in = 0.005;           ///< amount by which the spool's reading is too high
     static constexpr double compliance_share = 0.2;
 
@@ -18,9 +18,9 @@ struct WayUnits {
     static WayUnits of(double compliance_in3_per_psi) { return {compliance_share * compliance_in3_per_psi}; }
 };
 
-/// The standard deviation, in units, of the equations' own error from one movement to the next, however long the
-/// movements are. The values are ours. An offset repeats better than other deviations. The value for offsets is tuned
-/// on the machines of seeds 4001 to 5040, so that leaks that begin with a movement are found.
+/// The standard deviations, in units, by which the error of the equations varies from movement to movement, regardless
+/// of the movements' length: for offsets, and for all other deviations. The values are ours. The value for offsets is
+/// tuned on the machines of seeds 4001 to 5040, so that leaks that begin with a movement are found.
 inline constexpr double repeats_within = 0.15, offset_repeats_within = 0.1375;
 
 /// The deviations of a link in units of WayUnits, from one movement or several.
@@ -32,7 +32,7 @@ struct Deviation {
     /// Returns the inverse of the covariance, after adding the variation between movements (repeats_within) to it.
     PerPairOfHypotheses information() const;
     /// Returns the deviation under the assumption that the leak is equal before and during the movement. The rest
-    /// before the movement then separates a leak from an offset, which flow alone can hardly do.
+    /// before the movement then distinguishes a leak from an offset, which the flow alone hardly does.
     Deviation with_steady_leak() const;
     friend bool operator==(const Deviation&, const Deviation&) = default;
 };

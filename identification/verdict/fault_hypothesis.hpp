@@ -5,10 +5,10 @@
 
 namespace placedpar::identification {
 
-/// Names the ways in which a link can deviate. A wrong compliance causes missing flow in proportion to the slope of the
-/// pressure. A leak causes it in proportion to the pressure, also at rest after the valve has shut. An offset of the
-/// spool, or a drift between voltage and spool, causes it only while oil flows through the valve. A leak before the
-/// movement has a size of its own, since a leak can begin when the valve opens.
+/// The ways in which a link can deviate. Each causes missing flow: a wrong compliance in proportion to the slope of the
+/// pressure; a leak in proportion to the pressure, even at rest after the valve has shut; an offset of the spool, or a
+/// drift between voltage and spool, only while oil flows through the valve. A leak before the movement has its own
+/// size, since a leak can begin when the valve opens.
 enum class FaultHypothesis : unsigned char { compliance, leak, offset, leak_before };
 
 inline constexpr std::array<FaultHypothesis, 4> all_hypotheses{FaultHypothesis::compliance, FaultHypothesis::leak,

@@ -62,7 +62,7 @@ bool Movement::close(JunctionSamples sample) {
 
 bool Movement::move(JunctionSamples sample) {
     if (!goes_on())
-        return true; // the next movement begins before the rest after this one has ended
+        return true; // the next movement begins during the rest after the present movement
     state_.shut.clear();
     state_.samples.rest_after.clear();
     state_.closed = 0;

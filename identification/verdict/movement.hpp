@@ -14,36 +14,37 @@ namespace placedpar::identification {
 using JunctionSamples = std::vector<hydraulics::LinkSample>;
 
 /// The samples of one movement of an operator: at rest before the valves open, while all valves are open, and at rest
-/// after they have shut. This is all that is needed to restore them.
+/// after they have shut.
 struct MovementSamples {
     std::vector<JunctionSamples> at_rest, moving, rest_after; ///< oldest first
 
     friend bool operator==(const MovementSamples&, const MovementSamples&) = default;
 };
 
-/// Cuts a stream of samples into movements. All values are ours. Lengths are in seconds, but slope_reach and
-/// slope_ahead are in samples.
+/// Cuts a stream of samples into movements. All values are ours. slope_reach and slope_ahead are numbers of samples;
+/// other lengths are in seconds.
 class Movement {
 public:
     struct State {
         MovementSamples samples;
-        std::vector<JunctionSamples>
-            shut;               ///< the newest samples with shut valves; they are rest if two more such samples follow
-        std::size_t opened = 0; ///< samples since the valves opened
-        std::size_t closed = 0; ///< samples since not all valves were open, after a movement
+        /// The newest samples with shut valves. A sample is rest if three more such samples follow.
+        std::vector<JunctionSamples> shut;
+        std::size_t opened = 0; ///< number of samples since the valves opened
+        std::size_t closed = 0; ///< number of samples, after a movement, in which not all valves are open
 
         friend bool operator==(const State&, const State&) = default;
     };
 
-    /// Number of samples left out where the valve changes. A slope uses five samples, which must not span two states of
-    /// the valve. One more is left out, since the path to a cylinder opens between samples and is judged by readings.
+    /// The number of samples left out where the valve changes. A slope uses five samples, which must not span two
+    /// states of the valve. One more sample is left out, since the path to a cylinder opens between two samples, and
+    /// readings have noise.
     static constexpr std::size_t slope_reach = 3;
     static constexpr std::size_t slope_ahead = 2; ///< samples by which slopes reach beyond the end of a movement
     static constexpr double rest_s = 1;           ///< length of rest that is kept
     static constexpr double piece_s = 4;          ///< a longer movement is judged in pieces
-    static constexpr double shut_for_s = 0.06;    ///< time shut after which a movement does not continue
-    static constexpr double rest_after_s = 0.4;   ///< further time in which the valves must shut and a rest must follow
-    static constexpr double open_by_psi = 25;     ///< as in UsableSamples
+    static constexpr double shut_for_s = 0.06;    ///< a pause that is at least this long ends the movement
+    static constexpr double rest_after_s = 0.4;   ///< further time for the valves to shut and for the rest that follows
+    static constexpr double open_by_psi = 25;     ///< as UsableSamples::open_by_psi
     static constexpr double least_inlet_in2 = 0.0125; ///< .01 in of spool beyond the dead band
 
     Movement() = default;

@@ -25,7 +25,7 @@ constexpr std::size_t fewest_at_rest = 4;
 constexpr double least_variance_moving = 0.001, least_variance_at_rest = 0.05;
 /// The relative error of the estimated noise of the slopes. The estimate is a median over about 50 readings.
 constexpr double noise_known_within = 0.3;
-/// The greatest difference between the compliances at rest and during the movement, in units; it is 5 % of the
+/// The greatest difference between the compliances at rest and during the movement, in units: 0.25 units are 5 % of the
 /// compliance.
 constexpr double compliance_at_rest_within = 0.25;
 /// The greatest share by which a leak at rest after a movement is smaller than during the movement. The pressure behind
@@ -34,7 +34,7 @@ constexpr double leak_after_within = 0.25;
 /// If flow alone distinguishes a leak from an offset, the leak has an error of about this many units, since the
 /// equations are not exact. Sound machines without noise or at 5 kHz appear to have a leak of -.4 to -2.8 units (ours).
 constexpr double leak_by_flow_within = 1.25;
-/// The standard deviation of any deviation of a link before a movement, in units.
+/// The assumed standard deviation of each deviation before a movement is evaluated, in units.
 constexpr double prior_units = 10;
 
 Eigen::Index row_of(std::size_t junction) { return ways * static_cast<Eigen::Index>(junction); }
@@ -56,7 +56,7 @@ LinkSample with_spool_moved(LinkSample link, double moved_in) {
     return link;
 }
 
-/// The equations of a circuit near health: the imbalance of a sample's flows, one row per junction, and its
+/// The equations of a circuit near the healthy state: the imbalance of a sample's flows, one row per junction, and its
 /// derivatives.
 class Balance {
 public:
@@ -78,7 +78,8 @@ public:
         auto missing = missing_flows_in3_per_s<double>(circuit_, compliances_, samples, flow_, InletFlow::as_signed);
         return Eigen::Map<const VectorXd>(missing.data(), static_cast<Eigen::Index>(circuit_.size()));
     }
-    /// These three functions return the change of the imbalance per in^3/s into the cylinder, per psi, and per in^2.
+    /// The next four functions return the change of the imbalance: per in^3/s into the cylinder, per psi, and per in^2
+    /// of each area.
     VectorXd by_flow(const JunctionSamples& samples, std::size_t junction) const {
         return by(samples, 0.01, [&](JunctionSamples& to, double step) { to[junction].piston_flow_in3_per_s += step; });
     }
@@ -118,7 +119,6 @@ private:
     std::vector<WayUnits> units_;
 };
 
-/// The standard deviations of one link's readings.
 struct ReadingNoise {
     double psi, slope_psi_per_s, flow_in3_per_s, inlet_in2, bypass_in2, spool_in;
 };
@@ -167,7 +167,7 @@ void add_valve_noise(NoisyRows& rows, const Balance& balance, const MovementSamp
     }
 }
 
-/// Sets the columns of a link: the effect of one unit of each hypothesis. A leak past the piston of k_l P acts as extra
+/// Sets the columns of a link: the effect of one unit of each hypothesis. A leak of k_l P past the piston acts as extra
 /// flow into the cylinder.
 void set_slopes(NoisyRows& rows, const Balance& balance, const MovementSamples& movement, std::size_t junction,
                 const MatrixXd& by_flow) {
@@ -214,9 +214,9 @@ MovingRows moving_rows(const Balance& balance, const MovementSamples& movement,
     return moving;
 }
 
-/// Returns the equations at rest. The inlet is shut, so A v + C dP/dt + k_l P = 0, whatever the spool reads. The rest
-/// alone would determine the leak only as a share of the compliance. The compliance is therefore set to that of the
-/// movement, within compliance_at_rest_within.
+/// Returns the equations at rest. The inlet is shut, so A v + C dP/dt + k_l P = 0, regardless of the spool's reading.
+/// Alone, these equations determine only the ratio of leak and compliance. Therefore the compliance at rest is assumed
+/// to equal the compliance during the movement, within compliance_at_rest_within.
 NoisyRows rows_at_rest(const Balance& balance, const std::vector<JunctionSamples>& samples, std::size_t junction,
                        FaultHypothesis leak, const ReadingNoise& noise) {
     const Eigen::Index column = row_of(junction);
@@ -242,17 +242,18 @@ struct Equations {
     MatrixXd information; ///< includes the noise
     VectorXd pull;
     VectorXd noise;     ///< the part of each unknown's information that is noise
-    VectorXd in_health; ///< for each unknown, its value in health, in its unit; the noise affects all of it
+    VectorXd in_health; ///< for each unknown, the healthy value in units, which the noise affects together with the
+                        ///< deviation
 };
 
-/// Returns the equations before any sample: a link is hardly off by more than prior_units.
+/// Returns the equations without samples: they assume that deviations hardly exceed prior_units.
 Equations before_movement(Eigen::Index unknowns) {
     const VectorXd none = VectorXd::Zero(unknowns);
     return {MatrixXd::Identity(unknowns, unknowns) / (prior_units * prior_units), none, none, none};
 }
 
-/// Adds the moving samples and the noise in their slopes. The noise in the slopes adds to the information of a
-/// compliance and would make it too small (errors in variables).
+/// Adds the moving samples and the noise in their slopes. This noise adds to the information of a compliance, and would
+/// make the compliance too small (errors in variables).
 void add_moving(Equations& equations, const MovingRows& moving) {
     const Weights weights(moving.rows);
     const MatrixXd information = weights.information();
@@ -270,7 +271,8 @@ void add_moving(Equations& equations, const MovingRows& moving) {
     equations.noise = noise / scale;
 }
 
-/// Limits the accuracy of a leak by the movement's equations to leak_by_flow_within if there may be an offset as well.
+/// Adds the uncertainty leak_by_flow_within to a leak that follows from the movement's flow, which an offset may
+/// explain as well.
 void limit_leak(Equations& equations, Eigen::Index leak) {
     MatrixXd information = equations.information;
     information.diagonal() -= equations.noise;
@@ -284,7 +286,7 @@ void limit_leak(Equations& equations, Eigen::Index leak) {
     equations.pull[leak] -= too_much * by[leak];
 }
 
-/// Adds the information that a rest gives about the leak, given the compliance. A rest gives no information about the
+/// Adds the information of a rest about the leak, given the compliance. A rest gives no information about the
 /// compliance itself, because the slopes at rest are mostly noise.
 void add_rest(Equations& equations, const NoisyRows& rest, Eigen::Index leak) {
     const Weights weights(rest);
@@ -320,7 +322,7 @@ std::optional<std::vector<Deviation>> solve(const Equations& equations) {
     return parts(by, inverse * pulls * inverse);
 }
 
-/// Limits the accuracy of a leak determined by the rest after the movement to leak_after_within, and adjusts the
+/// Adds the uncertainty leak_after_within to a leak that follows from the rest after the movement, and to the
 /// deviations that are correlated with this leak.
 void add_unread_pressure(Deviation& deviation) {
     const Eigen::Index leak = row_of(FaultHypothesis::leak);

@@ -16,7 +16,7 @@ namespace placedpar::identification {
 /// The assumptions about a healthy link before a movement.
 struct LinkInHealth {
     double compliance_in3_per_psi;
-    /// Directly measured areas have no offset.
+    /// The source of the link's areas. Areas that are measured directly have no offset.
     hydraulics::AreasFrom areas = hydraulics::AreasFrom::spool;
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr Eigen::Index reach = 2; ///< samples that a 5-point slope uses on either side
 
-/// The effect on one sample of the noises from two samples before it to two after it.
+/// The effects on one sample of the noise at five instants, from two samples before it to two after it.
 using Taps = std::array<double, 2 * reach + 1>;
 
 Sparse noise_through(const Taps& taps, const MatrixXd& by) {
@@ -29,7 +29,8 @@ Sparse noise_through(const Taps& taps, const MatrixXd& by) {
     return columns;
 }
 
-/// The weight of the assumed noise in Weights::scale(), as a number of rows. The residuals of more rows outweigh it.
+/// The weight of the assumed noise in Weights::scale(), as a number of rows. The residuals of more rows than this
+/// outweigh the assumed noise.
 constexpr double noise_worth_rows = 8;
 
 } // namespace

@@ -14,12 +14,12 @@ using Sparse = Eigen::SparseMatrix<double>;
 inline constexpr double white_gain = 70, slope_gain = 25.2;
 
 /// Estimates the variance of the noise in readings from the median of their fourth differences, which are near 0 for a
-/// smooth signal. Ripple counts as noise, since it disturbs the readings likewise. REQUIRES: at least five readings.
+/// smooth signal. Ripple counts as noise, since it disturbs readings in the same way. REQUIRES: at least five readings.
 double noise_variance(const std::vector<double>& readings, double gain);
 
-/// Return how noise of variance 1 in the readings affects the rows. The result has a column per instant of reading,
-/// from two before the first sample to two after the last. `by` has a column per sample: the effect of the reading
-/// itself, or of the 5-point slopes of the readings.
+/// These functions return the effect of noise of variance 1 in the readings on the rows. The result has a column per
+/// instant of reading, from two before the first sample to two after the last. `by` has a column per sample: the effect
+/// of the reading itself for white_noise(), of the 5-point slope of the readings for slope_noise().
 Sparse white_noise(const Eigen::MatrixXd& by);
 Sparse slope_noise(const Eigen::MatrixXd& by);
 
@@ -35,7 +35,7 @@ struct NoisyRows {
 };
 
 /// Solves NoisyRows by generalised least squares (A. Aitken, Proc. R. Soc. Edinburgh 55, 1935). Slopes that share
-/// samples have errors that cancel over a movement, except at its ends; the covariance accounts for this.
+/// readings have errors that cancel over a movement, except at its ends; the covariance accounts for this effect.
 class Weights {
 public:
     /// REQUIRES: the rows have a least variance above 0.
@@ -43,10 +43,11 @@ public:
 
     const Eigen::MatrixXd& information() const { return information_; }
     const Eigen::VectorXd& pull() const { return pull_; }
-    /// Returns the part of an unknown's information that is noise, if `columns` are the noises of its column of slopes.
+    /// Returns the part of an unknown's information that is noise. `columns` is the noise in this unknown's column of
+    /// slopes.
     double share_of(const Sparse& columns) const;
-    /// Returns the factor by which the variance of the residuals with `by` exceeds the assumed variance. The more rows
-    /// there are, the more the residuals count against the assumption.
+    /// Returns the factor by which the variance of the residuals exceeds the assumed variance, if the unknowns are
+    /// `by`. With more rows, the residuals outweigh the assumed variance.
     double scale(const Eigen::VectorXd& by, Eigen::Index unknowns) const;
 
 private:

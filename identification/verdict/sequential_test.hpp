@@ -23,11 +23,12 @@ struct Suspicion {
     double units;
 };
 
-/// Tests movement by movement whether a link deviates, with Page's cumulative sums (Biometrika 41, 1954). For each
-/// suspicion it adds up the logarithm of the likelihood ratio of the suspected deviation to none; the sum is never
-/// below 0. One movement adds at most `most_of_one`, because real errors have longer tails than the normal
-/// distribution; its information is reduced accordingly. At least two movements are therefore needed. A sum s
-/// over movements of information I counts as s / (1 + I b), where b is the variance of the link's reference.
+/// Tests movement by movement whether a link deviates, with Page's cumulative sums (Biometrika 41, 1954). There is a
+/// sum for each suspicion. Each movement adds the logarithm of the likelihood ratio of the suspected deviation to no
+/// deviation; the sum is never below 0. One movement adds at most `most_of_one`, because real errors have longer tails
+/// than the normal distribution; the movement's information is reduced in proportion. Therefore a report needs at least
+/// two movements. After movements of information I, a sum s counts as s / (1 + I b), where b is the variance of the
+/// link's reference.
 class SequentialTest {
 public:
     static constexpr std::array<Suspicion, 6> suspicions{{{LinkFault::compliance, 1},
@@ -41,16 +42,17 @@ public:
     /// suspicion (G. Lorden, Annals of Mathematical Statistics 42, 1971). For rates on simulated machines see
     /// examples/hydraulics/faults.
     static constexpr double raised_at = 7;
-    /// The greatest value of a sum, so that three movements clear it. A suspicion is dropped when its sum is back at 0.
+    /// The greatest value of a sum, so that three movements can clear it. A suspicion is dropped when its sum returns
+    /// to 0.
     static constexpr double most = 13;
 
     /// Holds everything that is needed to restore the object.
     struct State {
         std::array<double, suspicions.size()> sums{};
-        std::array<double, suspicions.size()> informations{}; ///< information of the movements since the sum was 0
+        std::array<double, suspicions.size()> informations{}; ///< information of the movements since the sum was last 0
         bool raised = false;
-        PerHypothesis pull{};              ///< information times deviation, of the movements since all sums were 0
-        PerPairOfHypotheses information{}; ///< of the same movements
+        PerHypothesis pull{}; ///< information times deviation, summed over the movements since all sums were 0
+        PerPairOfHypotheses information{}; ///< information of these movements
         std::size_t movements = 0;         ///< number of these movements
 
         friend bool operator==(const State&, const State&) = default;
@@ -65,7 +67,7 @@ public:
     /// each hypothesis.
     void take(const Deviation& movement, const Deviation& from, const PerHypothesis& scale = {1, 1, 1, 1});
     bool raised() const { return state_.raised; }
-    /// Returns the mean of the movements that count, weighted by their information; nullopt if no movement counts.
+    /// Returns the mean of the movements since all sums were 0, weighted by information; nullopt if there are none.
     std::optional<Deviation> mean() const;
 
 private:

@@ -17,14 +17,15 @@ namespace {
 constexpr std::array<std::string_view, 9> verdict_names{
     "sound", "compliance", "leak", "offset", "drift", "leak or offset", "sensor", "not enough evidence", "cannot tell"};
 
-/// The remaining error of a mean of many movements, in units; ours.
+/// The error that remains in a mean of any number of movements, in units; ours.
 constexpr double mean_repeats_within = 0.05;
 
-/// The standard deviation, in units, of each deviation among healthy machines of a kind: 10 % of the compliance,
-/// uniformly distributed.
+/// The standard deviation, in units, of each deviation among healthy machines of a kind. For the compliance it
+/// corresponds to a uniform distribution within 10 %.
 constexpr double kind_within = 0.3;
 
-/// Returns the deviation of a kind in health. The small leak of a healthy link hardly changes when the valve opens.
+/// Returns the distribution of a kind's healthy deviations. A healthy link's small leak hardly changes when the valve
+/// opens.
 Deviation kind_in_health() {
     constexpr double leak_in_common = 0.9;
     WayMatrix covariance = WayMatrix::Identity() * kind_within * kind_within;
@@ -174,7 +175,7 @@ void LinkJudge::take(const Deviation& movement, AreasFrom valve) {
     if (state_.impossible)
         return;
     if (valve != state_.valve)
-        state_ = {}; // another source of the areas has another offset in health
+        state_ = {}; // with another source of the areas, a healthy link has another offset
     state_.valve = valve;
     SequentialTest from_kind(state_.from_kind);
     from_kind.take(movement, kind_in_health(),

@@ -16,13 +16,13 @@ namespace placedpar::identification {
 /// The verdicts on a link.
 enum class VerdictKind : unsigned char {
     sound,
-    compliance,          ///< of hose, oil and cylinder; too great or too small
-    leak,                ///< past the piston, or out of the line
+    compliance,          ///< the compliance of hose, oil and cylinder is too great or too small
+    leak,                ///< oil leaks past the piston, or out of the line
     offset,              ///< the spool is not at the position that its sensor reads
     drift,               ///< the spool is not at the position that the servo-valve's voltage demands
     leak_or_offset,      ///< either a leak, or an offset or a drift; the records do not tell which
     sensor,              ///< physically impossible readings
-    not_enough_evidence, ///< too few movements, or too short or noisy ones
+    not_enough_evidence, ///< too few movements, or movements too short or too noisy
     cannot_tell          ///< enough movements, which show neither that the link is sound nor what is wrong
 };
 
@@ -34,8 +34,8 @@ std::optional<VerdictKind> verdict_named(std::string_view);
 struct Verdict {
     VerdictKind kind = VerdictKind::not_enough_evidence;
     /// The posterior probability with equal priors. For a fault, the alternatives are sound and all_faults, each at its
-    /// most likely size. For sound and cannot_tell it is the probability of sound, against the suspicions of
-    /// SequentialTest at one unit each.
+    /// most likely size. For sound and cannot_tell, this is the probability of sound, and the alternatives are the
+    /// suspicions of SequentialTest at one unit each.
     double probability = 0;
     Deviation deviation;       ///< mean over the movements that count, relative to the link's reference
     std::size_t movements = 0; ///< number of movements that count
@@ -46,37 +46,37 @@ struct FaultSize {
     double by, standard_error;
 };
 
-/// Returns the size of the leak or the offset if that fault alone causes the mean deviation; of the two kinds of leak,
-/// the likelier. REQUIRES: `way` is leak or offset.
+/// Returns the size of the leak or the offset if this fault alone causes the mean deviation. For a leak, the more
+/// likely one of leak and new_leak is used. REQUIRES: `way` is leak or offset.
 FaultSize size_alone(FaultHypothesis way, const Deviation& mean);
 
-/// Returns "either a leak of ... or a spool ...", with both sizes, and names the readings that would decide.
+/// Returns "either a leak of ... or a spool ...", with both sizes and the readings that would distinguish the two.
 std::string print_leak_or_offset(const Deviation& mean, const WayUnits& units);
 
-/// Returns the best explanation of a mean deviation: sound, or one fault alone at its most likely size. A leak that
-/// begins when the valve opens and an offset are distinguished only if one is nine times as likely as the other.
-/// `valve`, the source of the areas, decides the name of an offset.
+/// Returns the best explanation of a mean deviation: sound, or one fault alone at its most likely size. A leak and an
+/// offset are distinguished only if one is at least nine times as likely as the other. `valve`, the source of the
+/// areas, decides whether an offset is called offset or drift.
 Verdict verdict_of(const Deviation& mean, bool raised, hydraulics::AreasFrom valve);
 
-/// Judges one link, movement by movement, against its own first movements and against its kind. The second comparison
-/// finds a fault that was there from the first day.
+/// Judges one link, movement by movement, against its own first movements and against its kind. The comparison with the
+/// kind finds faults that were there from the first day.
 class LinkJudge {
 public:
-    /// The number of movements whose weighted mean is the link's own reference in health.
+    /// The number of movements whose weighted mean is the healthy reference of the link.
     static constexpr std::size_t movements_of_baseline = 3;
-    /// Healthy machines differ from their kind by up to one unit, so twice as much is suspected.
+    /// The suspected deviation of a link from its kind, in units. Healthy machines deviate by up to one unit.
     static constexpr double units_beyond_kind = 2;
-    /// If the spool is computed from the voltage, a compliance is found half a unit too great, since the valve's dead
-    /// time is unknown.
+    /// The suspected deviation of the compliance, in units, if the spool is computed from the voltage. The valve's
+    /// unknown dead time then makes the compliance half a unit too great.
     static constexpr double servo_units_beyond_kind = 3;
-    /// The greatest standard error in units. Usual movements determine each deviation to a unit or better; steady
-    /// movements leave one deviation almost undetermined.
+    /// The greatest accepted standard error, in units. Usual movements determine each deviation to a unit or better;
+    /// steady movements leave one deviation almost undetermined.
     static constexpr double most_uncertain = 2.5;
-    /// Below this probability of being sound, the suspected faults together are likelier.
+    /// The least probability of sound for the verdict `sound`. Below it, the suspected faults together are more likely.
     static constexpr double least_sure_sound = 0.5;
 
     struct State {
-        std::vector<Deviation> first; ///< up to movements_of_baseline
+        std::vector<Deviation> first; ///< the first movements, at most movements_of_baseline
         SequentialTest::State from_itself, from_kind;
         hydraulics::AreasFrom valve = hydraulics::AreasFrom::spool; ///< source of the last movement's areas
         bool impossible_now = false; ///< whether a reading since the last movement was impossible
@@ -90,9 +90,9 @@ public:
     const State& state() const { return state_; }
     friend bool operator==(const LinkJudge&, const LinkJudge&) = default;
 
-    /// Returns whether a movement can show the kind of a link's deviation, assuming a steady leak. It cannot if any
+    /// Returns whether a movement determines a link's deviations, assuming a steady leak. A movement does not if a
     /// deviation is uncertain by more than most_uncertain units (half of the compliance, a leak of 12 %, 1/80 in of
-    /// spool). Then the pressure hardly moved, and the rest is noise of unknown size.
+    /// spool). In such a movement the pressure hardly moves, and the samples are mostly noise of unknown size.
     static bool is_evidence(const Deviation& movement, hydraulics::AreasFrom valve);
     /// Adds a finished movement. A movement with impossible readings or without excitation is ignored.
     void take(const Deviation& movement, hydraulics::AreasFrom valve);
@@ -101,8 +101,8 @@ public:
     /// Returns `sound` only if its probability is above one half, and a fault only if its size exceeds its standard
     /// error.
     Verdict verdict() const;
-    /// Returns the reference of the link, the mean of its first movements relative to its kind; nullopt until there are
-    /// enough movements.
+    /// Returns the reference of the link: the mean of its first movements, relative to its kind. Returns nullopt until
+    /// there are enough movements.
     std::optional<Deviation> baseline() const;
 
 private:

@@ -11,7 +11,7 @@ namespace placedpar::monitor {
 /// again.
 class Backlog {
 public:
-    /// REQUIRES: `number` is greater than that of any earlier call.
+    /// REQUIRES: `number` is greater than in any earlier call.
     void add(const std::string& machine, std::uint64_t number, std::size_t bytes, std::size_t generations);
     /// Removes the messages of a machine, because its state was saved or the machine was forgotten.
     void drop(const std::string& machine);
@@ -33,7 +33,7 @@ private:
     };
 
     std::map<std::string, Share> shares_;
-    std::map<std::uint64_t, std::string> by_age_; ///< machines by the number of the first message that is counted
+    std::map<std::uint64_t, std::string> by_age_; ///< key: number of the machine's first counted message
     std::size_t bytes_ = 0;
     std::uint64_t generations_ = 0;
 };

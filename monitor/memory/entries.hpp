@@ -27,7 +27,7 @@ struct KeptMessage {
     friend bool operator==(const KeptMessage&, const KeptMessage&) = default;
 };
 
-/// The state of a diagnosis after the last of its messages whose number is at most `taken`.
+/// The state of a diagnosis after its messages up to number `taken`.
 struct KeptState {
     std::string machine;
     std::uint64_t taken;

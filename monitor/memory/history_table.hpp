@@ -24,9 +24,9 @@ protected:
     static std::string exact(const std::optional<double>& number);
 };
 
-/// A table of described structs whose first member is the machine. Its columns are the machine, the row's number within
-/// the machine, the other members and a checksum of all these columns. The table keeps the newest `most` rows of each
-/// machine.
+/// A table of structs that Boost.Describe describes; the first member is the machine. Its columns are the machine, the
+/// row's number within the machine, the other members and a checksum of all these columns. The table keeps the newest
+/// `most` rows of each machine.
 template <typename Row>
 class HistoryTable : HistoryText {
 public:

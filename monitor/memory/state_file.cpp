@@ -54,7 +54,7 @@ StateFile::StateFile(const fs::path& path, const std::string& settings, std::uin
     : given_(path), path_(path), settings_(settings), most_history_(most_history) {
     require_path_of_file(path_);
     if (!fs::exists(path_)) {
-        if (fs::exists(place_aside(path_))) // an earlier start renamed the old file and got no further
+        if (fs::exists(place_aside(path_))) // an earlier start ended after it had renamed the old file
             content.said = told_aside(path_);
         create_state_file(path_, settings_);
     }
@@ -132,9 +132,9 @@ void StateFile::require_in_place() const {
         throw store::DatabaseError("the file was removed or replaced", false);
 }
 
-/// Opens the file again. If it was removed, a copy takes its place, locked before it gets its name. If the file is
-/// removed once more meanwhile, the next attempt can still succeed. A file that another program has put there is left
-/// alone.
+/// Opens the file again. If the file was removed, a copy replaces it; the copy is locked before it gets the file's
+/// name. If the file is removed once more meanwhile, the next attempt can still succeed. A file that another program
+/// has put there is not changed.
 void StateFile::renew() {
     const bool gone = !fs::exists(fs::symlink_status(given_)) && !fs::exists(path_);
     if (!gone && !lock_->is_at(given_))
@@ -215,7 +215,7 @@ void StateFile::commit(std::span<const Transaction> transactions) {
         renew();
     require_in_place();
     transact(transactions);
-    require_in_place(); // before this check, a removed file may have taken the new data with it
+    require_in_place(); // if the file has been removed, the new data are lost
 }
 
 void StateFile::transact(std::span<const Transaction> transactions) {

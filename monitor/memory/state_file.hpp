@@ -18,7 +18,7 @@ namespace placedpar::monitor {
 /// The content of a state file when it was opened.
 struct StateContent {
     std::vector<KeptState> machines;
-    std::vector<KeptMessage> messages; ///< messages that came after the states, by number
+    std::vector<KeptMessage> messages; ///< messages after the states, in order of their numbers
     std::uint64_t last_message = 0;    ///< the number of the last message ever stored
     std::string said;                  ///< a message for the operator about opening the file; may be ""
     std::string trouble; ///< why the file can be read but not written, such as a full disk; "" if it can be written
@@ -32,8 +32,8 @@ struct StateContent {
 ///    this.
 /// 2. Every row has a checksum of its values. A single row, the ledger, records which messages there are and the sum of
 ///    all other rows' checksums. A damaged or truncated file is therefore refused, unless the damage lies where no data
-///    is stored. A file whose rollback journal was damaged after a kill is refused, too. commit() throws if the file
-///    was removed or replaced before it returns.
+///    is stored. A file whose rollback journal was damaged after a kill is refused, too. If the file is
+///    removed or replaced before commit() returns, commit() throws.
 /// 3. The file is locked: only one program can open it at a time.
 /// 4. Only one thread may use an object at a time.
 class StateFile {
@@ -46,8 +46,8 @@ public:
     ~StateFile();
 
     /// Writes all transactions in one SQLite transaction. Throws UserError (DatabaseError is a subclass) if they may be
-    /// lost. After that, or if StateContent::trouble was not empty, the next transaction must have `all_anew_at`. Such
-    /// a transaction also recreates a file that was removed, with its history.
+    /// lost. After such an error, or if StateContent::trouble was not empty, the next transaction must have
+    /// `all_anew_at`. Such a transaction also recreates a file that was removed, with its history.
     void commit(std::span<const Transaction> transactions);
     /// Throws DatabaseError if the file is not open because it could not be recreated.
     History& history();
@@ -55,7 +55,7 @@ public:
 private:
     struct Statements;
 
-    /// The messages trimmed + 1 to last are stored.
+    /// The messages `trimmed` + 1 to `last` are stored.
     struct Ledger {
         std::uint64_t trimmed = 0, last = 0;
     };
@@ -68,8 +68,7 @@ private:
     void put_copy_in_place();
     void require_in_place() const;
     void transact(std::span<const Transaction> transactions);
-    /// Returns the sum of the other rows' checksums that the ledger records; read_machines() returns the sum for its
-    /// rows.
+    /// Returns the sum of checksums that the ledger records. read_machines() returns the sum over the rows of machines.
     std::uint64_t read_ledger();
     std::uint64_t read_machines(StateContent& content);
     void read_messages(StateContent& content);

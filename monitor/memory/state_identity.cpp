@@ -39,7 +39,7 @@ std::string triggers(const char* table) {
            fmt::format(fmt::runtime(trigger), table, "deleted", "DELETE", less, sum_mask);
 }
 
-/// The ledger contains the settings, since a change of any of them makes the stored states useless.
+/// The ledger contains the settings, since a change of any setting makes the stored states useless.
 std::string schema() {
     return std::string("CREATE TABLE ledger(id INTEGER PRIMARY KEY CHECK(id = 1), settings TEXT NOT NULL, "
                        "trimmed INTEGER NOT NULL, last INTEGER NOT NULL, sum INTEGER NOT NULL, "
@@ -71,7 +71,7 @@ std::uint32_t header_word(std::string_view header, std::size_t at) {
     return value;
 }
 
-/// Creates an empty file for SQLite. SQLite gives its own files beside it the same permissions, whatever the umask is.
+/// Creates an empty file for SQLite. SQLite gives its companion files the same permissions, whatever the umask is.
 fs::path begin_file(const fs::path& path) {
     fs::path made = path;
     made += fmt::format(".new-{}", ::getpid());
@@ -118,7 +118,7 @@ void require_path_of_file(const fs::path& path) {
         throw UserError(fmt::format("{}: this symbolic link leads to a missing file; restore the file, or remove "
                                     "the link",
                                     path.string()));
-    for (const char* part : {"-journal", "-wal"}) // of this version and of an earlier one
+    for (const char* part : {"-journal", "-wal"}) // journals of this version and of an earlier version
         if (fs::exists(path.string() + part))
             throw UserError(fmt::format("{0}: the file is missing, but its last changes are in {0}{1}; restore "
                                         "the file, or move {0}{1} away, too, and start without known machines",
@@ -134,7 +134,7 @@ void create_state_file(const fs::path& path, const std::string& settings) {
     fs::path made = begin_file(path);
     try {
         store::Database database(made);
-        database.run("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF"); // it is synced before it has its name
+        database.run("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF"); // publish() syncs the file later
         database.run(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", application_id, file_version));
         database.run(schema());
         store::Statement(database, "INSERT INTO ledger VALUES(1, ?1, 0, 0, 0, ?2)")
@@ -186,7 +186,7 @@ std::string put_aside(const fs::path& path) {
         throw OtherFile(fmt::format("the file has version {}, and so has {}: move one of the two away",
                                     earlier_file_version, aside));
     for (const char* part :
-         {"-wal", "-shm", "-mark", "-journal", ""}) // the file itself is last, because the files beside it belong to it
+         {"-wal", "-shm", "-mark", "-journal", ""}) // the file itself is last, because the other files belong to it
         if (fs::exists(path.string() + part))
             fs::rename(path.string() + part, aside + part);
     return told_aside(path);

@@ -27,15 +27,15 @@ std::filesystem::path write_state_file(const std::string& bytes, const std::file
 /// taken this name meanwhile.
 void publish(const std::filesystem::path& made, const std::filesystem::path& path);
 
-/// Throws UserError if the path cannot be that of a state file: a directory, a device, or a missing file whose journal
-/// is still there.
+/// Throws UserError if no state file can have this path, for example a directory, a device, or a missing file whose
+/// journal still exists.
 void require_path_of_file(const std::filesystem::path& path);
 
-/// The two versions differ in more than one bit, so that no flipped bit turns one into the other.
+/// The two versions differ in more than one bit, so that no flipped bit turns one version into the other.
 inline constexpr std::uint32_t file_version = 4, earlier_file_version = 2;
 
-/// Returns the version of a state file, one of the two above, by its first bytes. Throws OtherFile if the file is
-/// another program's or of another version, and std::runtime_error if it is not a state file.
+/// Returns the version of a state file, one of the two above, by its first bytes. Throws OtherFile if the file belongs
+/// to another program or has another version, and std::runtime_error if it is not a state file.
 std::uint32_t require_identity(const store::FileLock& file);
 
 /// Renames a file of the earlier version and the files beside it. Returns a message that tells the operator the new

@@ -30,8 +30,8 @@ std::string settings_text(const Diagnoses& diagnoses) {
                        s.gate.slope_psi_per_s);
 }
 
-/// Returns, for each machine, the last message that need not be processed again: the state contains it, or the machine
-/// was forgotten after it.
+/// Returns, for each machine, the last message that need not be processed again: the stored state contains the message,
+/// or the machine was forgotten later.
 std::map<std::string, std::uint64_t> taken_already(const StateContent& content) {
     std::map<std::string, std::uint64_t> taken;
     for (const KeptMessage& message : content.messages)
@@ -117,7 +117,7 @@ void StateStore::commit_now(const Transaction& transaction) {
     }
 }
 
-/// Continues with the content of the file, which is known and served. Storing resumes when write_anew() succeeds.
+/// Continues without storing, until write_anew() succeeds.
 void StateStore::fall_back(const std::string& why) {
     trouble_ = fmt::format("{}: cannot be written: {}", path_.string(), why);
     keeping_ = complete_ = false;

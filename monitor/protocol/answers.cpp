@@ -19,7 +19,7 @@ namespace json = boost::json;
 
 namespace {
 
-/// Rounds to six digits, more than any estimate is worth.
+/// Rounds to six digits; no estimate is more precise.
 double rounded(double value) {
     std::string text = fmt::format("{:.6g}", value);
     double result = value;
@@ -36,7 +36,8 @@ json::value number(const std::optional<double>& value) {
     return value ? json::value(rounded(*value)) : json::value(nullptr);
 }
 
-/// Returns the standard error of an estimate, or null if there is no estimate or its window does not determine one.
+/// Returns the standard error of an estimate; null if there is no estimate, or if its window does not determine the
+/// error.
 json::value error(const std::optional<double>& of, double standard_error) {
     return of && std::isfinite(standard_error) ? json::value(rounded(standard_error)) : json::value(nullptr);
 }

@@ -16,14 +16,15 @@ struct LoadRates {
     double samples_per_s = 0;
     double generations_per_s = 0;
     double work_of_core = 0; ///< time spent on messages, as a fraction of one core
-    double cpu_of_core = 0;  ///< processor time of the service's thread, the network's share included
+    double cpu_of_core = 0; ///< processor time of the service's thread, including network traffic, as a fraction of one
+                            ///< core
 };
 struct Load {
     LoadRates rates;
     std::size_t clients = 0;
     std::size_t machines = 0;
     std::size_t queued_bytes = 0; ///< bytes waiting to be sent, all clients together
-    std::uint64_t samples = 0;    ///< this member and those below are totals since the start of the service
+    std::uint64_t samples = 0;    ///< this member and the next members are totals since the start of the service
     std::uint64_t generations = 0;
     double work_s = 0; ///< time spent on messages
     double cpu_s = 0;  ///< processor time of the service's thread

@@ -10,14 +10,15 @@
 
 namespace placedpar::monitor {
 
-/// These types are the messages that a control system may send, one JSON object a line (docs/guides/monitor.md). Parts
-/// about its excavator become the plain types of identification/on_line/inputs.hpp. "Machine" is the protocol's word
-/// for an excavator under diagnosis.
+/// These types are the messages that a control system may send, one JSON object a line (docs/guides/monitor.md). The
+/// parts about the excavator are converted to the types of identification/on_line/inputs.hpp. "Machine" is the
+/// protocol's word for an excavator under diagnosis.
 
 inline constexpr int protocol_version = 1;
 
 enum class Role : unsigned char { control, watch };
-/// Selects the samples after which a connection gets estimates: all, those that moved an estimate, or none.
+/// Selects the samples after which a connection gets estimates: all samples, samples that moved an estimate, or no
+/// samples.
 enum class Answers : unsigned char { all, moved, none };
 
 struct Hello {
@@ -26,7 +27,7 @@ struct Hello {
     Answers answers = Answers::all;
     double load_every_s = 0; ///< period of load reports; 0: only on request
     bool anew = false;       ///< first forget all stored data of this machine
-    std::string token;       ///< "": none
+    std::string token;       ///< "" if no token is sent
     identification::ExcavatorParameters parameters;
 };
 

@@ -16,8 +16,8 @@ class ClientRegistry {
 public:
     void enter(Client& client);
     void leave(Client& client);
-    /// Registers a client that has said hello (client.hello is set). Returns the control system whose place it takes,
-    /// or null.
+    /// Registers a client that has said hello (client.hello is set). Returns the control system that the client
+    /// replaces, or null.
     Client* join(Client& client);
 
     const std::set<Client*>& all() const { return clients_; }

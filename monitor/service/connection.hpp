@@ -17,7 +17,7 @@ namespace placedpar::monitor {
 /// Reads lines from one client and writes lines to it. The bytes waiting in either direction are limited.
 ///
 /// 1. Bytes are read only while no whole line is waiting and little output is waiting or held. TCP slows down a client
-/// that sends too much, and the memory used stays below line_bytes + queue_bytes + the size of one read.
+///    that sends too much, and the memory used stays below line_bytes + queue_bytes + the size of one read.
 /// 2. Each turn of the event loop handles one line per connection, so that a client that sends many lines does not
 ///    delay the others.
 /// 3. All functions are called from the loop's only thread.
@@ -49,7 +49,7 @@ public:
     void hold(std::ptrdiff_t bytes);
     /// Ends the time limit hello_s.
     void greeted() { greeted_ = true; }
-    /// Closes the connection at once.
+    /// Closes the connection immediately.
     void close();
 
     /// Returns whether the connection takes and sends no more lines.

@@ -79,7 +79,7 @@ void Dispatcher::require_place(Client& client, const Hello& hello) {
     const std::string& peer = client.caller.peer;
     bool control = hello.role == Role::control;
     const Client* held = control ? clients_.control_of(hello.machine) : nullptr;
-    if (held && held->caller.peer == peer) { // it takes the place of a connection of its own peer
+    if (held && held->caller.peer == peer) { // the client replaces a connection of its own peer
         client.keeps_place = held->keeps_place;
         return;
     }
@@ -240,7 +240,7 @@ void Dispatcher::answer(Client& client, const Hello& hello, std::string_view) {
     Client* other = clients_.join(client);
     if (hello.role == Role::control)
         persistence_.save(diagnosis);
-    if (other) { // the old connection may be half open, its control system long gone
+    if (other) { // the old connection may be half open: its control system may be gone
         outbox_.send(*other, plain_line("closing", "another control system has taken over this machine"));
         outbox_.finish(*other);
     }
@@ -356,7 +356,7 @@ void Dispatcher::answer(Client& client, const Shelve& order, std::string_view) {
                  order.for_s > 0 ? fmt::format("shelved for {} s", order.for_s) : "no longer shelved");
 }
 
-/// Answers with all active alarms.
+/// Stores the change of an alarm, and answers with all active alarms.
 void Dispatcher::change_alarm(Client& client, const AlarmName& name, std::optional<Entry> change,
                               const std::string& what) {
     client.greeted();
@@ -431,7 +431,8 @@ void Dispatcher::tick() {
     meter_.count_turn(LoadMeter::Clock::now() - begin);
 }
 
-/// Sends at once, past the outbox: the message is about whether data is stored, so it cannot wait for that.
+/// Sends immediately, past the outbox: the message says whether data is stored, so it must not wait until data is
+/// stored.
 void Dispatcher::tell_kept(Client& client) {
     if (std::exchange(client.told_kept, persistence_.well()) != persistence_.well())
         client.send(kept_line(persistence_.well(), persistence_.trouble()));

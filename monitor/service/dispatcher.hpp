@@ -27,11 +27,11 @@ public:
     Dispatcher(Diagnoses& diagnoses, StateStore* store, const ServiceLimits& limits, Token token,
                std::function<void(const std::string&)> say);
 
-    /// Admits a client. If too many clients have sent no hello yet, closes one of them, at the peer with the most such
-    /// clients.
+    /// Admits a client. If its peer, or all peers together, have too many clients, closes a client that has sent no
+    /// hello yet.
     void enter(Client& client);
     void leave(Client& client);
-    /// Processes a line from the client. Answers go to the client and to the others that watch its machine.
+    /// Processes a line from the client. Answers go to the client and to other clients that watch its machine.
     void take(Client& client, std::string_view line);
     /// Sends load reports when they are due, and tells clients whether everything is stored. Must be called a few times
     /// a second.
@@ -73,7 +73,7 @@ private:
     void require_place(Client& client, const Hello& hello);
     /// Returns whether one more connection of this peer may keep its place.
     bool may_keep_place(const std::string& peer) const;
-    /// Returns the client of `those` that must make room for another client of the peer; null if none must.
+    /// Returns the client of `those` that must make room for another client of the peer; null if no client must.
     static Client* giving_way(const std::vector<Client*>& those, const std::string& peer, bool preferred);
     void evict(Client& client, const std::string& why, const std::string& right = "a new connection");
     bool is_idle(const std::string& machine) const { return clients_.staying(machine) == 0; }

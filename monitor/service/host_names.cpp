@@ -17,7 +17,7 @@ using boost::system::error_code;
 namespace {
 
 constexpr std::string_view digits = "0123456789",
-                           name_letters = "abcdefghijklmnopqrstuvwxyz0123456789-._"; // RFC 3986, 3.2.2, less "%"
+                           name_letters = "abcdefghijklmnopqrstuvwxyz0123456789-._"; // RFC 3986, 3.2.2, without "%"
 
 bool is_port(std::string_view text) { return text.size() <= 5 && text.find_first_not_of(digits) == text.npos; }
 

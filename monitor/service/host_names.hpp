@@ -19,7 +19,8 @@ std::optional<std::string> host_in(std::string_view field);
 class HostNames {
 public:
     /// Accepts the address at which the service listens, and further names such as a proxy's. Also accepts "localhost"
-    /// for a loopback address, or this computer's name for any other. Throws UserError if a name is not a host name.
+    /// if the address is loopback or unspecified, and this computer's name if the address is not loopback. Throws
+    /// UserError if a name is not a host name.
     HostNames(const std::string& address, const std::vector<std::string>& further);
 
     /// Returns whether the host is accepted; `here` is the address by which the connection arrived, which is accepted

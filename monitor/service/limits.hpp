@@ -5,10 +5,10 @@
 
 namespace placedpar::monitor {
 
-/// The limits of the service. All values are ours.
+/// The limits of the service. We chose all values.
 struct ServiceLimits {
     std::size_t clients =
-        256; ///< clients that have said hello; a quarter of this number more may be connected without hello
+        256; ///< largest number of clients after hello; `clients` / 4 others may be connected before hello
     std::size_t machines = 1000;
     std::uint64_t known_samples = 1000; ///< number of samples after which a machine can become known; a few samples
                                         ///< would cost an attacker nothing

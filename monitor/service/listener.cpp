@@ -154,7 +154,8 @@ void Listener::accept() {
             accept();
             return;
         }
-        retry_.expires_after(std::chrono::milliseconds(100)); // most likely too many open files: a client will leave
+        retry_.expires_after(std::chrono::milliseconds(100)); // most likely too many files are open; some client will
+                                                              // leave
         retry_.async_wait([this](const error_code&) {
             if (acceptor_.is_open())
                 accept();

@@ -24,7 +24,8 @@ public:
     void tick();
 
     /// Returns totals since the start, and rates over the last complete interval. Before the first interval is
-    /// complete, the rates are over the time since the start. Leaves clients, machines and queues at 0.
+    /// complete, the rates are over the time since the start. Does not set the numbers of clients, machines and queued
+    /// bytes.
     Load load() const;
 
 private:

@@ -17,12 +17,13 @@ public:
     void say(std::string_view sentence);
     /// Reports how many lines were dropped, if that can be written now. Must be called a few times a second.
     void tick();
-    /// Opens the file by its name again, after the old one was moved away, and creates it if needed.
+    /// Opens the file by its name again, after the old file was moved away, and creates it if needed.
     void reopen();
     bool is_terminal() const;
 
 private:
-    /// Writes as much as possible at once and keeps the rest for later. Returns false if nothing could be written.
+    /// Writes as much as possible without waiting, and keeps the rest for later. Returns false if nothing could be
+    /// written.
     bool write(const std::string& text);
 
     int file_;

@@ -19,7 +19,7 @@ public:
     void release(std::uint64_t ticket);
 
     void send(Client& to, std::string line);
-    /// Closes the client after everything sent to it so far.
+    /// Sends everything that waits for the client, then closes the client.
     void finish(Client& client);
     /// Counts `bytes` of the client's input, which are on their way to the disk, as queued for the client. Sends
     /// nothing.

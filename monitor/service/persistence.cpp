@@ -11,7 +11,7 @@ namespace placedpar::monitor {
 
 namespace {
 
-/// Storing anew copies the states of all machines, so each retry waits longer than the last.
+/// Storing anew copies the states of all machines, so each retry waits longer than the previous retry.
 constexpr std::chrono::seconds first_pause{1}, longest_pause{16};
 
 std::string going_on(const std::string& trouble) {

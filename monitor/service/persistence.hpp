@@ -12,8 +12,8 @@
 
 namespace placedpar::monitor {
 
-/// Stores events in the state file, if there is one, and holds back the answers to events until these are on the disk.
-/// If storing fails, the diagnosis continues without it: the diagnosis is worth more than its stored state.
+/// Stores events in the state file, if there is one, and holds back the answers to events until the events are on the
+/// disk. If storing fails, the diagnosis continues without storing: the diagnosis is worth more than its stored state.
 class Persistence {
 public:
     using Clock = std::chrono::steady_clock;

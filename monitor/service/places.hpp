@@ -29,9 +29,9 @@ constexpr std::size_t most_kept(std::size_t places) { return places - (places + 
 /// Returns which occupant must make room for a newcomer of `peer` when all places are taken, or nullopt if the newcomer
 /// is refused. Places that are not kept are shared evenly among peers. An occupant of the peer with most places goes if
 /// that peer afterwards still has at least as many places as the newcomer's peer. Otherwise an idle occupant of the
-/// newcomer's own peer goes. Among the occupants of a peer, idle ones go first, then those with the fewest samples,
-/// then those silent for the longest time. With `preferred`, the newcomer is a known machine and takes any place that
-/// is not kept.
+/// newcomer's own peer goes. Among the occupants of a peer, idle occupants go first, then occupants with the fewest
+/// samples, then occupants that have been silent longest. With `preferred`, the newcomer is a known machine and takes
+/// any place that is not kept.
 std::optional<std::size_t> gives_way(std::span<const Occupant> places, const std::string& peer, bool preferred);
 
 /// The places of machines. A machine becomes known, and keeps its place, when it has sent many samples over some time.
@@ -50,7 +50,7 @@ public:
     void introduced(const std::string& machine, const std::string& peer, Clock::time_point now);
     void forgotten(const std::string& machine);
     /// Records that the machine now has `samples` samples; 0 means that it started anew. Returns true if the machine
-    /// becomes known thereby.
+    /// becomes known by this call.
     bool heard(const std::string& machine, std::uint64_t samples, Clock::time_point now);
 
     bool known(const std::string& machine) const { return machines_.contains(machine) && machines_.at(machine).kept; }

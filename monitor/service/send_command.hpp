@@ -10,7 +10,7 @@ struct ServicePlace {
     std::string address = "127.0.0.1";
     std::uint16_t port = 0;
     std::string unix_path;  ///< replaces address and port; empty: not used
-    std::string token_file; ///< empty: none
+    std::string token_file; ///< empty: no token
 };
 
 /// Sends one message, a JSON object, to the service and returns the service's answer, one line. Throws UserError if the

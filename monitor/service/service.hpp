@@ -17,7 +17,7 @@ struct ServiceSettings {
     std::optional<std::uint16_t> port = 0;  ///< 0: any free port; nullopt: no TCP port
     std::string unix_path;                  ///< a socket in the file system; empty: none
     std::optional<std::uint16_t> http_port; ///< port of the web page; 0: any free port; nullopt: no page
-    std::vector<std::string> host_names;    ///< names that browsers may use, besides those of the address
+    std::vector<std::string> host_names;    ///< host names that browsers may use, besides the names of `address`
     std::string token_file;                 ///< empty: no token is required
     std::string state;                      ///< path of the state file; empty: nothing is stored
     std::uint64_t seed = 1;

@@ -21,7 +21,8 @@ using boost::system::error_code;
 
 namespace {
 
-constexpr std::chrono::seconds most_patience{30}; ///< for a request to arrive, or its answer to be read; ours
+constexpr std::chrono::seconds most_patience{30}; ///< longest wait for a request to arrive or its answer to be read;
+                                                  ///< our choice
 constexpr std::uint32_t most_header_bytes = 8192;
 
 /// Allows content and requests from this service only, and forbids other pages to embed it.
@@ -135,7 +136,7 @@ private:
     beast::basic_stream<boost::asio::generic::stream_protocol> stream_;
     Caller caller_;
     std::chrono::steady_clock::time_point since_;
-    bool guessed_ = false; ///< it has sent a wrong token; each guess costs a connection
+    bool guessed_ = false; ///< the client has sent a wrong token; each guess costs a connection
     beast::flat_buffer buffer_{most_header_bytes};
     std::optional<http::request_parser<http::empty_body>> parser_;
     http::response<http::string_body> response_;

@@ -24,7 +24,7 @@ struct WebAnswer {
 class Web {
 public:
     using Reply = std::function<void(WebAnswer)>;
-    /// Receives a path and its query, such as "/history" and "machine=digger-7", and replies at once or later.
+    /// Receives a path and its query, such as "/history" and "machine=digger-7", and replies immediately or later.
     /// `trusted` states that the client has sent the token or that none is required.
     using Handler = std::function<void(const std::string& path, const std::string& query, bool trusted, Reply reply)>;
 
@@ -32,8 +32,8 @@ public:
     Web(Token token, HostNames names, Handler handler, std::function<void(const std::string&)> say)
         : token_(std::move(token)), names_(std::move(names)), handler_(std::move(handler)), say_(std::move(say)) {}
 
-    /// Accepts a connection. If there are too many connections, closes the connection that has waited longest among
-    /// those of the peer with most connections.
+    /// Accepts a connection. If there are too many connections, the peer with the most connections loses the connection
+    /// that has waited longest.
     void welcome(Listener::Socket socket, const Caller& caller);
     /// Closes all connections.
     void close();
@@ -42,12 +42,12 @@ private:
     class Session;
     friend class Session;
 
-    /// Returns whether the field "Authorization" contains the token, either as Bearer or as the Basic password with any
-    /// user name, for which browsers can prompt.
+    /// Returns whether the field "Authorization" contains the token, either as a Bearer token or as the password of a
+    /// Basic login with any user name. Browsers can prompt for such a login.
     bool trusts(const std::string& authorization) const;
     void make_place(const std::string& peer);
 
-    static constexpr std::size_t most_sessions = 256, most_sessions_of_peer = 64; ///< values are ours
+    static constexpr std::size_t most_sessions = 256, most_sessions_of_peer = 64; ///< values of our choice
     Token token_;
     HostNames names_;
     Handler handler_;

@@ -44,7 +44,7 @@ bool Broadcasts::is_master(std::size_t node, std::size_t bus) const {
 RouteHop Broadcasts::way_of(const NetworkChannel& channel, const Placed& placed) const {
     require_output(channel, placed);
     if (channel.from.node == nowhere || channel.to.node == nowhere)
-        throw StatementRefused{}; // reported
+        throw StatementRefused{}; // already reported
     require_master(channel, placed);
     const DraftPlacement* stated = placement_of(channel.to);
     std::optional<std::size_t> best;
@@ -96,7 +96,7 @@ void Broadcasts::require_master(const NetworkChannel& channel, const Placed& pla
 
 void Broadcasts::refuse_receiver(const NetworkChannel& channel, const Placed& placed) const {
     if (c_.buses_refused)
-        throw StatementRefused{}; // reported
+        throw StatementRefused{}; // already reported
     const DraftProcess& receiver = c_.draft.processes[channel.to.process];
     const DraftPlacement* stated = placement_of(channel.to);
     std::vector<SecondPlace> others{{"the receiver is placed here", receiver.placed}};
@@ -126,7 +126,7 @@ std::string Broadcasts::why_not(const NetworkChannel& channel, std::size_t bus) 
                                                 : "which no link adapter leads to");
 }
 
-/// Returns a hint that says where the sender's adapters lead.
+/// Returns a hint that names the processors behind the sender's adapters.
 std::string Broadcasts::hint_at_adapters(const NetworkChannel& channel, std::size_t bus) const {
     constexpr std::size_t most = 4;
     std::vector<std::string> ends;
@@ -142,7 +142,7 @@ std::string Broadcasts::hint_at_adapters(const NetworkChannel& channel, std::siz
 }
 
 void Broadcasts::check() const {
-    std::map<std::size_t, std::vector<const NetworkChannel*>> out; // by connection: channels from its a to its b
+    std::map<std::size_t, std::vector<const NetworkChannel*>> out; // for each connection: channels from end a to end b
     for (const NetworkChannel& channel : c_.network.channels)
         for (const RouteHop& hop : channel.placement.route)
             if (hop.from_a_to_b)
@@ -152,8 +152,7 @@ void Broadcasts::check() const {
             check(channel, out[channel.placement.route.front().connection]);
 }
 
-/// Reports a channel that is not alone on the way of a broadcast. If two channels of one broadcast conflict, only the
-/// second is reported.
+/// Reports a broadcast whose way carries another channel, too. If both channels are broadcast, reports only the second.
 void Broadcasts::check(const NetworkChannel& broadcast, const std::vector<const NetworkChannel*>& on_way) const {
     const NetworkChannel& other = *(on_way.front() == &broadcast ? on_way.back() : on_way.front());
     bool both = &other != &broadcast && other.placement.broadcast_on != nowhere;

@@ -9,11 +9,11 @@
 
 namespace placedpar {
 
-/// Holds the channels that the netlist places on a bus, `place p.out[i] on vme;`. The channels of one port array on one
-/// bus form a broadcast: a word written on the bus reaches the link adapters of all receivers at once.
+/// Holds the channels that the netlist places on a bus (`place p.out[i] on vme;`). The channels of one port array on
+/// one bus form a broadcast: each word written on the bus reaches the link adapters of all receivers.
 class Broadcasts {
 public:
-    /// REQUIRES: both arguments outlive this object. `load` is as in RouteSearch.
+    /// REQUIRES: both arguments outlive this object. `load` has the layout of RouteSearch's `load`.
     Broadcasts(Completion& completion, const std::vector<std::size_t>& load) : c_(completion), load_(load) {}
 
     /// Names the channel end that is placed on a bus, and the placement.
@@ -24,11 +24,11 @@ public:
     };
     std::optional<Placed> placed(const NetworkChannel&) const;
 
-    /// Returns the way over the bus to an adapter and from its link to the receiver's processor. Of several ways,
-    /// prefers the way with the fewest channels, then the way at the receiver's lowest link. Throws StatementRefused
-    /// after reporting.
+    /// Returns the way over the bus, through an adapter, to the receiver's processor. If several ways lead there,
+    /// prefers the way with the fewest channels, then the way to the receiver's lowest link. Throws StatementRefused
+    /// after reporting an error.
     RouteHop way_of(const NetworkChannel&, const Placed&) const;
-    /// Reports each channel that shares such a way with another channel. REQUIRES: all channels are carried.
+    /// Reports each broadcast whose way carries another channel. REQUIRES: all channels have carriers.
     void check() const;
 
 private:

@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-/// Adds the ways over buses to the network's connections. Each bus kind computes the ways from what is attached to it.
+/// Adds the ways over buses to the network's connections. Each kind of bus computes its ways from its attachments.
 class Buses {
 public:
     explicit Buses(Completion& c) : c_(c) {}
@@ -99,7 +99,7 @@ private:
             way.bits_per_second = leads.bits_per_second;
         }
         if (way.b.at_edge())
-            return; // there is no processor behind it
+            return; // the way leads to no processor
         way.connected = attachments()[over_bus.slave].connected;
         way.over_bus = over_bus;
         c_.network.connections.push_back(std::move(way));

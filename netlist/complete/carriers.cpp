@@ -14,9 +14,9 @@ namespace placedpar {
 namespace {
 
 /// Chooses what carries each channel. Channels that the netlist places come first; then each other channel takes the
-/// best route (RouteCost). Both groups keep the netlist's order. Between neighbours the best route is the wire that the
-/// fewest channels use in that direction; if several are equal, the one with the lowest link number at the sender. A
-/// channel to an edge takes one wire.
+/// best route (RouteCost). Both groups keep the netlist's order. Between neighbours the best route is the wire with the
+/// fewest channels in that direction; among equal wires, the wire with the lowest link number at the sender. A channel
+/// to an edge takes one wire.
 class Carriers {
 public:
     explicit Carriers(Completion& c)
@@ -54,7 +54,7 @@ private:
         try {
             step();
         } catch (const StatementRefused&) {
-            // go on with the next channel
+            // continue with the next channel
         }
     }
 
@@ -97,7 +97,8 @@ private:
         throw StatementRefused{};
     }
 
-    /// Places an edge channel on the connection, or refuses if the connection does not join its process to the edge.
+    /// Places an edge channel on the connection. Refuses a connection that does not join the channel's process to the
+    /// edge.
     void carry_to_edge(NetworkChannel& channel, std::size_t index, const Location& at) {
         const auto& connection = c_.network.connections[index];
         auto& outer = channel.from.at_edge() ? channel.from : channel.to;
@@ -128,11 +129,11 @@ private:
         channel.placement = {ChannelPlacement::Kind::link, std::move(route)};
     }
 
-    /// Returns the best route over these wires in their order. Throws StatementRefused after reporting that there is
-    /// none.
+    /// Returns the best route over these wires in this order. Throws StatementRefused, after reporting, if no route
+    /// exists.
     std::vector<RouteHop> route_over(const NetworkChannel& channel, const std::vector<StatedRoute>& wires) {
         if (channel.from.node == nowhere || channel.to.node == nowhere)
-            throw StatementRefused{}; // reported
+            throw StatementRefused{}; // already reported
         if (std::ranges::any_of(wires, [&](const StatedRoute& wire) { return wires_[wire.connection].at_run_time; }))
             return route_over_switch(channel, wires);
         std::vector<RouteHop> route;
@@ -159,7 +160,7 @@ private:
     }
 
     /// Returns the single hop of a channel over a connection that switches make during the run. Such a channel must
-    /// lead from its sender's processor directly to its receiver's.
+    /// lead directly from the sender's processor to the receiver's processor.
     std::vector<RouteHop> route_over_switch(const NetworkChannel& channel, const std::vector<StatedRoute>& wires) {
         const auto& connection = wires_[wires.front().connection];
         bool forwards = connection.a.node == channel.from.node && connection.b.node == channel.to.node;
@@ -176,8 +177,8 @@ private:
         return {{wires.front().connection, forwards}};
     }
 
-    /// Returns the least used connection from the sender's processor to the receiver's that switches make during the
-    /// run, if there is one.
+    /// Returns a hop over a connection that switches make during the run between the two processors; nothing if there
+    /// is none. Chooses the connection with the fewest channels.
     std::optional<std::vector<RouteHop>> way_over_switch(const NetworkChannel& channel) {
         std::optional<RouteHop> best;
         auto between = between_.find({channel.from.node, channel.to.node});
@@ -190,8 +191,8 @@ private:
         return best ? std::optional(std::vector{*best}) : std::nullopt;
     }
 
-    /// Returns the shortest continuation of `route` that ends by crossing `wire`. It passes neither the processors in
-    /// `passed` nor, on the way to the wire, the receiver's.
+    /// Returns the shortest continuation of `route` that ends by crossing `wire`. It avoids the processors in `passed`
+    /// and, before the wire, the receiver's processor.
     std::optional<std::vector<RouteHop>> way_on(const NetworkChannel& channel, const std::vector<RouteHop>& route,
                                                 const StatedRoute& wire, const std::set<std::size_t>& passed) {
         auto here = route.empty() ? channel.from.node : end_of(route.back(), wires_).node;
@@ -246,7 +247,7 @@ private:
         if (channel.from.at_edge() || channel.to.at_edge())
             return choose_edge(channel);
         if (channel.from.node == nowhere || channel.to.node == nowhere || channel.from.node == channel.to.node)
-            return; // reported, or soft
+            return; // already reported, or both processes are on one processor
         auto route = search_.best(channel.from.node, channel.to.node);
         if (!route)
             route = way_over_switch(channel);
@@ -259,7 +260,7 @@ private:
         const auto& inner = channel.from.at_edge() ? channel.to : channel.from;
         const auto& outer = channel.from.at_edge() ? channel.from : channel.to;
         if (inner.node == nowhere)
-            return; // reported
+            return; // already reported
         auto candidates = edges_of_[inner.node];
         if (outer.node != nowhere)
             std::erase_if(candidates, [&](std::size_t i) {
@@ -276,7 +277,7 @@ private:
         const auto& inner = channel.from.at_edge() ? channel.to : channel.from;
         const auto& outer = channel.from.at_edge() ? channel.from : channel.to;
         if (inner.node == nowhere || c_.wire_refused[inner.node])
-            return; // reported
+            return; // already reported
         auto edge = outer.node == nowhere ? "an edge" : fmt::format("the edge \"{}\"", node_name(outer.node));
         refuse(channel.connected,
                fmt::format("the edge channel \"{}\" cannot be reached: \"{}\" has no link to {}", outer.port,
@@ -284,7 +285,7 @@ private:
                way_to_edge(inner.node, outer.node));
     }
 
-    /// Returns a hint how to connect the node with the edge, if links are free.
+    /// Returns a hint that says how to connect the node with the edge.
     std::string way_to_edge(std::size_t node, std::size_t edge) const {
         for (const auto& connection : c_.network.connections)
             for (auto [near, far] : {std::pair(connection.a, connection.b), std::pair(connection.b, connection.a)})
@@ -322,7 +323,7 @@ private:
 
     void refuse_no_route(const NetworkChannel& channel) {
         if (std::find(c_.wire_refused.begin(), c_.wire_refused.end(), true) != c_.wire_refused.end())
-            return; // the wire that may be missed was reported
+            return; // a refused wire may be the cause, and was reported
         auto from = channel.from.node, to = channel.to.node;
         const auto &sender = c_.draft.processes[channel.from.process],
                    &receiver = c_.draft.processes[channel.to.process];
@@ -337,7 +338,7 @@ private:
                std::move(places));
     }
 
-    /// Adds notes on the processors between the two whose `linkquota` keeps the channel out.
+    /// Adds a note for each other processor whose `linkquota` keeps some channel out.
     void add_quotas(std::vector<SecondPlace>& places, std::size_t from, std::size_t to) const {
         for (std::size_t node = 0; node < c_.network.nodes.size(); ++node)
             if (node != from && node != to && search_.is_kept_by_quota(node))
@@ -353,7 +354,7 @@ private:
 
     Completion& c_;
     const std::vector<LinkConnection>& wires_;
-    std::vector<std::size_t> load_; ///< channels on each connection, b to a and a to b
+    std::vector<std::size_t> load_; ///< number of channels on each connection in each direction, as in RouteSearch
     RouteSearch search_;
     StatedRoutes stated_;
     Broadcasts broadcasts_;

@@ -152,7 +152,7 @@ private:
                     nowhere);
     }
 
-    /// Returns the edge that `end` is, or that its link leads to; nowhere if there is none.
+    /// Returns the edge at `end`, or the edge to which its link leads; nowhere if there is no edge.
     std::size_t edge_behind(const LinkEnd& end) const {
         auto wire = c_.connection_at.find({end.node, end.link});
         if (wire == c_.connection_at.end())
@@ -280,7 +280,7 @@ private:
 
     Completion& c_;
     std::vector<std::vector<PortBinding>> bindings_;
-    std::set<std::pair<std::size_t, std::string>> mentioned_; ///< process and port, in a connect
+    std::set<std::pair<std::size_t, std::string>> mentioned_; ///< process and port of each end in a `connect`
     std::set<std::size_t> misnamed_; ///< processes for which the netlist names an unknown channel
     bool refused_ = false;           ///< at least one `connect` was refused
 };

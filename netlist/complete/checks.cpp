@@ -39,7 +39,8 @@ void check_together(Completion& c, const ProcessInstance& process, const std::ve
                                  process.name, *left_out));
 }
 
-/// Returns the line that gives the parameter or connects the port; otherwise the process's declaration.
+/// Returns where the netlist gives the parameter or connects the port at fault; otherwise where it declares the
+/// process.
 Location place_of(const Completion& c, const Complaint& complaint) {
     const auto& process = c.network.processes[complaint.process];
     if (auto given = process.given.find(complaint.about); given != process.given.end())
@@ -75,8 +76,8 @@ void check_nodes(Completion& c) {
             c.reporter.error(node.declared, reason);
 }
 
-/// Warns once if a node has the attribute `tolerance` and some channel is routed. The INMOS tool uses the attribute in
-/// an unpublished manner; ours ignores it, so routes may differ.
+/// Warns once if a node has the attribute `tolerance` and some channel is routed. How the INMOS tool uses this
+/// attribute is not published. PlacedPar ignores it, so routes may differ.
 void check_tolerance(Completion& c) {
     auto led_through = [](const NetworkChannel& channel) { return channel.placement.route.size() > 1; };
     auto channel = std::ranges::find_if(c.network.channels, led_through);
@@ -129,7 +130,8 @@ void check_room_for_packets(Completion& c) {
     }
 }
 
-/// Returns the first parameter whose default assumes a floating-point unit, if the process's node has none.
+/// If the process's node has no floating-point unit, returns the first parameter whose default assumes such a unit;
+/// otherwise null.
 const ParameterDescription* wants_floating_point_unit(const Completion& c, std::size_t process) {
     const ProcessInstance& instance = c.network.processes[process];
     if (c.kinds[process] == nullptr || c.network.nodes[instance.node].floating_point_unit)

@@ -23,13 +23,13 @@ struct Completion {
     const Catalogue& catalogue;
     Reporter& reporter;
     Network network; ///< starts with the draft's nodes; each part adds what it completes
-    std::map<std::pair<std::size_t, int>, std::size_t> connection_at; ///< by node and link
-    std::map<std::size_t, std::size_t> connection_named;              ///< by draft connection
+    std::map<std::pair<std::size_t, int>, std::size_t> connection_at; ///< key: node and link
+    std::map<std::size_t, std::size_t> connection_named;              ///< key: index in draft.connections
     std::vector<const ProcessKind*> kinds;                            ///< kind of each process; null for a stand-in
-    std::vector<bool> kind_refused;         ///< by process: its kind is unknown, which has been reported
+    std::vector<bool> kind_refused;         ///< for each process: whether its kind is unknown (already reported)
     std::vector<std::size_t> draft_channel; ///< draft index of each channel of the network
-    std::vector<bool> wire_refused = {};    ///< by node: one of its wires leads nowhere
-    bool buses_refused = false;             ///< a bus was refused, so buses give no ways
+    std::vector<bool> wire_refused = {};    ///< for each node: whether one of its wires leads nowhere
+    bool buses_refused = false;             ///< some bus was refused, so no ways over buses exist
 
     /// Returns the first link of the node without a wire, such as "a.link[2]"; "" if there is none.
     std::string free_link(std::size_t node) const;

@@ -10,8 +10,8 @@ namespace placedpar {
 
 namespace {
 
-/// Finds the processor at an end of the named piece of wire. The fault affects that processor's link, whatever the
-/// switch connects it to. Returns false, after reporting, if both ends are at switches.
+/// Finds the processor at an end of the named piece of wire. The fault affects the link of that processor, through
+/// whatever crosspoints the switch sets. Returns false, after reporting, if both ends are at switches.
 bool find_named_piece(Completion& c, const DraftFault& draft, std::size_t connection, Fault& fault) {
     auto piece = std::ranges::find(c.draft.wires, draft.connection, &DraftWire::connection);
     for (const LinkEnd& end : {piece->a, piece->b})

@@ -241,7 +241,7 @@ private:
     std::map<std::string, Location>& given_;
     std::vector<std::string>& order_;
     std::set<std::string> noted_;              ///< names in `order_`
-    std::map<std::string_view, Location> set_; ///< name to the place of the statement or option that set it
+    std::map<std::string_view, Location> set_; ///< for each name: place of the statement or option that sets it
     std::set<std::string_view> taken_;         ///< the kind's parameters that were given or refused
 };
 

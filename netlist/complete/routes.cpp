@@ -60,8 +60,7 @@ void RouteSearch::forget_distances() {
     reached_.clear();
 }
 
-/// Computes the least cost from every node to the hub by Dijkstra's algorithm. REQUIRES: no quota keeps a channel from
-/// a link.
+/// Computes the least cost from every node to the hub by Dijkstra's algorithm. REQUIRES: !has_quotas_.
 void RouteSearch::make_hub(std::size_t hub) {
     using Reached = std::pair<RouteCost, std::size_t>;
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
@@ -111,7 +110,7 @@ template <class MayPass, class Reach>
 void RouteSearch::reach_before(std::size_t node, const Ends& ends, MayPass may_pass, Reach reach) {
     const RouteCost cost = *distances_[node];
     for (const auto& [leaving, before] : leaving_[node]) {
-        RouteHop hop{leaving.connection, !leaving.from_a_to_b}; // this wire, towards the route's end
+        RouteHop hop{leaving.connection, !leaving.from_a_to_b}; // the same wire, towards the route's end
         if (before != ends.from && (!leads_through(before) || !may_pass(before) || !may_leave(hop)))
             continue;
         if (node != ends.to && !may_come_in(hop))
@@ -133,7 +132,7 @@ void RouteSearch::search_around(const Ends& ends, const std::set<std::size_t>& a
     for (open.emplace(RouteCost{}, ends.to); !open.empty() && open.top().second != ends.from;) {
         auto [cost, node] = open.top();
         open.pop();
-        if (distances_[node] == cost) // otherwise a cheaper path to the node has been found since
+        if (distances_[node] == cost) // otherwise a cheaper route from the node was found
             reach_before(
                 node, ends, [&](std::size_t before) { return !around.contains(before); },
                 [&](const RouteCost& better, std::size_t before) { open.emplace(better, before); });

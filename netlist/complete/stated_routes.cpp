@@ -72,7 +72,7 @@ StatedRoute StatedRoutes::wire_at(const StatedPlacement& place) const {
 
 std::size_t StatedRoutes::connection_at(const StatedPlacement& place) const {
     if (process_of(place).node == nowhere)
-        throw StatementRefused{}; // reported
+        throw StatementRefused{}; // already reported
     if (place.where().at_edge())
         return connection_to_edge(place);
     if (place.number == 0)
@@ -107,7 +107,7 @@ std::size_t StatedRoutes::connection_at_link(const StatedPlacement& place) const
     if (found != c_.connection_at.end())
         return way_over_bus(found->second);
     if (c_.wire_refused[place.where().node])
-        throw StatementRefused{}; // reported
+        throw StatementRefused{}; // already reported
     refuse(place.at(), fmt::format("the channel \"{}\" is placed on \"{}\", which is connected to nothing",
                                    name_of(place), link_of(place)));
 }
@@ -124,7 +124,7 @@ std::size_t StatedRoutes::connection_to_partner(const StatedPlacement& place) co
                 found = found && !meant ? found : i;
             }
     if (!found && partner.node == nowhere)
-        throw StatementRefused{}; // reported
+        throw StatementRefused{}; // already reported
     if (!found)
         refuse(place.at(),
                fmt::format("the channel \"{}\" is placed on \"{}\", which no switch connects to a link of \"{}\"",
@@ -133,15 +133,15 @@ std::size_t StatedRoutes::connection_to_partner(const StatedPlacement& place) co
     return *found;
 }
 
-/// Returns the way that leaves a master's place on a bus. The next stated place decides where the way leads; after the
-/// last place, the receiver does.
+/// Returns the way that leaves a master's place on a bus. The way leads to the next stated place; from the last place,
+/// to the receiver.
 std::size_t StatedRoutes::way_from_bus(const StatedPlacement& place) const {
     bool last = place.number + 1 == place.all.size();
     auto other = place.inputs() ? place.channel.from.node
                  : last         ? place.channel.to.node
                                 : end_of_way(place.all[place.number + 1].where).node;
     if (other == nowhere || c_.buses_refused)
-        throw StatementRefused{}; // reported
+        throw StatementRefused{}; // already reported
     auto found = way_between(place.where().node, other);
     if (!found)
         refuse(place.at(),
@@ -151,8 +151,8 @@ std::size_t StatedRoutes::way_from_bus(const StatedPlacement& place) const {
     return *found;
 }
 
-/// Returns the way over a bus between the two nodes: through memory if possible, otherwise by the adapter that the
-/// fewest channels use.
+/// Returns the way over a bus between the two nodes: through memory if possible, otherwise over the adapter with the
+/// fewest channels.
 std::optional<std::size_t> StatedRoutes::way_between(std::size_t one, std::size_t other) const {
     std::optional<std::size_t> best;
     auto cost = [&](std::size_t i) {

@@ -10,10 +10,10 @@
 
 namespace placedpar {
 
-/// Describes a wire, or a way over a bus, that the netlist names for a channel, and the location of the statement.
+/// A wire or a way over a bus that the netlist states for a channel, and the location of the statement.
 struct StatedRoute {
     std::size_t connection;
-    std::size_t begin; ///< the node where the channel enters the connection; nowhere: it may enter at either end
+    std::size_t begin; ///< node where the channel enters the connection; nowhere: the channel may enter at either end
     Location at;
 };
 
@@ -21,7 +21,8 @@ struct StatedRoute {
 /// functions throw StatementRefused after reporting a placement that cannot be used.
 class StatedRoutes {
 public:
-    /// REQUIRES: the arguments outlive this object, and the connections are complete. `load` is as in RouteSearch.
+    /// REQUIRES: the arguments outlive this object, and the connections are complete. `load` has the layout of
+    /// RouteSearch's `load`.
     StatedRoutes(Completion&, const std::vector<std::size_t>& load);
 
     /// Returns the stated wires of the channel in order; empty if the netlist states no wires.
@@ -64,7 +65,7 @@ private:
     Completion& c_;
     const std::vector<LinkConnection>& wires_;
     const std::vector<std::size_t>& load_;
-    std::map<std::size_t, std::size_t> ways_; ///< ways over buses, by the wire behind an adapter
+    std::map<std::size_t, std::size_t> ways_; ///< ways over buses; key: wire at the link adapter of the way
 };
 
 } // namespace placedpar

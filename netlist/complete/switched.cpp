@@ -9,7 +9,7 @@ namespace placedpar {
 namespace {
 
 using UsersOfLinks = std::map<std::tuple<std::size_t, int, bool>,
-                              const NetworkChannel*>; ///< by node, link, and whether the channel outputs there
+                              const NetworkChannel*>; ///< key: node, link, and whether the channel outputs there
 
 /// Registers the channel as a user of the link. Returns the channel of another process that uses the link already; null
 /// if there is none.

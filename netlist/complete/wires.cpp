@@ -13,7 +13,8 @@ using Socket = std::pair<std::size_t, int>; ///< node and link
 
 Socket socket(const LinkEnd& end) { return {end.node, end.link}; }
 
-/// Returns the crosspoints at each end in the netlist's order. An end has several only if a program sets the switch.
+/// Returns the crosspoints at each end in the netlist's order. An end has several crosspoints only if a program sets
+/// the switch.
 std::map<Socket, std::vector<std::size_t>> all_by_end(const std::vector<DraftWire>& crosspoints) {
     std::map<Socket, std::vector<std::size_t>> places;
     for (std::size_t i = 0; i < crosspoints.size(); ++i)
@@ -31,8 +32,8 @@ std::map<Socket, std::size_t> by_end(const std::vector<DraftWire>& wires) {
     return places;
 }
 
-/// Follows wires through switches. At a switch that a program sets, every crosspoint is followed, since the program
-/// decides during the run which are set.
+/// Follows wires through switches. At a switch that a program sets, follows every crosspoint, since the program sets
+/// crosspoints during the run.
 class Wiring {
 public:
     explicit Wiring(Completion& completion)
@@ -59,7 +60,7 @@ private:
     void follow(std::size_t first) {
         const auto& wire = c_.draft.wires[first];
         if (at_switch(wire.a) && at_switch(wire.b))
-            return; // followed from the processors at the ends of its chain, if there are any
+            return; // a chain of wires is followed from the processors at its ends
         LinkConnection connection;
         connection.a = at_switch(wire.a) ? wire.b : wire.a;
         connection.b = other_end(wire, connection.a);
@@ -78,7 +79,7 @@ private:
             if (!cross(connection, pieces, crosspoints->second.front()))
                 return;
         }
-        if (pieces.front() <= pieces.back()) // otherwise it was added from its other end
+        if (pieces.front() <= pieces.back()) // otherwise the connection was added from its other end
             add(std::move(connection), pieces);
     }
 
@@ -102,8 +103,8 @@ private:
                           "state only the crosspoints that a program will set");
     }
 
-    /// Extends the connection through the switch at its far end and along the wire beyond. Returns false if there is no
-    /// such wire (reported), or if the connection has it already.
+    /// Extends the connection through the switch at its far end and along the next wire. Returns false if there is no
+    /// next wire (reported), or if the connection already has this wire.
     bool cross(LinkConnection& connection, std::vector<std::size_t>& pieces, std::size_t crosspoint) {
         auto reached = connection.b;
         auto leaves = other_end(c_.draft.crosspoints[crosspoint], reached);
@@ -138,8 +139,8 @@ private:
         return open;
     }
 
-    /// If exactly two wires end at the switch, suggests the crosspoint between them; both errors then give the same
-    /// hint.
+    /// If exactly two wires end at the switch, suggests the crosspoint between them; the errors about both wires then
+    /// give the same hint.
     void refuse_crosspoint(const LinkConnection& connection, const LinkEnd& at) {
         auto open = open_links(at.node);
         auto name = [&](const LinkEnd& end) { return link_name(c_.network.nodes, end); };

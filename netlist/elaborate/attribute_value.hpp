@@ -17,7 +17,7 @@ public:
 
     /// Returns the value, converted to the type in the description. Refuses a value outside the described range.
     Value as(const AttributeDescription& attribute) const;
-    /// Returns the value of an attribute that is only kept for the real tool. Any value but an array is accepted.
+    /// Returns the value of an attribute that only the INMOS tool uses. Any value but an array is accepted.
     Value any() const;
     std::string text() const;
 
@@ -37,7 +37,7 @@ private:
     Reporter& reporter_;
 };
 
-/// Returns whether the attribute, or the group that it belongs to, is among the names.
+/// Returns whether `names` contains the attribute or its group.
 bool names_attribute(const std::vector<std::string>& names, const std::string& attribute);
 
 } // namespace placedpar

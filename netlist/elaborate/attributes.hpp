@@ -13,7 +13,7 @@ namespace placedpar {
 std::vector<Setting> evaluate_attributes(Evaluator& evaluator, Reporter& reporter,
                                          const std::vector<Attribute>& attributes);
 
-/// Returns a note that shows where the thing was given first, for an error about giving it twice.
+/// Returns the note "given first at line ...", for an error about a second value.
 SecondPlace first_given(const Location& at);
 /// Reports `the parameter "n" of "p" is given twice`. Throws StatementRefused.
 [[noreturn]] void refuse_given_twice(Reporter& reporter, const Setting& second, std::string_view what,
@@ -22,13 +22,13 @@ SecondPlace first_given(const Location& at);
 /// `scopes` knows the types that the attribute `type` may name.
 void apply_node_attributes(NodeType& type, const std::vector<Setting>& settings, const Scopes& scopes,
                            Reporter& reporter);
-/// Returns whether a declaration of the node may give an attribute of this name; `type` does not count as one.
+/// Returns whether a declaration of the node may give an attribute of this name. Returns false for `type`.
 bool has_node_attribute(const Node& node, const std::string& name);
 /// REQUIRES: has_node_attribute(node, setting.name).
 void apply_node_attribute(Node& node, const Setting& setting, Reporter& reporter);
 void apply_connection_attributes(DraftConnection& connection, const std::vector<Setting>& settings, Reporter& reporter);
 
-/// Returns the attributes of a wire, followed by the attributes of a master's place on a bus.
+/// Returns the attributes of a wire, followed by the attributes of a master's connection to a bus.
 const std::vector<AttributeDescription>& connection_attributes();
 
 bool is_process_attribute(const std::string& name);

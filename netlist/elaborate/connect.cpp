@@ -92,14 +92,15 @@ void Elaborator::connect_links(LinkEnd a, LinkEnd b, const ConnectStatement& for
     (crosspoint ? draft_.crosspoints : draft_.wires).push_back({a, b, connection_for(form, at), at});
 }
 
-/// A link may have several crosspoints where a wire leads to the switch's configuration link: a program sets them.
+/// Reports links with several crosspoints. They are allowed only if a wire leads to the switch's configuration link: a
+/// program then sets the crosspoints.
 void Elaborator::check_crosspoints() {
     for (const auto& [end, at, first] : crosspoints_again_)
         try {
             if (!used_links_.contains({end.node, configuration_link}))
                 refuse_link(end, at, first, true);
         } catch (const StatementRefused&) {
-            continue; // reported
+            continue; // already reported
         }
 }
 

@@ -28,7 +28,7 @@ bool shift_right(std::int64_t a, std::int64_t b, std::int64_t& result) {
     return true;
 }
 
-/// Computes an integer operation for one reading of the operands. Returns false if the result needs more than 64 bits.
+/// Computes an integer operation. Returns false if there is no result of 64 bits.
 bool integer_operation(char symbol, std::int64_t a, std::int64_t b, std::int64_t& result) {
     switch (symbol) {
     case '+': return !__builtin_add_overflow(a, b, &result);

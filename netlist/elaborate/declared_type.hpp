@@ -17,10 +17,10 @@ struct Misfit {
 
 /// Returns the type of the parameter's elements; a row of `char` is one text.
 ParameterType element_type(const ParameterDeclaration& parameter);
-/// Returns the number of subscripts of an element: one less than the number of dimensions if rows of `char` are texts.
+/// Returns the number of subscripts of an element: the number of dimensions, or one less if rows of `char` are texts.
 std::size_t element_dimensions(const ParameterDeclaration& parameter);
 /// Returns a misfit if an element of the parameter cannot hold the value: a number out of range, or a text that is too
-/// long. A char, short, int and unsigned have 8, 16, 32 and 32 bits, as on a T800; a long has 64.
+/// long. A char, short, int and unsigned have 8, 16, 32 and 32 bits, as on a T800; a long has 64 bits.
 std::optional<Misfit> misfit(const ParameterDeclaration& parameter, const Value& value);
 
 /// Returns the declaration as text, such as "char name[3][8]".

@@ -12,9 +12,8 @@
 
 namespace placedpar {
 
-/// Limits the number of things that one netlist may have; elements of arrays are counted one by one. Things are nodes,
-/// connections, wires, edge channels, processes, their channel ends and parameters, values given to parameters, and
-/// attributes of the real tool.
+/// Limits the size of a netlist: the total number of nodes, connections, wires, edge channels, processes, their channel
+/// ends and parameters, values given to parameters, and attributes of the INMOS tool. Each element of an array counts.
 inline constexpr std::size_t most_things = 250'000;
 
 /// The structures below describe a netlist whose statements have been executed, but which has not been checked as a
@@ -62,13 +61,13 @@ struct Interface {
     std::vector<DeclaredEntry> entries; ///< channels and parameters, in the order of the declaration
 };
 
-/// `name (n = 4);`
+/// One setting in a statement such as `name (n = 4);`.
 struct Setting {
     std::string name;
     Constant value;
     Location at;
 };
-/// Holds the settings of one statement, shared by all elements of an array that it names.
+/// The settings of one statement; all array elements that the statement names share them.
 using SharedSettings = std::shared_ptr<const std::vector<Setting>>;
 
 struct DraftProcess {
@@ -77,15 +76,15 @@ struct DraftProcess {
     bool high_priority = false;
     std::map<std::string, Value> other;
     std::shared_ptr<const Interface> interface; ///< null if the netlist declares no interface
-    std::vector<SharedSettings> settings;       ///< statement by statement
-    std::vector<Setting> overrides;             ///< settings by options, which replace the netlist's
+    std::vector<SharedSettings> settings;       ///< one entry for each statement
+    std::vector<Setting> overrides;             ///< settings by options, which replace the netlist's settings
     std::string kind;
     std::optional<Location> used; ///< place of the `use` that names its program
     std::size_t node = nowhere;
     Location placed;
 };
 
-/// One piece of wire, or a crosspoint, whose two ends are at the same switch.
+/// A piece of wire, or a crosspoint. Both ends of a crosspoint are at the same switch.
 struct DraftWire {
     LinkEnd a, b;
     std::size_t connection = nowhere;
@@ -113,14 +112,14 @@ struct DraftChannel {
     Location at;
 };
 
-/// `place p.out on t.link[2];`, `... on edge;` (link -1) or `... on vme;` (the bus, and bus_port).
+/// The statement `place p.out on t.link[2];`. For `... on edge;`, where.link is -1. For `... on vme;`, where.node is
+/// the bus, and where.link is bus_port.
 struct DraftPlacement {
     LinkEnd where;
     Location at;
 };
 
-/// A fault of a device, of the wire at a link, or of the wire of a connection. It is completed when all wires are
-/// known.
+/// A fault of a device, of the wire at a link, or of the wire of a connection. complete_faults() sets the wire.
 struct DraftFault {
     Fault fault;
     std::size_t connection = nowhere; ///< index in Draft::connections
@@ -135,7 +134,7 @@ struct DraftConnectionPlacement {
 
 struct Draft {
     std::vector<Node> nodes;
-    std::vector<int> links; ///< number of links, by node
+    std::vector<int> links; ///< number of links of each node
     std::vector<DraftConnection> connections;
     std::vector<DraftEdgeChannel> edge_channels;
     std::vector<DraftProcess> processes;
@@ -143,8 +142,8 @@ struct Draft {
     std::vector<DraftAttachment> attachments;
     std::vector<DraftChannel> channels;
     std::map<std::pair<std::size_t, std::string>, std::vector<DraftPlacement>>
-        placements; ///< by process and port; several, on links of several nodes, state a route
-    std::map<std::size_t, DraftConnectionPlacement> connection_placements; ///< by the channel's connection
+        placements; ///< key: process and port. Several placements, on links of several nodes, state a route.
+    std::map<std::size_t, DraftConnectionPlacement> connection_placements; ///< key: the channel's connection
     std::vector<DraftFault> faults;
     std::string default_kind; ///< `use ... for process;`
     Location default_used;

@@ -12,7 +12,7 @@ namespace placedpar {
 Elaborator::Elaborator(const Catalogue& catalogue, const Statements& overrides, Reporter& reporter)
     : catalogue_(catalogue), reporter_(reporter), scopes_(catalogue), evaluator_(scopes_, reporter),
       overrides_(overrides) {
-    // a printed network uses predefined names, so nothing else may have them when the text is read again
+    // the predefined names are reserved, since a printed network uses them
     claimed_.insert("HIGH");
     for (const auto& [name, type] : catalogue.node_types())
         claimed_.insert(type.preset.type);
@@ -78,7 +78,7 @@ void Elaborator::perform(const RepStatement& form, const Location& at) {
     std::size_t rounds_in_vain = 0;
     for (auto i = first; i < end; ++i) {
         if (reporter_.failed() && ++rounds_in_vain > most_repeated)
-            return; // the netlist is refused, and all errors have been reported
+            return; // the netlist is refused; further rounds would repeat errors
         evaluator_.step(at);
         scopes_.open();
         scopes_.declare(form.name, {integer_constant(i), form.name_at});

@@ -27,7 +27,7 @@ public:
     Elaborator(const Catalogue& catalogue, const Statements& overrides, Reporter& reporter);
 
     void run(const Statements& statements);
-    /// Replaces programs by these kinds.
+    /// Replaces each program that `kinds` names by its kind.
     void use(const ProgramKinds& kinds);
     const Draft& draft() const { return draft_; }
     Draft take();
@@ -44,7 +44,7 @@ private:
     void execute_all(const Statements& statements);
     void perform(const ValStatement& form, const Location& at);
     void perform(const RepStatement& form, const Location& at);
-    /// Returns the first value beyond the values of a replicator.
+    /// These two functions return the first value after the last value of a replicator.
     std::int64_t behind_last(const Expression& last);
     std::int64_t behind_count(std::int64_t first, const Expression& count);
     void perform(const IfStatement& form, const Location& at);
@@ -62,7 +62,7 @@ private:
     void name_connections(Things& things, const std::string& wanted, IsMeant is_meant);
     bool set_once(const SetStatement& set, const std::string& member, const Settable& element);
 
-    // refuse_set.cpp; the name is that of the target, with its subscripts
+    // refuse_set.cpp; `name` is the target's name, with its subscripts
     std::vector<std::string> names_of_vals() const;
     [[noreturn]] void refuse_set(const SetStatement& set, const std::string& name, const std::vector<Settable>& named);
     [[noreturn]] void refuse_name(const SetStatement& set, const std::string& name, const std::vector<Settable>& all);
@@ -170,21 +170,21 @@ private:
     std::map<std::pair<std::size_t, int>, Location> used_links_, used_crosspoints_;
     std::set<std::tuple<std::size_t, int, int>>
         crosspoints_; ///< node of the switch and its two links, the lower link first
-    /// Reports a second crosspoint for a link that already has one.
+    /// An error to report later: a link has a second crosspoint.
     struct CrosspointAgain {
         LinkEnd end;
         Location at, first;
     };
     std::vector<CrosspointAgain> crosspoints_again_;
     std::map<std::pair<std::size_t, std::string>, Location> used_ports_;
-    std::set<std::string> claimed_;     ///< names that the network has, without subscripts
-    std::map<std::string, int> copies_; ///< number of further times that a name was claimed
+    std::set<std::string> claimed_;     ///< names that are used in the network, without subscripts
+    std::map<std::string, int> copies_; ///< for each name: how often it was claimed again
     const Statements& overrides_;
-    std::map<std::string, Location> overridden_vals_; ///< by val: place of the option that overrides it
-    std::map<std::pair<std::string, std::string>, const SetStatement*> set_; ///< by element and member
-    std::map<std::size_t, SetByOption> reached_;                             ///< by the option's place
-    // These are filled only if there are overrides: the netlist's values of vals outside of blocks, and the names of
-    // vals in blocks.
+    std::map<std::string, Location> overridden_vals_; ///< for each val: location of the option that overrides it
+    std::map<std::pair<std::string, std::string>, const SetStatement*> set_; ///< key: element and member
+    std::map<std::size_t, SetByOption> reached_;                             ///< key: position of the option
+    // The next two members are filled only if there are overrides: the netlist's values of vals outside of blocks, and
+    // the names of vals in blocks.
     std::vector<std::pair<std::string, Constant>> vals_;
     std::set<std::string> vals_in_blocks_;
     std::size_t host_ = nowhere; ///< the predefined edge, if the netlist has used it so far

@@ -56,7 +56,7 @@ Constant Evaluator::value_of(const NameUse& use, const Location& at) {
     refuse(at, fmt::format("\"{}\" is {}, which has no value", use.name, describe(*symbol)), "", std::move(others));
 }
 
-/// Evaluates && and ||. The right operand is evaluated only if the left one does not decide the result.
+/// Evaluates && and ||. The right operand is evaluated only if the left operand does not decide the result.
 Constant Evaluator::evaluate_logical(const BinaryOperation& operation, const Location& at) {
     auto truth = [&](const Expression& side) {
         auto value = evaluate(side);

@@ -54,8 +54,8 @@ private:
     std::size_t steps_ = 0;
 };
 
-/// Reports that the name is undefined, and shows where it is declared further on, or else the most similar name that
-/// would be allowed. Candidates are `known`, or all known names if `known` is not given. Throws StatementRefused.
+/// Reports that the name is undefined. If a later statement declares the name, a note shows where; otherwise a hint
+/// suggests the most similar name in `known`, or among all known names if `known` is empty. Throws StatementRefused.
 [[noreturn]] void refuse_undefined(Reporter& reporter, const Scopes& scopes, const std::string& name,
                                    const Location& at, const std::function<std::vector<std::string>()>& known = {});
 

@@ -42,7 +42,7 @@ Value checked_value(const FaultKind& kind, const Setting& setting, Reporter& rep
 
 } // namespace
 
-/// Returns the fault with the link, connection or device that fails, but without its kind and attributes.
+/// Returns the fault with its kind and the failing link, connection or device, but without its attributes.
 DraftFault Elaborator::failing(const FaultStatement& form) {
     auto found = find(form.what);
     DraftFault draft;

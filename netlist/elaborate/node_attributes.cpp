@@ -17,7 +17,7 @@ std::string in_upper_case(std::string text) {
     return text;
 }
 
-/// Returns the node type of that name; null if there is none. A predefined type is found in lower case, too.
+/// Returns the node type of that name; null if there is none. The name of a predefined type may be in lower case.
 const NodeType* find_type(const Scopes& scopes, const std::string& name) {
     for (const auto& each : {name, in_upper_case(name)})
         if (const auto* symbol = scopes.find(each))
@@ -26,7 +26,7 @@ const NodeType* find_type(const Scopes& scopes, const std::string& name) {
     return nullptr;
 }
 
-/// Returns the type with the attributes that were given before the type was known; these replace the type's own.
+/// Returns the type with the attributes that were given before the type was known; they replace the type's attributes.
 NodeType with_attributes_of(NodeType type, const Node& untyped) {
     for (const auto& name : untyped.given)
         type.preset.attributes[name] = untyped.attributes.at(name);

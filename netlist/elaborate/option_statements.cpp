@@ -20,8 +20,8 @@ std::shared_ptr<const SourceFile> source_of(const char* option, const std::strin
     throw StatementRefused{};
 }
 
-/// Reads `--set NAME=VALUE`. Errors in the value are kept in `problems`: whether they matter depends on what is set,
-/// since an unquoted text is allowed for a string.
+/// Reads `--set NAME=VALUE`. Keeps errors in the value in `problems`, since the value of a string may be an unquoted
+/// text.
 SetStatement read_override(const std::string& name, const std::string& value, Reporter& reporter) {
     static constexpr const char* blanks = " \t";
     std::shared_ptr<const SourceFile> source = source_of("--set", name + "=" + value, reporter);

@@ -9,7 +9,7 @@
 
 namespace placedpar {
 
-/// Calls `work`, and catches the exceptions that `work` throws after having reported an error.
+/// Calls `work`, and catches the exceptions that `work` throws after reporting an error.
 template <class Work>
 void attempt(Work work) {
     try {
@@ -19,10 +19,10 @@ void attempt(Work work) {
     }
 }
 
-/// Reads overrides as statements that follow the netlist's, the most precise first. Each override is a source of its
-/// own, so that messages can show its text.
+/// Reads overrides as statements to be executed after the netlist, the most precise first. Each override is a separate
+/// source, so that messages can show its text.
 Statements read_overrides(const Overrides&, Reporter&);
-/// Reads the values of `--fault` as statements, each as a source of its own.
+/// Reads the values of `--fault` as statements. Each value is a separate source.
 Statements read_faults(const std::vector<std::string>&, Reporter&);
 
 } // namespace placedpar

@@ -5,11 +5,11 @@
 
 namespace placedpar {
 
-/// `--set NAME=VALUE`, by its NAME: a val outside of blocks, `PROCESS.PARAMETER`, `ELEMENT.ATTRIBUTE`, or the name of
-/// an attribute or a parameter, which is then set in every element that has it. The value is an expression.
+/// The options `--set NAME=VALUE`, by NAME. NAME is a val outside of blocks, `PROCESS.PARAMETER`, `ELEMENT.ATTRIBUTE`,
+/// or an attribute or parameter to be set in every element that has it. VALUE is an expression.
 using Overrides = std::map<std::string, std::string>;
 
-/// `--use PROGRAM=KIND`: kinds that replace programs, by the program's name in `use`.
+/// The options `--use PROGRAM=KIND`, by PROGRAM, the program's name in `use`. The kind replaces the program.
 using ProgramKinds = std::map<std::string, std::string>;
 
 } // namespace placedpar

@@ -117,8 +117,7 @@ void Elaborator::set_connections(const Elements& range, const std::vector<Settin
     }
 }
 
-/// Adds the settings to each process of the range, which share one copy. Parameters::take_once() finds duplicates
-/// later.
+/// Adds one shared copy of the settings to each process of the range. Parameters::take_once() finds duplicates later.
 void Elaborator::set_processes(const Elements& range, const std::vector<Setting>& settings, const Location& at) {
     auto is_attribute = [](const Setting& setting) { return is_process_attribute(setting.name); };
     count_things(range.count * static_cast<std::size_t>(std::ranges::count_if(settings, is_attribute)), at);

@@ -25,7 +25,7 @@ std::set<std::string> programs_in(const Draft& draft) {
     return programs;
 }
 
-/// Returns a hint: the name nearest to the wanted one, or a list of all names.
+/// Returns a hint: the name nearest to `wanted`, or a list of all names.
 std::string choice(const std::string& wanted, const std::vector<std::string>& names, const std::string& if_none) {
     auto guess = did_you_mean(wanted, names);
     return !guess.empty() ? guess : names.empty() ? if_none : fmt::format("the kinds are {}", fmt::join(names, ", "));

@@ -127,7 +127,7 @@ int Elaborator::link_number(const Reference& reference, const Node& node, int li
 }
 
 /// Returns the channel end of `p.out[1]`, or of an edge channel. Any port of a process without an interface is accepted
-/// here; it is checked when the whole netlist has been read and the kind is known.
+/// here; the port is checked when the whole netlist has been read and the kind is known.
 DraftChannelEnd Elaborator::port_end(const Reference& reference, const Found& found) {
     auto index = element(reference, found);
     if (found.category == Category::edge_channel) {

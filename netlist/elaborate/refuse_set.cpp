@@ -24,7 +24,7 @@ std::vector<std::string> Elaborator::names_of_vals() const {
     return names;
 }
 
-/// Refuses an option whose attribute or parameter no element of that name has.
+/// Refuses an option if no element of that name has the attribute or parameter.
 void Elaborator::refuse_set(const SetStatement& set, const std::string& name, const std::vector<Settable>& named) {
     name_wires();
     name_attachments();
@@ -59,7 +59,7 @@ std::string Elaborator::hint_at_other(const std::string& member, const Settable&
     return fmt::format("{} has: --set {}.{}=...", which, other, member);
 }
 
-/// Refuses a name that stands by itself, without a member.
+/// Refuses an option that names no member.
 void Elaborator::refuse_name(const SetStatement& set, const std::string& name, const std::vector<Settable>& all) {
     const std::string& array = set.target.name;
     if (auto val = std::ranges::find(vals_, array, [](const auto& each) { return each.first; }); val != vals_.end())

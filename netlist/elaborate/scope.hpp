@@ -15,8 +15,8 @@
 
 namespace placedpar {
 
-/// Describes a declared thing or array. Its elements are numbers first, first + 1, ... in the draft; the last subscript
-/// varies fastest.
+/// Describes a declared thing or array. Its elements have the indices first, first + 1, ... in the draft; the last
+/// subscript varies fastest.
 struct DeclaredThings {
     enum class Category { node, connection, edge_channel, process };
     Category category;
@@ -26,8 +26,8 @@ struct DeclaredThings {
 
 /// A type with which processes can be declared: `process`, or a type that a `define` made.
 struct ProcessType {
-    std::vector<Setting> settings;              ///< in order: a later setting overrides an earlier one
-    std::shared_ptr<const Interface> interface; ///< null if the type has none
+    std::vector<Setting> settings;              ///< in order: a later setting overrides an earlier setting
+    std::shared_ptr<const Interface> interface; ///< null if the type has no interface
 };
 
 using Type = std::variant<NodeType, ProcessType>;
@@ -67,9 +67,9 @@ public:
     void declare(const std::string& name, Symbol symbol);
     void declare_predefined(const std::string& name, Symbol symbol);
 
-    /// Sets the statements of this block that follow the current statement. REQUIRES: they outlive the block.
+    /// Sets the statements of this block that follow the current statement. REQUIRES: the statements outlive the block.
     void set_ahead(std::span<const Statement> statements) { ahead_.back() = statements; }
-    /// Returns where a name that is not known yet is declared further on, in this block or in an enclosing block.
+    /// Returns where an unknown name is declared later, in this block or in an enclosing block.
     std::optional<Location> declared_later(std::string_view name) const;
 
     std::vector<std::string> names() const;
@@ -84,7 +84,8 @@ public:
 
 private:
     std::vector<std::map<std::string, Symbol, std::less<>>> scopes_;
-    std::vector<std::span<const Statement>> ahead_ = std::vector<std::span<const Statement>>(2); ///< by open block
+    std::vector<std::span<const Statement>> ahead_ = std::vector<std::span<const Statement>>(2); ///< for each open
+                                                                                                 ///< block
     std::set<std::string> poisoned_;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 bool is_bare(const Reference& target) { return target.subscripts.empty() && target.field.empty(); }
 
-/// Returns true for a character, and for an integer that is the code of a printable one.
+/// Returns true for an integer that is the code of a printable character. Character constants are integers.
 bool is_character(const Constant& constant) {
     const auto* code = constant.integer();
     return code != nullptr && code->value > ' ' && code->value <= '~';
@@ -53,8 +53,8 @@ Constant Elaborator::value_of(const SetStatement& set, bool text_wanted, const s
     throw StatementRefused{};
 }
 
-/// Returns the value that an option gives to the val, or the original if no option does. Options reach only vals
-/// outside of blocks.
+/// Returns the value that an option gives to the val, or the original value if there is no such option. Options reach
+/// only vals outside of blocks.
 Constant Elaborator::overridden(const std::string& name, const Constant& original) {
     if (!scopes_.outermost()) {
         vals_in_blocks_.insert(name);
@@ -108,8 +108,8 @@ void Elaborator::perform(const SetStatement& form, const Location&) {
         refuse_set(form, name, named);
 }
 
-/// Returns the elements of that name, or all if the name is empty. Wires and places on buses get their names only if
-/// the option can mean them.
+/// Returns the elements of that name, or all elements if the name is empty. Gives names to unnamed wires and places on
+/// buses if the option may refer to them.
 std::vector<Settable> Elaborator::elements_named(const std::string& name, const std::string& member) {
     auto find_them = [&] {
         std::vector<Settable> all = settable_elements(draft_, catalogue_);

@@ -71,9 +71,9 @@ std::vector<SharedMembers> members_of_connections(const Draft& draft) {
     return members;
 }
 
-/// Lists the elements in groups that have the same members to set; the elements of an array form one group.
+/// Lists the names of the elements, grouped by the members that can be set. An array is listed by its base name.
 std::string groups_of(const std::vector<Settable>& elements, std::size_t category) {
-    std::vector<std::pair<std::string, std::vector<std::string>>> groups; ///< members, names
+    std::vector<std::pair<std::string, std::vector<std::string>>> groups; ///< members, and names of the elements
     for (const Settable& each : elements) {
         if (each.thing.index() != category || each.members->empty())
             continue;

@@ -33,12 +33,12 @@ struct Settable {
 
     const char* noun() const;
     const char* noun_of_member() const;
-    /// Returns the member of that name; null if the member is only kept for the real tool.
+    /// Returns the member of that name; null if there is none, or if only the INMOS tool uses the member.
     const SettableMember* member(const std::string& name) const { return find_named(*members, name); }
-    /// Returns whether the member can be set, including members that are only kept for the real tool. When an option
-    /// sets every element, a connection without a speed of its own is skipped: its speed follows its ends.
+    /// Returns whether an option can set the member, which may be a member that only the INMOS tool uses. When an
+    /// option sets every element, a connection without a `linkspeed` is skipped: its speed follows from its ends.
     bool has(const std::string& member, bool as_every_element = false) const;
-    /// REQUIRES: has(setting.name). Throws StatementRefused after having reported; values of parameters are checked
+    /// REQUIRES: has(setting.name). Throws StatementRefused after reporting an error. Values of parameters are checked
     /// later, together with the values in the netlist.
     void set(const Setting& setting, Reporter&) const;
     /// Returns "it has memory, clock ..."; a long list is cut short and names the command that lists all members.

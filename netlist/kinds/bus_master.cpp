@@ -23,7 +23,7 @@ public:
 
 } // namespace
 
-/// Returns the kind of a transputer with a place on a bus: the transputer's attributes, and a few more.
+/// Returns the kind of a transputer with a place on a bus. It has all attributes of a transputer, and a few more.
 DeviceKind bus_master() {
     DeviceKind kind = transputer();
     kind.name = "bus master";

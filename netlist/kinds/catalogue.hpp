@@ -26,8 +26,8 @@ public:
 
     std::vector<std::string> kind_names() const;
 
-    /// Throws std::logic_error if the catalogue already has a device kind of this name or a model with the name of one
-    /// of the kind's models, or if an attribute has no default.
+    /// Throws std::logic_error if the name of the kind or of one of its models is already in the catalogue, or if an
+    /// attribute has no default.
     void add_device(DeviceKind kind);
     const std::map<std::string, std::shared_ptr<const DeviceKind>, std::less<>>& devices() const { return devices_; }
     /// Returns the types with which nodes can be declared, by the names of the models.

@@ -46,7 +46,7 @@ private:
     hardware::Crossbar& crossbar_;
 };
 
-/// Returns a track for each output of a switch that a program sets, which shows what the output repeats.
+/// Returns a track for each output of a switch that a program sets. The track shows which input the output repeats.
 std::vector<std::string> tracks_of_outputs(const Network& network, std::size_t node) {
     if (!is_set_at_run_time(network, node))
         return {};
@@ -63,8 +63,8 @@ std::vector<std::string> tracks_of_outputs(const Network& network, std::size_t n
 
 } // namespace
 
-/// Returns the kind of a C004. Drawings for Graphviz omit it: wires are drawn from end to end, with the number of
-/// switches between.
+/// Returns the kind of a C004. Drawings for Graphviz omit a C004 that no program sets: wires are drawn from end to end,
+/// with the number of switches between.
 DeviceKind crossbar() {
     return {.name = "c004",
             .noun = "a switch",

@@ -42,10 +42,10 @@ private:
     CodeShape grain_;
 };
 
-// Each process passes a stated number of packets and then ends. Textbooks let these processes run for ever; here a
-// network of them ends, so that its run can be compared with another. A process that ends sooner than its neighbour
-// leaves the neighbour waiting: the report of the run lists it. A ring without a packet to begin with is a deadlock
-// from the start (examples/csp/deadlock).
+// Each process passes a stated number of packets and then ends. In textbooks these processes run for ever; here they
+// end, so that runs can be compared. A process that ends sooner than its neighbour leaves the neighbour waiting, and
+// the report of the run lists the neighbour. A ring without a packet to begin with is a deadlock from the start
+// (examples/csp/deadlock).
 
 /// Inputs a packet, computes and hands the packet on, `count` times.
 template <class HandOn>
@@ -190,7 +190,7 @@ ProcessKind delta_kind() {
         relay_kind("csp.delta", "Outputs each input packet on all elements of its output array, in order.", delta));
 }
 
-/// Has no model in Promela, where its components would be processes of their own.
+/// This kind has no model in Promela, since its components would be separate processes there.
 ProcessKind par_delta_kind() {
     ProcessKind kind = with_outputs(relay_kind("csp.par_delta",
                                                "Outputs each input packet on all elements of its output array at the "

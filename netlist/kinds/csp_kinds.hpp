@@ -10,10 +10,10 @@ struct ProcessKind;
 /// demonstrating deadlocks.
 void add_csp_kinds(Catalogue&);
 
-/// csp_recovery.cpp: csp.producer and csp.consumer with time-outs, which survive a link that fails.
+/// csp_recovery.cpp: variants of csp.producer and csp.consumer whose time-outs let them survive a link that fails.
 ProcessKind sender_or_fail_kind();
 ProcessKind receiver_or_fail_kind();
-/// switch_kinds.cpp: the logic of a C004, and a producer that sets it.
+/// switch_kinds.cpp: the logic of a C004, and a process that sets the switch.
 ProcessKind switch_logic_kind();
 ProcessKind switch_setter_kind();
 

@@ -1,4 +1,4 @@
-// A stream that survives a link that fails.
+// Processes that survive a failing link.
 
 #include "netlist/kinds/csp_kinds.hpp"
 #include "netlist/kinds/description.hpp"
@@ -31,8 +31,8 @@ Time timeout_of(const ProcessEnvironment& environment) {
     return std::chrono::microseconds{environment.integer("timeout")};
 }
 
-/// Outputs packets with a time-out. A packet that has not gone in time is given up; the channel is reset before the
-/// next.
+/// Outputs packets with a time-out. Gives up a packet that was not sent before the time-out, and resets the channel
+/// before the next packet.
 void produce_or_fail(ProcessEnvironment& environment) {
     auto to = environment.output<Packet>("out");
     Packet packet{0, static_cast<std::uint32_t>(environment.integer("bytes"))};

@@ -19,7 +19,7 @@
 ///             text("coding", {.by_default = "natural", .choices = {"natural", "gray"}}, "how a field is coded")};
 namespace placedpar::description {
 
-/// Without `by_default` the netlist must give the parameter.
+/// If `by_default` is empty, the netlist must give the parameter.
 struct IntegerTraits {
     std::string unit = "";
     std::optional<std::int64_t> by_default = {};
@@ -40,10 +40,10 @@ ParameterDescription integer(std::string name, IntegerTraits traits, std::string
 ParameterDescription real(std::string name, RealTraits traits, std::string about);
 ParameterDescription text(std::string name, TextTraits traits, std::string about);
 
-/// Returns the parameter with ParameterDescription::noun set: the noun names what the parameter decides.
+/// Returns the parameter with ParameterDescription::noun set to `noun`.
 ParameterDescription deciding(std::string noun, ParameterDescription parameter);
 
-/// A channel end for messages of type T.
+/// Describes a channel end for messages of type T.
 template <class T>
 PortDescription port(std::string name, Direction direction, std::string protocol, std::string about) {
     return {.name = std::move(name),
@@ -71,7 +71,7 @@ inline PortDescription optional(PortDescription port) {
     return port;
 }
 
-/// Returns the port with the name by which older netlists know it.
+/// Returns the port with PortDescription::formerly set to `name`, its name in older netlists.
 inline PortDescription formerly(std::string name, PortDescription port) {
     port.formerly = std::move(name);
     return port;

@@ -22,15 +22,15 @@ class Reporter;      // text/reporter.hpp
 /// Says how wires end at a device.
 enum class LinkRole {
     ends,    ///< numbered links, at which wires end
-    crosses, ///< numbered links: crosspoints lead a wire from one link on to another, and out again
+    crosses, ///< numbered links; a crosspoint joins the wires at two of them
     edge     ///< no links: the node is an end of the network
 };
 
-/// Says what a device does in a slot of another device (Medium). For a VMEbus, the device's MachineNode must also
-/// derive from OnVme.
+/// Says what a device does in a slot of another device (Medium). If that device is a VMEbus, the MachineNode of the
+/// device in the slot must also derive from OnVme.
 enum class BusRole {
     none,        ///< the device cannot be in a slot
-    workstation, ///< a master whose bytes are in another order than a transputer's
+    workstation, ///< a master whose byte order differs from a transputer's
     bus_master,  ///< a transputer that is a master and shares its memory with the bus
     adapter      ///< registers that give access to the device at the other end of the adapter's link
 };
@@ -39,7 +39,7 @@ enum class BusRole {
 enum class Execution {
     none, ///< no processes can be placed on the device
     in_time,
-    in_time_on_a_bus ///< as in_time if the node is on a bus, otherwise processes take no time
+    in_time_on_a_bus ///< processes take time only if the node is on a bus
 };
 
 /// One attribute in the parentheses of a declaration.
@@ -47,17 +47,18 @@ struct AttributeDescription {
     ParameterDescription value;    ///< name, type, unit, range and default of the attribute
     bool decimal_suffixes = false; ///< 20M means 20 000 000, as for a frequency; if false, 20M means 20 971 520
     std::string json_name = "";    ///< its key in the JSON document
-    std::function<std::string(const Value&)> drawn = {}; ///< for the drawing, "2 MB"; empty: not drawn
+    std::function<std::string(const Value&)> drawn = {}; ///< returns its text in the drawing, such as "2 MB"; empty:
+                                                         ///< not drawn
 };
 
-/// A kind of fault of a device or a link: the word that follows its name in a `fault` statement.
+/// A kind of fault of a device or a link. A `fault` statement names the device or link, then this kind.
 struct FaultKind {
     std::string name;                                  ///< "halts"
     std::string about;                                 ///< one line
     std::vector<AttributeDescription> attributes = {}; ///< times in ns
     bool silences_links = false;                       ///< for a device: its links send nothing after the fault begins
-    /// Returns why the device cannot have this fault although each attribute by itself is valid; "" if it can. If the
-    /// function is empty, the device always can.
+    /// Returns why the device cannot have this fault although each attribute by itself is valid; "" if the fault is
+    /// possible. An empty function means that the fault is always possible.
     std::function<std::string(const Network&, const Fault&)> why_not = {};
 
     /// Returns the attribute of this name; null if there is none.
@@ -72,10 +73,10 @@ struct DeviceModel {
     std::map<std::string, Value, std::less<>> attributes = {}; ///< attributes that differ from the kind's defaults
     bool overlapped_acknowledge = true;                        ///< its links acknowledge a byte while the byte comes in
     bool floating_point_unit = true;                           ///< see Node
-    bool needs_type = false; ///< stands for the other models of the kind: the attribute `type` says which
+    bool needs_type = false; ///< stands for any other model of the kind, which the attribute `type` names
 };
 
-/// Gives a Medium the contents of the slots of a network's devices while the network is checked.
+/// The parts of a network that a Medium can use while the network is checked.
 struct Attached {
     const Network& network; ///< nodes, connections that are wires, attachments
     const std::map<std::pair<std::size_t, int>, std::size_t>& connection_at; ///< the wires by node and link
@@ -88,10 +89,10 @@ struct Attached {
 struct Medium {
     int slots = 1;           ///< slot[1] to slot[slots]
     bool broadcasts = false; ///< channels placed on the device reach link adapters as broadcasts
-    /// Returns whether the device can be attached beside the devices that are attached already; reports the reason if
-    /// it returns false. If the function is empty, every device can.
+    /// Returns whether the device can be attached in addition to the devices that are already attached. If not, reports
+    /// why. An empty function accepts every device.
     std::function<bool(const Attached&, const BusAttachment&)> takes = {};
-    /// Returns the ways over this node, each once. Reports each attachment that needs a way but has none.
+    /// Returns the ways over this node, without duplicates. Reports each attachment that needs a way but has none.
     std::function<std::vector<BusWay>(const Attached&, std::size_t node)> ways;
 };
 
@@ -115,26 +116,26 @@ struct DeviceKind {
     std::string refusal = ""; ///< not empty: why the kind, although known, cannot be declared yet
     LinkRole links = LinkRole::ends;
     std::vector<AttributeDescription> attributes = {};
-    std::vector<std::string> kept = {};   ///< attributes of the real tool: read and printed, not used by a simulation
-    Execution executes = Execution::none; ///< a node that executes processes must be connected
-    /// For a switch that is set during the run over its link `config`, the kind of the process that obeys the commands
-    /// from this link. One such process can be placed on the switch, and no other process.
+    std::vector<std::string> kept = {};   ///< attributes of the INMOS tool: read and printed, not used by a simulation
+    Execution executes = Execution::none; ///< a node that executes processes must be connected to another node
+    /// For a switch that is set during the run, the kind of the process that executes the commands from its link
+    /// `config`. Only one process, of this kind, can be placed on the switch.
     std::string logic = "";
     bool passes_channels_on =
         false; ///< channels between other nodes may lead through it; the kind then has the attribute "routecost"
     /// Returns why a node with these attributes is impossible although each attribute by itself is valid; "" if it is
-    /// possible. If the function is empty, every such node is possible.
+    /// possible. An empty function accepts every node.
     std::function<std::string(const Node&)> why_not = {};
     BusRole bus = BusRole::none;
     std::optional<Medium> medium = {};  ///< set for a device with slots
     std::vector<FaultKind> faults = {}; ///< faults that its nodes can have, besides the faults of their links
-    /// Returns the names of the device's tracks in a trace besides those of processes and links, with the same text as
-    /// PlaceTaken::place. If the function is empty, the device has no such tracks.
+    /// Returns the names of the device's own tracks in a trace, besides the tracks of processes and links. Each name
+    /// equals a PlaceTaken::place. If the function is empty, the device has no such tracks.
     std::function<std::vector<std::string>(const Network&, std::size_t node)> tracks = {};
-    /// Makes the device of a run. If empty, the device has no behaviour of its own in a run.
+    /// Makes the device of a run. If the function is empty, the device does nothing in a run.
     std::function<std::unique_ptr<MachineNode>(MachineParts&, std::size_t node)> make = {};
     Drawing drawing = {};
-    /// Says that a program built on PlacedPar adds this kind: an exception from the kind is then that program's error.
+    /// says that a program built on PlacedPar adds this kind: exceptions from the kind are then errors of that program
     bool is_own = false;
 
     /// Returns the attribute of this name; null if there is none.
@@ -152,7 +153,7 @@ struct DeviceKind {
 /// Returns whether processes on the node take virtual time.
 bool executes_in_time(const Network& network, std::size_t node);
 
-/// Returns the number of nodes that execute processes in virtual time. Processes on a workstation take no time.
+/// Returns the number of nodes that execute processes in virtual time. Workstations are not counted.
 std::size_t count_processors(const Network& network);
 
 /// A type with which nodes can be declared: a model of a kind, or a type that a `define` made.

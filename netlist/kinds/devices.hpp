@@ -9,17 +9,17 @@ namespace placedpar {
 /// Describes transputers by name in upper and lower case, TRAM modules by B-number, and `processor`, which needs the
 /// attribute `type`.
 DeviceKind transputer();
-/// A host computer with any number of links. Processes on it take no time unless it is on a bus.
+/// Describes a host computer with any number of links. Processes on it take no time unless it is on a bus.
 DeviceKind workstation();
-/// The C004: connections through it are resolved to the processors at their ends.
+/// Describes the C004. Connections through it are resolved to the processors at their ends.
 DeviceKind crossbar();
 /// Describes an edge: the place where the network ends.
 DeviceKind edge();
-/// A VMEbus.
+/// Describes a VMEbus.
 DeviceKind vme();
-/// C011 and C012.
+/// Describes the link adapters C011 and C012.
 DeviceKind link_adapter();
-/// A transputer on a bus, such as the BBK-V2.
+/// Describes a transputer on a bus, such as the BBK-V2.
 DeviceKind bus_master();
 
 /// Lists all devices above.

@@ -43,8 +43,8 @@ public:
 
     /// The process's name in the netlist, such as "slave[2]".
     const std::string& process() const { return process_; }
-    /// Returns the whole network, and the process's index in Network::processes: for example, to find its neighbours'
-    /// neighbours. No result of a process may depend on the placement of any process.
+    /// These two functions return the whole network, and the process's index in Network::processes, for example to find
+    /// the neighbours of its neighbours. No result of a process may depend on the placement of any process.
     const Network& network() const { return network_; }
     std::size_t index() const { return index_; }
 

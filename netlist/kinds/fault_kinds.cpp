@@ -15,7 +15,7 @@ namespace {
 
 using description::integer;
 
-constexpr double longest = 9e15; ///< ns: a little less than virtual time lasts
+constexpr double longest = 9e15; ///< in ns; a little less than the largest virtual time
 
 AttributeDescription direction() {
     return {.value = description::text("direction", {.by_default = "both", .choices = {"both", "out", "in"}},

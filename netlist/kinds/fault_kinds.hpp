@@ -35,7 +35,8 @@ std::string print_fault(const Fault&, const std::vector<Node>&);
 /// Returns the text for a drawing: "silent from 20 ms", "slow, 4 times, until 1 s".
 std::string print_fault_shortly(const Fault&);
 
-/// Returns whether the fault affects this wire's link. Works in a network prepared for drawing (netlist/print), too.
+/// Returns whether the fault affects the link of this wire. Also works in a network prepared for drawing
+/// (netlist/print).
 bool strikes(const Fault&, const LinkConnection&);
 
 } // namespace placedpar

@@ -31,8 +31,8 @@ class MachineNode;
 struct MachineParts {
     Simulation& simulation;
     const Network& network;
-    std::vector<std::unique_ptr<MachineNode>> nodes; ///< by node
-    std::vector<hardware::Link*> links;              ///< by connection; null for ways over a device with slots
+    std::vector<std::unique_ptr<MachineNode>> nodes; ///< one for each node
+    std::vector<hardware::Link*> links; ///< one for each connection; null for ways over a device with slots
 };
 
 /// Holds the two carriers of the channels over a connection, one for each direction.
@@ -44,8 +44,8 @@ struct CarrierPair {
 using FaultEffects = std::function<void(FaultUse&)>;
 
 /// A node of the network in a run, made by its DeviceKind. The base class does nothing; a device overrides the
-/// functions that it needs. A device adds processes and hardware to the simulation if they take time, and outlives the
-/// simulation.
+/// functions that it needs. A device that takes time adds processes and hardware to the simulation. All devices outlive
+/// the simulation.
 class MachineNode {
 public:
     /// REQUIRES: the parts outlive this object.
@@ -60,8 +60,8 @@ public:
     virtual void has_link(hardware::Link&) {}
     /// Returns the delay of a bit that crosses the device, in hundredths of a bit time; 0 if no wires cross the device.
     virtual std::int64_t crossing_delay() const { return 0; }
-    /// Tells the device that a link leads through it whenever the device connects this crossing during the run.
-    /// REQUIRES: the device's kind is set by a link.
+    /// Tells the device that a link leads through it while the device connects this crossing. REQUIRES: the device's
+    /// kind is set by a link.
     virtual void lead_on(hardware::Link&, const SwitchCrossing&) {}
     /// Returns the carriers of the channels over a way of Medium::ways. REQUIRES: the device has slots, and the way is
     /// one of its ways.
@@ -93,7 +93,8 @@ private:
     MachineParts& parts_;
     std::size_t node_;
     hardware::Router* router_ = nullptr;
-    std::map<std::pair<int, bool>, hardware::SharedEngine> engines_; ///< by link number and whether the engine outputs
+    std::map<std::pair<int, bool>, hardware::SharedEngine> engines_; ///< key: link number, and whether the engine
+                                                                     ///< outputs
 };
 
 /// Makes a device of this class, for DeviceKind::make.

@@ -32,7 +32,7 @@ struct LinkUse {
 struct BusMasterUse {
     std::string name;
     int level;
-    std::uint64_t words, bytes; ///< words moved, registers accessed
+    std::uint64_t words, bytes; ///< words moved over the bus; bytes accessed in registers
     std::uint64_t grants, bus_errors;
     Time waited, longest_wait; ///< waiting times for the bus
 };
@@ -82,7 +82,7 @@ struct SwitchUse {
         std::string from, to; ///< the links
         std::uint64_t bytes = 0, acknowledges = 0;
         FaultUse::Hit first;
-        int output;        ///< output that should have passed on the first lost byte or acknowledge
+        int output;        ///< output that should have forwarded the first lost byte or acknowledge
         std::string state; ///< state of the output at that time: "was connected to no input"
     };
     std::vector<Loss> losses;

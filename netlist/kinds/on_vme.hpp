@@ -7,8 +7,8 @@
 
 namespace placedpar {
 
-/// Describes a device in a slot of a VMEbus, as the bus needs it. The MachineNode of such a device also derives from
-/// this struct.
+/// Describes to a VMEbus the device in one of its slots. The MachineNode of such a device also derives from this
+/// struct.
 struct OnVme {
     virtual ~OnVme() = default;
 

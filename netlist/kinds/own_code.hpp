@@ -10,8 +10,8 @@
 
 namespace placedpar {
 
-/// Returns the result of `work`, which calls the kind's own code. An exception from a kind that a program adds becomes
-/// a UserError with the same text; a UserError is rethrown unchanged.
+/// Returns the result of `work`, which calls code of the kind. If a program adds the kind, an exception from it becomes
+/// a UserError with the same text. A UserError is rethrown unchanged.
 template <class Kind, class Work>
 auto ask_kind(const Kind& kind, const Work& work) {
     try {
@@ -38,7 +38,7 @@ auto ask_kind(const ProcessKind& kind, const ProcessInstance& process, const cha
     }
 }
 
-/// Does the same for a device. The UserError also names the node and its place in the netlist.
+/// Does the same for the code of a device. The UserError also names the node and its place in the netlist.
 template <class Work>
 auto ask_device(const Node& node, const Work& work) {
     try {

@@ -24,20 +24,17 @@ inline PortDescription packets_out(std::string name = "out", std::string about =
     return output<Packet>(std::move(name), "packet", std::move(about));
 }
 
-/// The parameter `count`.
 inline ParameterDescription packet_count(std::string about = "packets until the process ends") {
     return integer("count", {.unit = "packets", .by_default = 1000, .least = 1, .most = 1e12}, std::move(about));
 }
-/// The parameter `bytes`.
 inline ParameterDescription packet_bytes() {
     return integer("bytes", {.unit = "bytes", .by_default = 4, .least = 1, .most = 1e9},
                    "length of a packet on the wire");
 }
-/// The parameter `cycles`: workload.
 inline ParameterDescription packet_cycles(std::string about = "workload: computation for each packet") {
     return integer("cycles", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1e12}, std::move(about));
 }
-/// The parameter `words`: workload, CodeShape::words_outside.
+/// Returns the parameter `words`, for CodeShape::words_outside.
 inline ParameterDescription packet_words() {
     return integer("words", {.unit = "words", .by_default = 0, .least = 0, .most = 1e9},
                    "workload: accesses of each packet to words outside the chip; each access takes memorycycles "

@@ -11,7 +11,7 @@ namespace placedpar {
 
 enum class ParameterType { integer, real, text };
 
-/// A value that a netlist gives to a process or to a device; description.hpp makes them.
+/// Describes a value that a netlist gives to a process or to a device. Functions of description.hpp make descriptions.
 struct ParameterDescription {
     std::string name;
     ParameterType type;
@@ -20,14 +20,12 @@ struct ParameterDescription {
     std::optional<double> least, most;  ///< range, both ends allowed
     std::vector<std::string> choices;   ///< for text: the allowed words; empty: any text
     std::string about;                  ///< one line
-    /// Checks a text with a syntax of its own. Throws UserError, which says what would be right. If this function is
+    /// Checks a text that has its own syntax. Throws UserError, which says what would be right. If this function is
     /// set, `choices` are only examples.
     std::function<void(const std::string&)> check = {};
-    /// Says that the parameter counts cycles of real-number arithmetic; the default holds for a processor with a
-    /// floating-point unit.
+    /// says that the parameter counts cycles of real-number arithmetic; its default assumes a floating-point unit
     bool computes_reals = false;
-    std::string noun =
-        ""; ///< name of what the parameter decides, for which the program has more help; "": there is no more help
+    std::string noun = ""; ///< topic on which the program has more help (`deciding`); "": none
 };
 
 /// Returns "from 2 to 100 bytes", "at least 2 bytes" or "at most 100 bytes". REQUIRES: the parameter has a range.

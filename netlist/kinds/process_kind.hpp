@@ -18,7 +18,7 @@ class AnyChannel;         // runtime/channel.hpp: a channel of some protocol
 class ProcessEnvironment; // netlist/kinds/environment.hpp: what a running process sees of its netlist
 struct Network;           // netlist/network/network.hpp: a whole netlist, elaborated
 
-/// One channel end in the interface of a process kind; description.hpp makes them.
+/// Describes a channel end in the interface of a process kind. Functions of description.hpp make descriptions.
 struct PortDescription {
     std::string name;
     Direction direction;
@@ -37,7 +37,7 @@ struct MeasurementDescription {
     std::string about;
 };
 
-/// Describes an error, or a probable mistake, in a process, which the checks of ranges and single ports cannot find.
+/// Describes an error or a probable mistake in a process that the checks of ranges and single ports cannot find.
 struct Complaint {
     std::size_t process = 0; ///< the process at fault, which may be another than the checked process
     std::string about; ///< the parameter or port at fault, whose place is shown; "": the place of the process is shown
@@ -53,11 +53,11 @@ struct ProcessKind {
     std::vector<ParameterDescription> parameters = {};
     std::vector<MeasurementDescription> measurements = {};
     std::function<void(ProcessEnvironment&)> body = {};
-    /// Lists groups of ports; a netlist must connect all or none of a group.
+    /// Lists groups of ports; a netlist must connect all ports of a group, or none.
     std::vector<std::vector<std::string>> together = {};
     /// Checks one process of the kind, in a network that has passed all other checks. May be empty.
     std::function<std::vector<Complaint>(const Network&, std::size_t process)> check = {};
-    /// Returns whether all actions and messages of a process of the kind follow from its messages, its parameters, its
+    /// Returns whether the actions and outputs of a process of the kind depend only on its inputs, its parameters, its
     /// random streams, the choices of its ALTs and the readings of its clock. Variables that are shared by the
     /// components of its PARs, for example, are not allowed. Runs of such processes with other seeds need not be
     /// simulated on the machine (repeated_run.hpp). An empty function means no.
@@ -65,8 +65,8 @@ struct ProcessKind {
     /// Returns the communication of a process of the kind, for Spin. If empty, networks with such processes have no
     /// model.
     PromelaStatements promela = {};
-    /// Says that a program built on PlacedPar adds this kind: an exception from the kind or its processes is then that
-    /// program's error, not a defect of PlacedPar.
+    /// says that a program built on PlacedPar adds this kind: an exception from the kind or its processes is then an
+    /// error of that program, not a defect of PlacedPar
     bool is_own = false;
 
     /// Returns null if there is no port of this name.

@@ -34,9 +34,9 @@ private:
     std::size_t process_;
 };
 
-/// Returns the statements of a process: its communications in order, without its computations and their duration. They
-/// may use the variables `i`, an int, and `m`, a byte that stands for any message. Each statement has a line of its
-/// own, without indentation.
+/// Returns the statements of a process: its communications in order, without its computations and their duration. The
+/// statements may use the variables `i`, an int, and `m`, a byte that stands for any message. Each statement is on a
+/// separate line, without indentation.
 using PromelaStatements = std::function<std::string(const PromelaProcess&)>;
 
 /// Returns a loop: "for (i : 1 .. 10) {", the statements, "}".

@@ -56,7 +56,7 @@ std::vector<Complaint> check_place_of_logic(const Network& network, std::size_t 
     return {};
 }
 
-/// Connects one link of a switch with other links of it, one after the other.
+/// Connects one link of a switch with some of the other links, one after another.
 class Setter {
 public:
     explicit Setter(ProcessEnvironment& environment)
@@ -73,7 +73,7 @@ public:
             enquire(partner);
     }
 
-    /// Disconnects the partner; otherwise the switch would also repeat the next partner's bytes to it.
+    /// Disconnects the partner; otherwise the switch would also repeat the next partner's bytes to this partner.
     void disconnect(std::size_t partner) {
         commands_.output({SwitchCommand::Kind::disconnect_links, link_, link_of(partner)});
     }

@@ -27,11 +27,11 @@ DeviceModel chip(std::string name, std::int64_t memory_bytes, int links, bool ov
             .floating_point_unit = floating_point_unit};
 }
 
-/// Returns the bare chips with their internal memory. The M212 has two links for the network; its other two lead to its
-/// disk ports.
+/// Returns the bare chips with their internal memory. The M212 has two links for the network; two more links lead to
+/// its disk ports.
 ///
 /// The databook says that the T800, T805 and T425 overlap acknowledges, and that the T414 does not. We assume by
-/// generation that the T801, T400, T222 and T225 overlap them, and that the T212 and M212 do not.
+/// generation that the T801, T400, T222 and T225 overlap acknowledges, and that the T212 and M212 do not.
 std::vector<DeviceModel> chips() {
     constexpr bool overlapped = true, separate = false;
     return {chip("T805", 4 * kilobyte, 4, overlapped), chip("T801", 4 * kilobyte, 4, overlapped),
@@ -54,8 +54,8 @@ struct Module {
     std::int64_t memory_bytes;
 };
 
-/// Returns the modules by the INMOS part numbers in the toolset's `boards.inc` and `trams.inc`, with their memory. They
-/// ran at 20 MHz, the kind's default.
+/// Returns the modules by the INMOS part numbers in the toolset's `boards.inc` and `trams.inc`, with their memory. The
+/// modules ran at 20 MHz, the kind's default.
 std::vector<Module> modules() {
     return {{"B002", "T414", 2 * megabyte},    {"B003", "T414", 256 * kilobyte}, {"B004", "T414", 2 * megabyte},
             {"B006", "T212", 8 * kilobyte},    {"B010", "T414", 1 * megabyte},   {"B011", "T800", 2 * megabyte},
@@ -77,7 +77,7 @@ DeviceModel carrying(std::string name, std::int64_t memory_bytes, DeviceModel ch
 /// Returns true for the chips with words of 16 bits: T212, T222, T225, M212.
 bool has_short_words(const std::string& chip) { return chip[1] == '2'; }
 
-/// Returns false if the chip can replace a module's usual one. Modules were sold with other transputers of the same
+/// Returns false if the chip can replace a module's usual chip. Modules were sold with other transputers of the same
 /// word length: a B403_T414 is a B403 with a T414.
 bool has_other_word_length(const DeviceModel& chip, const std::string& usual) {
     return has_short_words(chip.name) != has_short_words(usual);
@@ -150,7 +150,7 @@ std::vector<AttributeDescription> transputer_attributes() {
     return attributes;
 }
 
-/// Returns the real tool's attributes that have no effect here.
+/// Returns the attributes of the INMOS tool that have no effect here.
 std::vector<std::string> kept_attributes() {
     auto kept = attributes_of_the_real_tool();
     std::erase(kept, "linkquota");
@@ -158,7 +158,7 @@ std::vector<std::string> kept_attributes() {
 }
 
 /// Returns the access time of the memory that holds messages. Messages are assumed to lie in external memory if the
-/// node has any.
+/// node has external memory.
 Cycles access_time(const Node& node) {
     using hardware::Memory;
     if (std::int64_t stated = node.integer("memorycycles"))

@@ -5,7 +5,7 @@
 
 namespace placedpar {
 
-/// A transputer in a run: a processor whose links' engines use its memory.
+/// A transputer in a run: a processor that shares its memory with its link engines.
 class TransputerNode : public MachineNode {
 public:
     TransputerNode(MachineParts&, std::size_t node);

@@ -40,7 +40,7 @@ AttributeDescription request_level() {
     return {.value = description::integer("level", {.by_default = 3, .least = 0, .most = 3}, "level of the request")};
 }
 
-/// Returns why no master can hog the bus: the arbiter lacks its level, or no slot is free. Returns "" if one can.
+/// Returns why no master can hog the bus: the arbiter lacks its level, or no slot is free. Returns "" if a master can.
 std::string why_not_hogged(const Network& network, const Fault& hog) {
     const Node& bus = network.nodes[hog.node];
     auto others = std::ranges::count_if(network.faults,

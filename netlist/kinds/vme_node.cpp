@@ -158,8 +158,8 @@ private:
     }
 
     hardware::VmeBus& bus_;
-    std::map<std::size_t, hardware::VmeMaster*> masters_;       ///< by attachment
-    std::map<std::size_t, hardware::AdapterProgram*> adapters_; ///< by the connection that leads over the adapter
+    std::map<std::size_t, hardware::VmeMaster*> masters_;       ///< key: attachment
+    std::map<std::size_t, hardware::AdapterProgram*> adapters_; ///< key: connection over the adapter
     std::vector<Broadcast> broadcasts_;                         ///< in the order of their first channels
     std::size_t hogs_ = 0;
 };

@@ -31,8 +31,8 @@ private:
     const DeviceKind& kind_of(std::size_t attachment) const { return *node(attachment).kind; }
     bool is_here(std::size_t attachment) const { return attachments()[attachment].bus == bus_; }
 
-    /// Returns true if `master` reaches the memory of `slave`. Two bus masters reach each other's memory, which counts
-    /// as one way, from the one attached first.
+    /// Returns true if `master` reaches the memory of `slave`. Two bus masters reach each other's memory; this counts
+    /// as one way, from the master that was attached first.
     bool shares_memory_with(std::size_t slave, std::size_t master) const {
         return slave != master && is_here(slave) && is_here(master) && kind_of(slave).bus == BusRole::bus_master &&
                kind_of(master).is_master() && (kind_of(master).bus == BusRole::workstation || master < slave);
@@ -51,7 +51,8 @@ private:
             ways_.push_back({master, slave, wire->second});
     }
 
-    /// Returns the master whose program uses the adapter; nowhere after reporting that this is not clear.
+    /// Returns the master whose program uses the adapter; nowhere, after reporting, if there is no such master, or if
+    /// several masters are possible.
     std::size_t master_of(std::size_t slave) {
         const Node& adapter = node(slave);
         const auto& named = std::get<std::string>(adapter.attributes.at("master"));
@@ -97,8 +98,7 @@ private:
 
 } // namespace
 
-/// Reports a second master in a slot, since a bus grant passes each slot once, and a request level that the arbiter
-/// lacks.
+/// Reports a second master in a slot (a bus grant passes each slot once), and a request level that the arbiter lacks.
 bool can_be_attached(const Attached& attached, const BusAttachment& attachment) {
     const Network& network = attached.network;
     if (!network.nodes[attachment.node].kind->is_master())

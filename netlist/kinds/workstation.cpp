@@ -8,7 +8,7 @@ namespace placedpar {
 
 namespace {
 
-/// Limit of its links; a workstation has as many links as the netlist uses.
+/// Limits the number of links. A workstation has all links that the netlist uses.
 constexpr int most_workstation_links = 1 << 20;
 
 class WorkstationNode : public MachineNode, public OnVme {

@@ -10,12 +10,13 @@ namespace placedpar {
 /// Converts a DOS file name for this system: `\` separates folders.
 std::string without_backslashes(std::string name);
 
-/// Returns whether the name is an include file of the toolset. If that file is missing, its declarations are
+/// Returns whether the name is an include file of the INMOS toolset. The declarations of a missing toolset file are
 /// predefined.
 bool is_of_the_toolset(const std::string& name);
 
-/// Returns the file of this name in the first folder that has it. If a folder has the name only in different upper and
-/// lower case, which DOS would accept, returns that file; of several such files, returns the first in order of names.
+/// Returns the file of this name in the first folder that has it. If a folder has the name only in other upper and
+/// lower case, which DOS would accept, returns that file. If there are several such files, returns the first in order
+/// of names.
 std::optional<std::filesystem::path> find_included(const std::string& name,
                                                    const std::vector<std::filesystem::path>& folders);
 

@@ -159,7 +159,7 @@ void Lexer::apply_suffix(Token& token) {
         reporter_.error(token.at, "the number is beyond 64 bits");
         token.integer = {};
     }
-    token.integer.decimal *= decimal; // smaller than token.integer.value, which fits
+    token.integer.decimal *= decimal; // no overflow: the product is less than token.integer.value
 }
 
 } // namespace placedpar

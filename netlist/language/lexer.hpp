@@ -12,8 +12,8 @@ inline constexpr std::size_t longest_string = 2000;
 /// Limits the length of a name, so that a statement with several names and subscripts can be printed on one line.
 inline constexpr std::size_t longest_name = 255;
 
-/// Cuts one source into tokens, one at a time. Text that it cannot read is reported, and returned as an illegal token.
-/// Comments are written as in C, from slash star to star slash; the language has no other comments.
+/// Splits a source into tokens, and returns one at a time. Text that is not a token is reported, and returned as an
+/// illegal token. Comments are written as in C, from slash star to star slash; the language has no other comments.
 class Lexer {
 public:
     Lexer(std::shared_ptr<const SourceFile> file, Reporter& reporter);
@@ -22,7 +22,7 @@ public:
     Token next();
     /// Skips the rest of the line.
     void skip_line();
-    /// Reads the file name in quotes just after `#include`, in which a `\` is not an escape; nothing if no name follows
+    /// Reads the file name in quotes after `#include`; a `\` in it is not an escape. Returns nothing if no name follows
     /// on this line.
     std::optional<Token> read_file_name();
     /// Returns the place after the last token.
@@ -61,7 +61,7 @@ private:
     char read_escaped(const Location& start);
     char read_numeric_escape(int base, int most_digits, const Location& start);
 
-    /// Takes the characters from here on as long as the predicate holds.
+    /// Takes characters while the predicate holds.
     std::string_view take_while(bool (*belongs)(char));
     bool at_end() const { return position_ >= text().size(); }
     char peek(std::size_t ahead = 0) const;

@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-/// Classifies a line by the kind of occam text that it belongs to. A text is of the highest class among its lines.
+/// Classifies a line by the kind of occam text that contains it. The class of a text is the highest class of its lines.
 enum class Dialect { none, comment, program, toolset, development_system };
 
 constexpr const char* hint_for(Dialect dialect) {
@@ -98,7 +98,7 @@ Dialect dialect_of(std::string_view line) {
     return is_comment_or_fold(line) ? Dialect::comment : Dialect::none;
 }
 
-/// Returns whether a C comment is open after the line. `open`: one was open before it.
+/// Returns whether a C comment is open after the line. `open` says whether a comment was open before the line.
 bool comment_goes_on(std::string_view line, bool open) {
     auto start = line.rfind("/*"), end = line.rfind("*/");
     if (start == line.npos)
@@ -119,8 +119,8 @@ public:
         dialect_ = std::max(dialect_, dialect);
     }
 
-    /// Returns what was found. A comment alone counts only if no line is a netlist's, since a netlist may contain an
-    /// occam comment by mistake.
+    /// Returns the first sign of occam; nothing if there is none. A comment counts only if the text has no statement of
+    /// a netlist, since a netlist may contain an occam comment by mistake.
     std::optional<Occam> result() const {
         if (line_)
             return Occam{*line_, hint_for(dialect_)};

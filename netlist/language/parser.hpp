@@ -20,12 +20,13 @@ public:
     Parser(TokenStream& tokens, Reporter& reporter) : tokens_(tokens), reporter_(reporter) {}
 
     Statements parse_netlist();
-    /// Parses one expression with nothing after it. Throws StatementRefused after having reported.
+    /// Parses one expression with nothing after it. Throws StatementRefused after reporting an error.
     ExpressionPointer parse_whole_expression();
-    /// Parses `reference =`, the target of an option that sets a value. Throws StatementRefused after having reported.
+    /// Parses `reference =`, the target of an option that sets a value. Throws StatementRefused after reporting an
+    /// error.
     Reference parse_target();
-    /// Parses a fault as an option states it, without the first word and the `;`. Throws StatementRefused after having
-    /// reported.
+    /// Parses a fault as an option states it, without the first word and the `;`. Throws StatementRefused after
+    /// reporting an error.
     Statement parse_fault_option();
 
 private:
@@ -127,7 +128,7 @@ bool is_reserved(std::string_view word);
 bool can_be_a_name(std::string_view text);
 /// Returns the known word that differs from `word` in a letter or two, or only in capital letters; "" if there is none.
 std::string word_meant(const std::string& word, const std::vector<std::string>& words);
-/// As above, among the words that begin a statement.
+/// Searches the words that begin a statement.
 std::string word_meant(const std::string& word);
 
 } // namespace placedpar

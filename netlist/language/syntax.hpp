@@ -57,19 +57,19 @@ struct ArrayConstant {
 };
 
 struct Expression {
-    Location at; ///< location; for operations with two or three operands, that of the operator
+    Location at; ///< location; an operation with two or three operands is located at its operator
     std::variant<IntegerLiteral, RealLiteral, TextLiteral, NameUse, UnaryOperation, BinaryOperation,
                  ConditionalOperation, CastOperation, SubscriptOperation, SizeOperation, ArrayConstant>
         form;
     int height = 1; ///< height of the tree, limited so that walking it cannot exhaust the stack
 };
 
-/// `name[1][2].field[3]`: something declared, or a part of it.
+/// `name[1][2].field[3]`: a declared thing, or a part of it.
 struct Reference {
     Location at;
     std::string name;
     std::vector<ExpressionPointer> subscripts;
-    std::string field; ///< "" without a dot
+    std::string field; ///< "" if there is no dot
     Location field_at;
     std::vector<ExpressionPointer> field_subscripts;
 };
@@ -140,7 +140,7 @@ struct ParameterSetting {
     Reference process;
     std::vector<Attribute> values;
 };
-/// `n = 4`, `p[1].n = 4`: an option sets a val, or an attribute or a parameter of what the netlist declares.
+/// `n = 4`, `p[1].n = 4`: an option sets a val, or an attribute or a parameter of a declared element.
 struct SetStatement {
     Reference target;
     ExpressionPointer value; ///< null if the text is not an expression, such as a string without quotes
@@ -149,8 +149,8 @@ struct SetStatement {
     std::vector<Diagnostic> problems; ///< why the text is not an expression
     std::size_t place = 0;            ///< position among the options
 
-    /// Returns how precise the target is: 0 for every element with this member; higher for an array, highest for one
-    /// element.
+    /// Returns how precise the target is: 0 if it names every element with this member; higher for an array; highest
+    /// for one element.
     std::size_t precision() const { return target.field.empty() ? 0 : 1 + target.subscripts.size(); }
 };
 struct ConnectStatement {
@@ -159,12 +159,12 @@ struct ConnectStatement {
 };
 struct UseStatement {
     ExpressionPointer program;
-    std::optional<Reference> process; ///< none: the default for all
+    std::optional<Reference> process; ///< empty: the program is the default of all processes
 };
 struct PlaceStatement {
     Reference what, where;
 };
-/// `fault t[0].link[1] silent (from = 20ms);`: something that fails in a run.
+/// The statement `fault t[0].link[1] silent (from = 20ms);`.
 struct FaultStatement {
     Reference what;
     std::string fault;

@@ -14,7 +14,7 @@ enum class TokenKind {
     text,      ///< a string constant
     symbol,    ///< punctuation and operators, in `text`
     illegal,   ///< text that the lexer could not read, and has reported
-    directive, ///< `#include`; `text` holds the word behind `#`
+    directive, ///< `#include`; `text` holds the word after `#`
     end
 };
 

@@ -29,7 +29,7 @@ public:
     Token take();
     /// Returns the place after the token that was taken last.
     const Location& behind_last() const { return behind_last_; }
-    /// The paths of the files included so far.
+    /// Returns the paths of the files included so far.
     std::vector<std::string> take_included() { return std::move(included_); }
     /// Returns whether an include of the toolset was read so far, whether or not the file exists.
     bool includes_toolset() const { return includes_toolset_; }

@@ -10,7 +10,7 @@
 
 namespace placedpar {
 
-/// Functions for the names of arrays and their elements. Of several subscripts, the last varies fastest.
+/// Functions for the names of arrays and their elements. The last subscript varies fastest.
 
 /// Returns "out" for "out[2]"; returns a name without a subscript unchanged.
 std::string_view base_name(std::string_view name);

@@ -31,9 +31,9 @@ struct Node {
     std::shared_ptr<const DeviceKind> kind;               ///< never null in a Network
     std::map<std::string, Value, std::less<>> attributes; ///< every attribute of the kind
     bool overlapped_acknowledge = true;                   ///< its links acknowledge a byte while the byte comes in
-    bool floating_point_unit = true;               ///< the processor computes with real numbers as fast as a T800
-    std::set<std::string, std::less<>> given = {}; ///< names of the attributes that the netlist gives
-    std::map<std::string, Value> other;            ///< attributes of the real tool, not used by a simulation
+    bool floating_point_unit = true;                      ///< the processor has a floating-point unit, as a T800 has
+    std::set<std::string, std::less<>> given = {};        ///< names of the attributes that the netlist gives
+    std::map<std::string, Value> other;                   ///< attributes of the INMOS tool, not used by a simulation
     Location declared;
 
     /// REQUIRES: the kind has an integer attribute of this name; throws std::logic_error otherwise.
@@ -48,15 +48,15 @@ struct LinkEnd {
     bool operator==(const LinkEnd&) const = default;
 };
 
-/// The passage of a connection through a crossbar switch, from the side of its end a.
+/// The passage of a connection through a crossbar switch, in the direction from end a to end b.
 struct SwitchCrossing {
     std::size_t node = nowhere;
     int from_link = 0, to_link = 0;
 };
 
-/// The link number at the end of a way over a bus if this end is a device's slot on the bus.
+/// The link number of a device's slot on a bus, where a way over the bus ends.
 inline constexpr int bus_port = std::numeric_limits<int>::max();
-/// The link number at the end of a wire if this end is the link `config`, by which a switch is set during the run.
+/// The link number of the link `config`, by which a switch is set during the run.
 inline constexpr int configuration_link = bus_port - 1;
 
 /// A device in a slot of a bus.
@@ -64,7 +64,8 @@ struct BusAttachment {
     std::size_t node = nowhere, bus = nowhere;
     int slot = 1;
     int level = 3;           ///< level of a master's requests, BR0 to BR3
-    bool on_request = false; ///< a master gives up the bus when another requests it; false: after each block of words
+    bool on_request = false; ///< true: a master releases the bus when another master requests it; false: after each
+                             ///< block of words
     std::string name;        ///< name of the `connection` by which it was attached; "" if none
     Location connected;
 };
@@ -132,7 +133,7 @@ struct ProcessInstance {
     bool high_priority = false;
     std::size_t node = nowhere;
     std::vector<PortBinding> ports; ///< in the order of the kind's ports; for a stand-in, in the order of the interface
-    std::map<std::string, Value> other; ///< attributes of the real tool, not used by a simulation
+    std::map<std::string, Value> other; ///< attributes of the INMOS tool, not used by a simulation
     Location declared;
 };
 
@@ -160,8 +161,8 @@ struct ChannelPlacement {
     std::vector<RouteHop> route = {}; ///< empty for a soft channel; several hops lead over the processors in between
     bool in_packets =
         false; ///< the route has several hops, or one of its links carries another channel in the same direction
-    /// Index of the bus on which one write reaches the adapters of this channel and of the other channels of the
-    /// broadcast; nowhere: the channel is not broadcast.
+    /// Index of the bus on which the channel is broadcast: one write reaches the adapters of all channels of the
+    /// broadcast. nowhere: the channel is not broadcast.
     std::size_t broadcast_on = nowhere;
 
     bool operator==(const ChannelPlacement&) const = default;
@@ -181,13 +182,13 @@ bool are_one_broadcast(const NetworkChannel&, const NetworkChannel&);
 /// A fault of a link or a device in a run.
 struct Fault {
     std::string kind;                                     ///< "silent", "halts"
-    std::size_t node = nowhere;                           ///< the device that fails, or one of whose links fails
+    std::size_t node = nowhere;                           ///< the failing device, or the device with the failing link
     int link = -1;                                        ///< number of the link; -1: the device itself fails
-    std::size_t connection = nowhere;                     ///< the wire at that link
+    std::size_t connection = nowhere;                     ///< the wire at the failing link
     std::map<std::string, Value, std::less<>> attributes; ///< all attributes of the kind
     Location stated;
 
-    /// REQUIRES: the kind has an integer (text) attribute of this name.
+    /// These two functions require that the kind has an attribute of this name and type.
     std::int64_t integer(std::string_view attribute) const {
         return std::get<std::int64_t>(attributes.find(attribute)->second);
     }

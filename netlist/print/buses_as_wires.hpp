@@ -4,9 +4,9 @@
 
 namespace placedpar {
 
-/// Returns the network as it is drawn: the ways over a bus are replaced by a line from each device to the bus, and a
-/// channel over a way takes the two lines between its devices and the bus. A line has no speed (bits_per_second is 0).
-/// At the line's end b, the bus, the link number is the slot; its end a has no link number.
+/// Returns the network as it is drawn. A line from each device to the bus replaces the ways over the bus. A channel
+/// over a way takes the lines of its two devices. A line has no speed (bits_per_second is 0). End b of a line is the
+/// bus, with the slot as its link number; end a has no link number.
 Network with_buses_as_wires(Network network);
 
 } // namespace placedpar

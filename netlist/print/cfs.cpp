@@ -28,8 +28,7 @@ std::vector<std::string> print_others(const std::map<std::string, Value>& others
     return entries;
 }
 
-/// Returns the attributes that differ from the kind's defaults, then the attributes that are only kept for the real
-/// tool.
+/// Returns the attributes that differ from the kind's defaults, then the attributes that only the INMOS tool uses.
 std::vector<std::string> print_attributes(const Node& node) {
     std::vector<std::string> entries;
     for (const auto& attribute : node.kind->attributes)
@@ -55,8 +54,8 @@ enum class ParameterOrder { as_given, by_name };
 /// Routes are most of the text of a network that is too large, so their size can be counted without making the text.
 enum class Routes { written, counted };
 
-/// Writes one network as a netlist. Every device and connection is declared explicitly, so that the text depends on no
-/// defaults but the language's.
+/// Writes one network as a netlist. Every device and connection is declared explicitly, so that the text depends only
+/// on the language's own defaults.
 class CfsPrinter {
 public:
     CfsPrinter(const Network& network, ParameterOrder order) : n_(network), order_(order) {}
@@ -123,8 +122,8 @@ private:
         }
     }
 
-    /// Returns whether the node can stay undeclared as the toolset's predefined edge "host". That edge is declared at
-    /// its first use, behind all other nodes, so the node must be the last one to keep its position when the text is
+    /// Returns whether the node can stay undeclared as the toolset's predefined edge "host". This edge is declared at
+    /// its first use, after all other nodes, so the node must be the last node to keep its position when the text is
     /// read again.
     bool is_predefined_host(std::size_t node) const {
         auto leads_there = [&](const LinkConnection& wire) { return wire.a.node == node || wire.b.node == node; };
@@ -276,8 +275,9 @@ private:
         return entries;
     }
 
-    /// Returns the names of the parameters that the netlist gives, in its order; parameters with default values are
-    /// left out, since a kind may distinguish them. With ParameterOrder::by_name, returns all parameters.
+    /// Returns the names of the parameters that the netlist gives, in the netlist's order. Parameters with default
+    /// values are left out, since a kind may ask whether a parameter was given. With ParameterOrder::by_name, returns
+    /// all parameters.
     std::vector<std::string> parameters_in_order(const ProcessInstance& process) const {
         std::vector<std::string> names;
         std::set<std::string_view> known; // names listed so far
@@ -300,7 +300,7 @@ private:
         return fmt::format("{} = {}", name, print_array(parameters, name));
     }
 
-    /// Prints settings that all elements of an array share once, for the array; then each element's other settings.
+    /// Prints the settings that all elements of an array share once, then the other settings of each element.
     void print_settings(const ElementRange& range, const std::map<std::string, Value>& declared, bool all_high) {
         auto of = [&](std::size_t i) { return settings(n_.processes[range.first + i], declared, all_high); };
         Entries common = of(0);
@@ -420,8 +420,8 @@ private:
         return name;
     }
 
-    /// Returns the link end that states a hop: where the hop leaves, or the adapter's link if a master may use several
-    /// adapters.
+    /// Returns the link end that a `place` statement names for a hop: the adapter's link if the hop leads from a master
+    /// over a link adapter, otherwise the beginning of the hop. A master may use several adapters.
     LinkEnd stated_end(const RouteHop& hop) const {
         const auto& way = n_.connections[hop.connection].over_bus;
         bool by_adapter = way && way->wire != nowhere && hop.from_a_to_b;
@@ -449,7 +449,7 @@ private:
     ParameterOrder order_;
     Routes routes_ = Routes::written;
     std::string text_;
-    std::size_t counted_ = 0;               ///< bytes of routes
+    std::size_t counted_ = 0;               ///< bytes of routes that are only counted
     std::vector<std::string> stated_names_; ///< names of each connection's end b, then its end a; empty until used
 };
 

@@ -14,7 +14,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the facts that are drawn behind the type: ", 2 MB, 20 MHz".
+/// Returns the facts that follow the type in the drawing: ", 2 MB, 20 MHz".
 std::string facts(const Node& node) {
     std::string text;
     for (const auto& attribute : node.kind->attributes)
@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    /// Computes the rows of the drawing: a node's row is its distance in wires from the first row.
+    /// Computes the rows of the drawing. A node's row is the number of wires between the node and the first row.
     void find_levels() {
         level_.assign(n_.nodes.size(), nowhere);
         auto neighbours = neighbours_of_nodes();

@@ -41,7 +41,7 @@ json::object to_json(const Node& node) {
     return object;
 }
 
-/// Writes a network as JSON. References are names, not positions, so that a reader need not count.
+/// Writes a network as JSON. References are names, not positions, so that a reader need not count elements.
 class JsonPrinter {
 public:
     explicit JsonPrinter(const Network& network) : n_(network) {}
@@ -200,7 +200,7 @@ bool is_flat(const json::value& value) {
 
 void write(const json::value& value, std::string& out, const std::string& indent);
 
-/// Writes each entry on a line of its own by `write_entry`.
+/// Writes each entry on a separate line by `write_entry`.
 template <class Entries, class WriteEntry>
 void write_lines(const Entries& entries, std::string_view brackets, std::string& out, const std::string& indent,
                  WriteEntry write_entry) {
@@ -214,7 +214,7 @@ void write_lines(const Entries& entries, std::string_view brackets, std::string&
     out.append("\n").append(indent) += brackets[1];
 }
 
-/// Writes the value: flat objects and arrays on one line, nested ones over several lines.
+/// Writes the value: flat objects and arrays on one line, nested objects and arrays over several lines.
 void write(const json::value& value, std::string& out, const std::string& indent) {
     const auto inner = indent + "  ";
     if (is_flat(value))

@@ -74,7 +74,7 @@ private:
     }
 
     const Network& n_;
-    std::vector<std::size_t> place_; ///< new index by connection; nowhere for connections that switches make
+    std::vector<std::size_t> place_; ///< new index of each connection; nowhere for connections that switches make
     std::vector<LinkConnection> connections_;
     std::size_t first_piece_ = 0;
 };

@@ -9,11 +9,11 @@
 namespace placedpar {
 
 /// Prints the network in the netlist language; the text reads back to the same network. Parameters keep the order of
-/// the netlist, and the toolset's include comes before the first use of its declarations, so that the real tool accepts
-/// the text, too.
+/// the netlist, and the toolset's include comes before the first use of its declarations, so the INMOS tool also
+/// accepts the text.
 std::string print_cfs(const Network& network);
-/// Returns the text that is hashed: equal for equal networks, whatever the order of parameters, and with or without the
-/// toolset's include.
+/// Returns the text that is hashed. Equal networks have equal texts, whatever the order of parameters, and with or
+/// without the toolset's include.
 std::string canonical_form(const Network& network);
 /// Prints the network for Graphviz: processors as boxes with their processes, wires labelled with their links.
 std::string print_dot(const Network& network);

@@ -15,7 +15,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t most_processes = 254; ///< Spin's limit of 255 processes, less init
+constexpr std::size_t most_processes = 254; ///< Spin's limit of 255 processes, minus one for init
 
 std::vector<std::string> kinds_in_promela(const Catalogue& catalogue) {
     std::vector<std::string> names;

@@ -53,7 +53,7 @@ std::uint32_t CriticalPath::number_of(const std::string& subject) {
     return found->second;
 }
 
-/// Adds an event; returns `before` instead if no time has passed since then.
+/// Adds an event; returns `before` instead if no time has passed since `before`.
 CriticalPath::Number CriticalPath::add(Number before, Time at, Activity activity, const std::string& subject,
                                        const std::string& place) {
     if (!points_.empty() && points_[before].at == at)
@@ -121,7 +121,7 @@ void CriticalPath::begin(const Process& process, Time now) {
 }
 
 /// Returns the event that gave the process its turn: the end of its wait, the end of the preceding turn on its
-/// executive, or else the end of being ready.
+/// executive, or a new event for the time in which the process was ready.
 CriticalPath::Number CriticalPath::turn_of(const Lane& lane, Number made_ready, Time now) {
     if (points_[made_ready].at == now)
         return made_ready;
@@ -234,12 +234,12 @@ void CriticalPath::become_ready(Lane& lane, Time now) {
 void CriticalPath::go_on(Lane& lane, Time now) {
     if (is_waiting(lane.does))
         become_ready(lane, now);
-    if (is_waiting(lane.does)) // it waited for its PAR
+    if (is_waiting(lane.does)) // the process waited for its PAR
         turn(lane, Activity::ready, now);
     has_turn(lane, now);
 }
 
-/// Adds a transfer over a bus. Before the transfer, the path leads over the bus's preceding use if that ended later
+/// Adds a transfer over a bus. Before the transfer, the path leads over the bus's preceding use if this use ended later
 /// than the process's last event.
 void CriticalPath::leaves(const PlaceLeft& left, Time now) {
     Lane* lane = lane_of(left.moves_for);

@@ -17,10 +17,10 @@
 
 namespace placedpar {
 
-/// Records the critical path of a run during the run. For each event it stores the event that caused it: for a message,
-/// the arrival of the later of the two processes at the channel; for a turn on a processor, the end of the preceding
-/// turn; for the end of a PAR, the end of its last component. The causes lead from the end of the run to its beginning
-/// without a gap, since each activity begins when its cause ends.
+/// Records the critical path of a run during the run. Each event is stored with its cause. The cause of a message is
+/// the arrival of the later of its two processes at the channel. The cause of a turn on a processor is the end of the
+/// preceding turn; the cause of the end of a PAR is the end of its last component. The causes lead from the end of the
+/// run to its beginning without a gap, since each activity begins when its cause ends.
 class CriticalPath final : public ActivityLog<CriticalPath> {
 public:
     /// If the path exceeds `most_points`, it is discarded, and the rest of the run takes no further memory.
@@ -47,12 +47,11 @@ private:
     using Number = PathPoints::Number;
     using Point = PathPoints::Point;
     struct Lane {
-        Number last; ///< last event of the process; while the process waits, the begin of the wait
+        Number last; ///< last event of the process; while the process waits, the beginning of the wait
         const Process* process;
         Activity does = Activity::ended;
-        std::optional<Number> cause = {}; ///< event that ended the process's wait, until the process continues
-        std::optional<Number> together =
-            {}; ///< the later arrival of the two processes of the present message at the channel
+        std::optional<Number> cause = {};    ///< event that ended the wait; empty once the process has continued
+        std::optional<Number> together = {}; ///< for the present message: the later of the two arrivals at the channel
     };
 
     std::uint32_t number_of(const std::string& subject);
@@ -80,7 +79,7 @@ private:
     PathPoints points_;
     std::vector<std::string> subjects_;
     std::unordered_map<std::string, std::uint32_t> numbers_;        ///< numbers of subjects and places
-    std::map<std::uint32_t, Lane> lanes_;                           ///< processes that exist, by ordinal
+    std::map<std::uint32_t, Lane> lanes_;                           ///< key: ordinal of a process that exists
     std::unordered_map<const Executive*, Number> held_;             ///< last event on each executive
     std::unordered_map<std::string, Number> bus_held_;              ///< last use of each bus
     std::map<std::pair<const AnyChannel*, bool>, Number> came_;     ///< last arrival at a channel end; true: output

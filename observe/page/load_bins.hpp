@@ -17,15 +17,15 @@ public:
     /// The first bin begins at the origin.
     LoadBins(std::size_t most_bins, Time origin);
 
-    /// Adds an interval. REQUIRES: the intervals of one state of one track do not overlap; none begins before the
-    /// origin.
+    /// Adds an interval. REQUIRES: the intervals of one state of one track do not overlap; no interval begins before
+    /// the origin.
     void add(std::size_t track, State, Time begin, Time end);
     /// Merges bins until there are at most `most_bins`.
     void merge_to(std::size_t most_bins);
 
     Time width() const { return width_; }
     /// Returns a character of level_digits for each bin: the first character if the track was never in the state during
-    /// the bin, the last character if it always was. Empty bins at the end are left out.
+    /// the bin, the last character if the track was always in the state. Empty bins at the end are left out.
     std::string levels(std::size_t track, State) const;
 
 private:

@@ -13,8 +13,8 @@
 namespace placedpar::page {
 
 /// Keeps the parts of a trace for which a page of bounded size has room: the load of every track in bins, and all
-/// slices and messages, packed. If there are too many slices and messages, only those at the beginning and the end of
-/// the run are kept.
+/// slices and messages, packed. If there are too many slices and messages, only slices and messages at the beginning
+/// and the end of the run are kept.
 class PageRecorder final : public TraceWriter {
 public:
     /// REQUIRES: the tracks outlive this object.
@@ -43,7 +43,7 @@ private:
     const Tracks& tracks_;
     LoadBins bins_;
     Stretches stretches_;
-    std::vector<PathPart> path_; ///< the critical path, if it is known; of a very long path, only the longest parts
+    std::vector<PathPart> path_; ///< the critical path, if it is known; only the longest parts of a very long path
     Time begin_{}, end_{};
     std::string why_;
 };

@@ -6,8 +6,8 @@ namespace placedpar::page {
 
 // Functions that return the files of a page. The build embeds these files in the program: see CMakeLists.txt.
 
-std::string frame_html(); ///< has placeholders @TITLE@, @STYLE@, @LIBRARY@, @DATA@, @STRETCHES@, @PROGRAM@, and those
-                          ///< of the pictures
+std::string frame_html(); ///< has placeholders: @TITLE@, @STYLE@, @LIBRARY@, @DATA@, @STRETCHES@, @PROGRAM@, and one
+                          ///< for each picture
 std::string style_css();
 std::string library_js(); ///< D3, of Debian's package node-d3
 std::string program_js(); ///< our own JavaScript

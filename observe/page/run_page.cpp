@@ -20,7 +20,7 @@ namespace placedpar {
 
 namespace {
 
-/// Limits the size of networks that are drawn; a browser would be too slow with larger ones.
+/// Limits the size of networks that are drawn; a browser would be too slow with larger networks.
 constexpr std::size_t most_drawn = 20'000;
 /// Limits the rows of tables; longer tables are left to --json.
 constexpr std::size_t most_rows = 3000;
@@ -88,7 +88,7 @@ boost::json::object report_on_page(const PageContent& content) {
     return report;
 }
 
-/// Returns the data as JSON in which nothing looks like the end of its HTML element.
+/// Returns the data as JSON without the character `<`, so that no text can end the HTML element.
 std::string text_of_data(const boost::json::object& data) {
     std::string text;
     for (char each : as_json(boost::json::serialize(data)))

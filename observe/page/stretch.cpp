@@ -12,7 +12,7 @@ namespace placedpar::page {
 
 namespace {
 
-/// Returns the text of a slice: its subject, or for a wait a line for each channel, with the partner behind a tab.
+/// Returns the text of a slice: its subject, or for a wait a line for each channel, with the partner after a tab.
 std::string note_of(const Slice& slice) {
     std::string note = slice.subject;
     for (const Awaited& each : slice.awaited)
@@ -42,7 +42,7 @@ void Stretch::add(const MessageArrow& arrow) {
                        texts_.number_of(arrow.channel), arrow.left, arrow.arrived});
 }
 
-/// Clears the vectors instead of making new ones, so that they keep their memory.
+/// Clears the vectors instead of making new vectors, so that they keep their memory.
 PackedStretch Stretch::pack() {
     std::string texts = as_json(boost::json::serialize(texts_.json())), bytes;
     append_number(bytes, texts.size());

@@ -7,7 +7,7 @@
 
 namespace placedpar {
 
-/// A part of a run's critical path. It begins where the preceding part ends; the first begins with the run.
+/// A part of a run's critical path. It begins where the preceding part ends; the first part begins with the run.
 struct PathPart {
     Activity activity;   ///< starting, computing, carrying (a message), moving, arbitrating, delayed, ready or ended
     std::string subject; ///< "master on t[0]"; the channel; the process

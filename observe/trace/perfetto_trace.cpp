@@ -145,7 +145,7 @@ void PerfettoTrace::write_part(const PathPart& part, std::size_t thread) {
                     microseconds(part.begin), microseconds(part.end - part.begin)));
 }
 
-/// Writes a flow from the last picosecond of one part to the first of the next.
+/// Writes a flow from the last picosecond of one part to the first picosecond of the next part.
 void PerfettoTrace::write_step(const PathPart& from, std::size_t from_thread, const PathPart& to,
                                std::size_t to_thread) {
     std::string common = fmt::format(R"("name":"critical path","cat":"critical path","id":{})", ++arrows_);

@@ -14,9 +14,9 @@ namespace placedpar {
 /// A slice is a complete event (X); an open slice is an event that only begins (B). A message is a flow (s, f) between
 /// slices. The end of the trace is an instant (i) that states the reason. Names and order are metadata (M).
 ///
-/// A critical path is a process of its own above all others. One thread has the whole path; each processor and link on
-/// the path has a thread with the parts that use it. The parts are red in viewers that accept colours (cname). A flow
-/// leads from each part to the next, so that one line leads from the beginning of the run to its end.
+/// A critical path is a separate process above all other processes. One thread has the whole path; each processor and
+/// link on the path has a thread with the parts that use it. The parts are red in viewers that accept colours (cname).
+/// A flow leads from each part to the next, so that one line leads from the beginning of the run to its end.
 class PerfettoTrace final : public TraceWriter {
 public:
     /// REQUIRES: file and tracks outlive this object, and nothing has been written to the file.

@@ -43,7 +43,7 @@ constexpr const char* head_of_messages =
     R"(<marker id="message" viewBox="0 0 8 8" refX="8" refY="4" markerWidth="5" markerHeight="5" orient="auto">)"
     R"(<path class="head" d="M0 1 L8 4 L0 7 Z"/></marker>)";
 
-/// What a bar means; a later one is painted over an earlier one.
+/// The meanings of bars, in the order in which bars are painted.
 enum class Look : unsigned char { wait, ready, compute, execute, carry };
 
 struct LookStyle {
@@ -74,7 +74,7 @@ struct Bar {
     std::string subject; ///< what a processor executes
 };
 
-/// Joins bars that follow each other closely; their order becomes that of time.
+/// Sorts the bars by time, and joins bars that follow each other closely.
 std::vector<Bar> joined(std::vector<Bar> bars) {
     std::ranges::stable_sort(bars, {}, &Bar::from);
     std::vector<Bar> out;
@@ -88,7 +88,7 @@ std::vector<Bar> joined(std::vector<Bar> bars) {
 
 struct Row {
     std::string label;
-    double y = 0; ///< of its middle
+    double y = 0; ///< coordinate of the row's middle
     std::map<Look, std::vector<Bar>> bars = {};
 };
 
@@ -168,7 +168,7 @@ public:
         return pen_.document({{width / 2 - border, height / 2 - border / 2}, width, height}, style, head_of_messages);
     }
 
-    /// Returns a point of the row of a track; the middle of the row.
+    /// Returns the point at this time in the middle of the track's row.
     At at(std::size_t track, Time time) const {
         auto found = rows_.find(tracks_.all()[track].outermost);
         return {left_ + x(time), found == rows_.end() ? 0 : found->second.y};
@@ -221,7 +221,7 @@ private:
     const Tracks& tracks_;
     Time begin_;
     double span_ps_, left_ = 60, bottom_ = 0;
-    std::map<std::size_t, Row> rows_; ///< by the track of the outermost process
+    std::map<std::size_t, Row> rows_; ///< key: track of the outermost process
     std::vector<std::pair<double, std::string>> headings_;
     SvgPen pen_;
 };

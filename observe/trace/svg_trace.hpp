@@ -9,10 +9,11 @@
 
 namespace placedpar {
 
-/// Draws a trace as a timeline, SVG, for pages and papers. Each node is a group of rows: its processor, its processes,
-/// the directions of its links, its buses. A row without any slice is left out. A process and the components of its
-/// PARs share a row, which shows computing before waiting for the processor, and that before waiting for a partner.
-/// Bars that would touch at the drawing's resolution are joined. Arrows are the messages between rows.
+/// Draws a trace as a timeline in SVG, for pages and papers. Each node is a group of rows: its processor, its
+/// processes, the directions of its links, its buses. A row without any slice is left out. A process and the components
+/// of its PARs share a row. The row shows computing if one of them computes; otherwise waiting for the processor if one
+/// of them does; otherwise waiting for a partner. Bars that would touch at the drawing's resolution are joined. Arrows
+/// are the messages between rows.
 class SvgTrace final : public TraceWriter {
 public:
     /// Largest number of slices and messages of a drawing: more could not be told apart.

@@ -102,7 +102,7 @@ std::size_t Timeline::processor_of(const Lane& lane) const {
     return executive ? tracks_.of_place(executive->name()) : Tracks::none;
 }
 
-/// Notes a message. An inputter that waits continues later; its message arrives then. A process that does not wait gets
+/// Notes a message. A receiver that waits continues later; its message arrives then. A process that does not wait gets
 /// a new slice after the message.
 void Timeline::communicated(const AnyChannel& channel, Time now) {
     if (!taking(now) || now < window_.from)
@@ -149,7 +149,7 @@ void Timeline::turn_to(Lane& lane, Activity activity, Time now) {
     lane.partner = Tracks::none;
 }
 
-/// Ends the process's present slice. If it had stopped computing earlier, it has been ready since then.
+/// Ends the process's present slice. If the process stopped computing earlier, it has been ready since then.
 void Timeline::settle(Lane& lane, Time now) {
     if (std::optional<Time> stopped = std::exchange(lane.stopped, std::nullopt)) {
         close(lane, *stopped);
@@ -175,7 +175,7 @@ bool Timeline::close(Lane& lane, Slice slice) {
     return true;
 }
 
-/// Returns the slice of the present activity, from the end of the last slice.
+/// Returns the slice of the present activity, which ends at `end`.
 Slice Timeline::slice_of(const Lane& lane, Time end, bool open) const {
     Slice slice{lane.track, lane.activity, lane.since, end, open};
     if (!is_waiting(lane.activity))
@@ -186,8 +186,8 @@ Slice Timeline::slice_of(const Lane& lane, Time end, bool open) const {
     return slice;
 }
 
-/// Returns the process that came to the other end of the channel. If none has come, returns the last user of that end,
-/// or the outermost process to which it belonged; "" if unknown.
+/// Returns the process that came to the other end of the channel. If no process has come, returns the last user of this
+/// end, or the outermost process to which the user belonged; "" if unknown.
 std::string Timeline::partner(const Lane& lane, const AnyChannel& channel, bool open) const {
     if (lane.partner != Tracks::none)
         return tracks_.all()[lane.partner].name;
@@ -220,7 +220,7 @@ void Timeline::close_use(std::size_t track, Time now) {
     write({track, activity, use.since, end, !use.stopped, use.subject, use.bytes});
 }
 
-/// Writes the part of the slice in the window. Returns false if there is none.
+/// Writes the part of the slice in the window. Returns false if the slice has no such part.
 bool Timeline::write(Slice slice) {
     slice.begin = std::max(slice.begin, window_.from);
     if (slice.end < slice.begin || (slice.end == slice.begin && !(slice.open && is_waiting(slice.activity))))
@@ -247,8 +247,8 @@ void Timeline::place(const MessageEnd& end, std::size_t track, Time at) {
     messages_.erase(found);
 }
 
-/// Places messages with which the process ended at the end of its last slice. A process without any slice took no time,
-/// and its messages cannot be shown.
+/// Places the last messages of a process that has ended, at the end of its last slice. A process without any slice took
+/// no time, and its messages cannot be shown.
 void Timeline::give_up(Lane& lane) {
     for (const MessageEnd& message : std::exchange(lane.here, {}))
         if (lane.last_end)

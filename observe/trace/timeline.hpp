@@ -18,8 +18,7 @@ namespace placedpar {
 /// The part of a run that is traced.
 struct TraceWindow {
     Time from{}, until = Time::max();
-    std::size_t most_entries =
-        2'000'000; ///< largest number of slices and messages; the trace ends when it has this number
+    std::size_t most_entries = 2'000'000; ///< largest number of slices and messages, at which the trace ends
 
     bool is_part() const { return from > Time{} || until < Time::max(); }
 };
@@ -28,8 +27,8 @@ struct TraceWindow {
 const TraceWindow& require_time_in(const TraceWindow&);
 
 /// Converts the kernel's notices into slices on tracks. A slice ends when the process changes its activity. If a
-/// process computes again at once, its slice continues, unless a message was passed in between. A wait lasts until its
-/// process continues.
+/// process stops computing and computes again at the same time, its slice continues, unless a message was passed in
+/// between. A wait lasts until its process continues.
 class Timeline final : public ActivityLog<Timeline> {
 public:
     /// REQUIRES: the tracks and the writer outlive this object.
@@ -62,10 +61,11 @@ private:
         const Process* process;
         Activity activity;
         Time since;
-        std::optional<Time> stopped = {};         ///< when it stopped computing, unless it still computes
-        std::optional<Time> last_end = {};        ///< end of its last slice
-        std::size_t partner = Tracks::none;       ///< track of the partner of the present wait
-        std::vector<MessageEnd> here = {};        ///< message ends that belong to the next slice with a duration
+        std::optional<Time> stopped = {};   ///< time at which the process stopped computing; empty while the process
+                                            ///< computes
+        std::optional<Time> last_end = {};  ///< end of its last slice
+        std::size_t partner = Tracks::none; ///< track of the partner of the present wait
+        std::vector<MessageEnd> here = {};  ///< message ends that belong to the next slice with a duration
         std::vector<std::uint64_t> arriving = {}; ///< messages that end the present wait
         std::optional<Slice> last = {};           ///< slice at the end of the trace, once the trace has ended
         std::string path = {};                    ///< path of the process, once the trace has ended
@@ -109,9 +109,9 @@ private:
     Tracks& tracks_;
     TraceWindow window_;
     TraceWriter& writer_;
-    std::map<std::uint32_t, Lane> lanes_;       ///< processes that exist, by ordinal
-    std::map<std::size_t, Use> uses_;           ///< by track: the present use, or the last use if the track is idle
-    std::map<std::uint64_t, Message> messages_; ///< messages of which an end is not known yet
+    std::map<std::uint32_t, Lane> lanes_; ///< key: ordinal of a process that exists
+    std::map<std::size_t, Use> uses_;     ///< for each track: the present use, or the last use if the track is idle
+    std::map<std::uint64_t, Message> messages_; ///< messages with an end that is not known yet
     std::uint64_t message_count_ = 0;
     std::size_t entries_ = 0;
     std::optional<Time> full_at_;

@@ -11,14 +11,14 @@
 
 namespace placedpar {
 
-/// Throws UserError if the ending of the name is not that of a trace format.
+/// Throws UserError unless the name has the ending of a trace format.
 void require_trace_format(const std::filesystem::path&);
 
 /// A trace file. The ending of its name selects the format: .json (PerfettoTrace), .vcd (VcdTrace) or .svg (SvgTrace).
 /// A pipe or device without an ending gets JSON; standard output, "-", gets JSON, too.
 class TraceFile {
 public:
-    /// Throws UserError as require_trace_format(), and if the file cannot be written or the window is empty. The
+    /// Throws UserError as require_trace_format() does, and if the file cannot be written or the window is empty. The
     /// network is used only by the constructor.
     TraceFile(const std::filesystem::path&, const Network&, const TraceWindow&);
 

@@ -82,7 +82,7 @@ std::size_t Tracks::of(const Process& process) {
     return processes_[path];
 }
 
-/// Adds the track of a component, which is drawn below its parent's.
+/// Adds the track of a component, which is drawn below the track of its parent.
 void Tracks::add_component(const Process& process, const std::string& path) {
     std::size_t parent = of(*process.parent());
     if (parent == none)
@@ -95,8 +95,8 @@ void Tracks::add_component(const Process& process, const std::string& path) {
     tracks_.back().outermost = tracks_[parent].outermost;
 }
 
-/// Adds the track of a process of the machine. Returns false if no node executes it: it then takes no time and has no
-/// track.
+/// Adds the track of a process of the machine. Returns false if no node executes the process: it then takes no time and
+/// has no track.
 bool Tracks::add_machine_process(const Process& process, const std::string& path) {
     std::size_t processor = process.executive() ? of_place(process.executive()->name()) : none;
     if (processor == none)

@@ -12,8 +12,8 @@ namespace placedpar {
 
 namespace {
 
-/// The activities of a process that have a wire. Waiting for components has none, since their wires are the process's
-/// own.
+/// The activities of a process that have a wire. Waiting for components has no wire, since the components share the
+/// wires of their process.
 constexpr std::pair<Activity, const char*> wires_of_a_process[] = {
     {Activity::computing, "computes"},     {Activity::ready, "ready"},
     {Activity::inputting, "inputs"},       {Activity::outputting, "outputs"},
@@ -148,14 +148,15 @@ void VcdTrace::write_changes(Time begin, Time end) {
             file_.write(value_change(number, wire));
 }
 
-/// Applies the changes up to and including `until`; returns the first later one.
+/// Applies the changes up to and including `until`; returns the first later change.
 VcdTrace::Changes::const_iterator VcdTrace::make_changes(Changes::const_iterator next, Time until) {
     for (; next != changes_.cend() && next->at <= until; ++next)
         wires_[next->wire].tracks += next->by;
     return next;
 }
 
-/// Writes the changes of one time. A wire changes at most once at a time, so what takes no time is invisible.
+/// Writes the changes of one time. A wire changes at most once at a time, so an activity that takes no time is
+/// invisible.
 VcdTrace::Changes::const_iterator VcdTrace::write_moment(Changes::const_iterator first) {
     auto next = make_changes(first, first->at);
     std::string changes;

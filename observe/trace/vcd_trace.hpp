@@ -51,7 +51,7 @@ private:
     OutputFile& file_;
     const Tracks& tracks_;
     Changes changes_;
-    std::map<std::uint32_t, Wire> wires_; ///< by number
+    std::map<std::uint32_t, Wire> wires_; ///< key: number
 };
 
 } // namespace placedpar

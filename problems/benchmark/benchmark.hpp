@@ -4,7 +4,7 @@
 
 namespace placedpar {
 
-/// Adds the problems on which optimisers are usually compared, by name and numbers: functions of real numbers, binary
+/// Adds the problems on which optimisers are usually compared, with their parameters: functions of real numbers, binary
 /// strings, tours.
 void add_benchmark_problems(ProblemRegistry&);
 

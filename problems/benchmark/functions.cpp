@@ -24,7 +24,8 @@ double sum_of(std::span<const double> x, Term term) {
 
 double square(double x) { return x * x; }
 
-/// Returns a stream that depends on these numbers. Other numbers give another stream, as far as 64 bits can tell.
+/// Returns a random stream that depends on these numbers and the seed. Different numbers give different streams, apart
+/// from collisions of the 64-bit key.
 RandomStream stream_of(std::span<const double> x, std::uint64_t seed) {
     for (double each : x)
         seed = (seed ^ std::bit_cast<std::uint64_t>(each)) * 0x9e3779b97f4a7c15u + (seed >> 29);

@@ -12,15 +12,15 @@
 
 namespace placedpar {
 
-// Functions of several numbers that are to be minimised. The optimum is that over all real numbers: if it lies between
-// two codes, no string reaches it. F1 to F5 are K. De Jong's ("An analysis of the behavior of a class of genetic
-// adaptive systems", 1975), by default with his dimensions and bits.
+// Functions of several numbers that are to be minimised. The optimum is the minimum over all real numbers: if it lies
+// between two codes, no string reaches it. F1 to F5 are K. De Jong's ("An analysis of the behavior of a class of
+// genetic adaptive systems", 1975), by default with his dimensions and bits.
 
-/// The numbers of a function whose parameters all have the same range, low ... high.
+/// A base for functions whose parameters all have the same range, from low to high.
 template <class Function>
 struct OverBox {
     std::size_t dimensions = Function::usual_dimensions;
-    std::size_t bits = Function::usual_bits; ///< of each parameter
+    std::size_t bits = Function::usual_bits; ///< bits of each parameter
     static constexpr auto numbers() {
         return std::tuple(
             PolicyNumber{"dimensions", &Function::dimensions, Function::least_dimensions, 10000, "parameters"},
@@ -39,7 +39,7 @@ struct Sphere : OverBox<Sphere> {
     double objective(std::span<const double> x) const;
 };
 
-/// The sum of 100 (x_i^2 - x_(i+1))^2 + (1 - x_i)^2, least where all are 1.
+/// The sum of 100 (x_i^2 - x_(i+1))^2 + (1 - x_i)^2. Its minimum is where all x_i are 1.
 struct Rosenbrock : OverBox<Rosenbrock> {
     static constexpr std::string_view name = "rosenbrock",
                                       about = "Rosenbrock's saddle (De Jong's F2): a narrow valley that bends";
@@ -48,7 +48,7 @@ struct Rosenbrock : OverBox<Rosenbrock> {
     double objective(std::span<const double> x) const;
 };
 
-/// The sum of the parameters rounded down: -6 for each parameter at its lower end.
+/// The sum of the parameters, each rounded down. Its minimum is -6 for each parameter, at the lower end of the range.
 struct StepFunction : OverBox<StepFunction> {
     static constexpr std::string_view name = "step", about = "the sum of floors (De Jong's F3): a plateau at each step";
     static constexpr std::size_t usual_dimensions = 5, usual_bits = 10;
@@ -57,15 +57,16 @@ struct StepFunction : OverBox<StepFunction> {
     std::optional<double> optimum() const { return -6.0 * static_cast<double>(dimensions); }
 };
 
-/// The sum of i x_i^4 and a normal deviate. De Jong draws the deviate at each evaluation. Here it depends on the seed
-/// and the numbers themselves, so that an individual has the same noise in every evaluation. The optimum is unknown.
+/// The sum of i x_i^4 plus a normal deviate. De Jong draws the deviate at each evaluation. Here the deviate depends on
+/// the seed and the numbers themselves, so that an individual has the same noise in every evaluation. The optimum is
+/// unknown.
 struct Quartic : OverBox<Quartic> {
     static constexpr std::string_view name = "quartic",
                                       about = "the sum of i x_i^4 with noise (De Jong's F4); equal strings have equal "
                                               "noise";
     static constexpr std::size_t usual_dimensions = 30, usual_bits = 8;
     static constexpr double low = -1.28, high = 1.28;
-    double noise = 1; ///< standard deviation
+    double noise = 1; ///< standard deviation of the deviate
     std::size_t seed = 1;
     static constexpr auto numbers() {
         return std::tuple_cat(
@@ -77,7 +78,7 @@ struct Quartic : OverBox<Quartic> {
     std::optional<double> optimum() const;
 };
 
-/// Shekel's foxholes: 25 narrow holes in a plain, the deepest at (-32, -32).
+/// Shekel's foxholes: 25 narrow holes in a plain. The deepest hole is at (-32, -32).
 struct Foxholes {
     static constexpr std::string_view name = "foxholes", about = "Shekel's 25 foxholes in a plain (De Jong's F5)";
     std::size_t bits = 17;
@@ -99,7 +100,7 @@ struct Rastrigin : OverBox<Rastrigin> {
     double objective(std::span<const double> x) const;
 };
 
-/// 418.9829 n - the sum of x_i sin(sqrt(|x_i|)): the deepest valley lies at 420.9687, far from the second best.
+/// 418.9829 n - the sum of x_i sin(sqrt(|x_i|)). The deepest valley is at 420.9687, far from the second deepest.
 struct Schwefel : OverBox<Schwefel> {
     static constexpr std::string_view name = "schwefel",
                                       about = "Schwefel's function: the best valley is far from the second best";

@@ -42,8 +42,8 @@ double Landscape::objective(const Genome& genome) const {
     return sum;
 }
 
-/// Returns the best sum if the first k bits are `first`, bit by bit, keeping the best for each state of the last k
-/// bits.
+/// Returns the best sum among strings whose first k bits are `first`. Goes around the ring bit by bit, and keeps the
+/// best sum for each value of the last k bits.
 double Landscape::best_from(std::size_t first) const {
     std::size_t states = std::size_t{1} << k_;
     constexpr double never = -std::numeric_limits<double>::infinity();

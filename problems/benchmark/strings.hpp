@@ -26,8 +26,8 @@ struct OneMax {
 };
 
 /// Deceptive traps (D. Goldberg, "Simple genetic algorithms and the minimal, deceptive problem", 1987; K. Deb and D.
-/// Goldberg, "Analyzing deception in trap functions", 1993): a block of all ones counts its size, any other block the
-/// number of its zeros minus 1. Each bit by itself leads away from the optimum.
+/// Goldberg, "Analyzing deception in trap functions", 1993). A block of only ones counts its size, any other block the
+/// number of its zeros minus 1. Changes of single bits therefore lead away from the optimum.
 struct Trap {
     static constexpr std::string_view name = "trap",
                                       about = "deceptive traps: in each block, single bit changes lead away from the "
@@ -42,16 +42,18 @@ struct Trap {
     double optimum() const { return static_cast<double>(blocks * size); }
 };
 
-/// A sum of numbers, each chosen by k + 1 neighbouring bits of the string closed to a ring.
+/// A sum with one number for each bit of the string. The number depends on the bit and the k bits after it; after the
+/// last bit comes the first.
 class Landscape {
 public:
-    /// `contributions`: for each bit 2^(k + 1) numbers, by the bits i ... i + k read as a natural binary number.
-    /// REQUIRES: bits > k, bits * 2^(k + 1) contributions.
+    /// `contributions` holds 2^(k + 1) numbers for each bit, indexed by the bits i ... i + k read as a natural binary
+    /// number. REQUIRES: bits > k; bits * 2^(k + 1) contributions.
     Landscape(std::size_t bits, std::size_t k, std::vector<double> contributions);
 
     BitString representation() const { return BitString(bits_); }
     double objective(const Genome& genome) const;
-    /// Returns the exact optimum, by dynamic programming around the ring; nothing if that would take long.
+    /// Returns the exact optimum, computed by dynamic programming around the ring; nullopt if that would take more than
+    /// 2^24 steps.
     std::optional<double> optimum() const;
 
 private:
@@ -64,8 +66,8 @@ private:
     std::vector<double> contributions_;
 };
 
-/// NK landscapes (S. Kauffman, "The Origins of Order", 1993) with neighbouring bits, their contributions uniform in
-/// 0 ... 1 / bits.
+/// NK landscapes (S. Kauffman, "The Origins of Order", 1993) with neighbouring bits. The contributions are uniform
+/// between 0 and 1 / bits.
 struct NkLandscape {
     static constexpr std::string_view name = "nk",
                                       about = "a landscape in which the value of each bit depends on `k` neighbours, "

@@ -11,8 +11,8 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the length of a tour along a row and back if one number is 1, otherwise around the lattice, with one
-/// diagonal if both numbers are odd.
+/// Returns the length of the shortest tour. If one number is 1, the tour goes along the row and back. Otherwise all
+/// steps have length 1, except for one diagonal if both numbers are odd.
 double shortest_on_lattice(std::size_t rows, std::size_t columns) {
     auto cities = static_cast<double>(rows * columns);
     if (std::min(rows, columns) == 1)

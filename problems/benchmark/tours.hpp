@@ -23,7 +23,7 @@ public:
     explicit Tour(std::vector<City> cities, std::optional<double> shortest = std::nullopt);
 
     Permutation representation() const { return Permutation(cities_.size()); }
-    /// The length of the tour that visits the cities in this order and returns.
+    /// Returns the length of the tour that visits the cities in this order and ends at the first city.
     double objective(std::span<const std::size_t> order) const;
     std::optional<double> optimum() const { return shortest_; }
 
@@ -32,7 +32,7 @@ private:
     std::optional<double> shortest_;
 };
 
-/// Cities on a circle of radius 1; the shortest tour goes around it.
+/// Cities on a circle of radius 1; the shortest tour follows the circle.
 struct CircleTour {
     static constexpr std::string_view name = "tour-circle",
                                       about = "the travelling salesman with cities on a circle of radius 1";
@@ -43,8 +43,8 @@ struct CircleTour {
     Tour problem() const;
 };
 
-/// Cities on the crossings of a lattice of width 1. The shortest tour has only steps of 1, and one diagonal if the
-/// number of cities is odd.
+/// Cities on the crossings of a square lattice of spacing 1. The shortest tour has only steps of 1, and one diagonal if
+/// the number of cities is odd. In a single row, it goes along the row and back.
 struct LatticeTour {
     static constexpr std::string_view name = "tour-lattice",
                                       about = "the travelling salesman with cities on a lattice of spacing 1";

@@ -13,19 +13,19 @@
 
 namespace placedpar {
 
-/// How an error e of prediction enters the fitness, with the bias B: as printed in the thesis (1.7), B - e; or B - |e|;
-/// or with the square of 4.1 and 5.1, B - e^2.
+/// The form in which an error e of prediction enters the fitness, with the bias B: B - e, as printed in the thesis
+/// (1.7); B - |e|; or B - e^2, with the square of 4.1 and 5.1.
 enum class FitnessForm : unsigned char { as_printed, absolute, square };
 
 /// Identification of the coefficients of the plant of thesis equation 1.3,
 ///
 ///     y(k) = a1 y(k-1) + a2 y(k-2) + b0 (u(k) + b1 u(k-1)),
 ///
-/// with the string a1 | a2 | b0 | b1 of 10 bits each, between -5 and 5 (1.4 to 1.6). As in chapter 5 the input acts one
-/// sample later. The objective is the sum of the fitness over a window of the plant's record, or 0 if the sum is
-/// negative.
+/// with the string a1 | a2 | b0 | b1 of 10 bits each, between -5 and 5 (1.4 to 1.6). As in chapter 5, the input acts
+/// one sample later than in 1.3. The objective is the sum of the fitness over a window of the plant's record, or 0 if
+/// the sum is negative.
 struct CoefficientsProblem {
-    std::vector<Sample> window; ///< as plant_record() returns them
+    std::vector<Sample> window; ///< samples as plant_record() returns them
     FitnessForm form;
     double bias;
 
@@ -34,7 +34,7 @@ struct CoefficientsProblem {
     double objective(std::span<const double> coefficients) const;
 };
 
-/// That problem as netlists name it: "coefficients", "coefficients(form = 0, noise = 0.3)".
+/// CoefficientsProblem as netlists name it: "coefficients", "coefficients(form = 0, noise = 0.3)".
 struct Coefficients {
     static constexpr std::string_view name = "coefficients",
                                       about = "the coefficients of a second-order plant (thesis 1.3, 1.4)";

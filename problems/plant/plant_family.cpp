@@ -8,7 +8,7 @@ namespace placedpar {
 
 namespace {
 
-/// A plant problem, and the plant's parameters at the end of its record.
+/// A plant problem together with the plant's parameters at the end of its record.
 template <class Problem>
 struct PlantThatEnds : Problem {
     double a1;
@@ -16,17 +16,17 @@ struct PlantThatEnds : Problem {
     std::vector<double> true_parameters() const { return placedpar::parameters_of(Plant{.a1 = a1}); }
 };
 
-/// The numbers of an experiment.
+/// The parameters of an experiment, as a netlist states them.
 struct PlantFamily {
     static constexpr std::string_view name = "plant",
                                       about = "identification of chapter 5's plant, with a change of a1 and noise e";
     double a1 = PlantChange().a1, from = PlantChange().from, lasts = PlantChange().lasts;
     double noise = PlantExperiment().noise, c1 = 0, c2 = 0;
     std::size_t generations = PlantExperiment().generations, per_sample = PlantExperiment().per_sample;
-    std::size_t simulated = 0; ///< 1: y-hat is simulated inside the window; 0: predicted from measured outputs
+    std::size_t simulated = 0; ///< 1: y-hat is simulated inside the window; 0: y-hat is predicted from measured outputs
 
     static constexpr auto numbers() {
-        constexpr double widest = 1.67; // with a2 = -.7 the poles are a complex pair
+        constexpr double widest = 1.67; // between these limits the poles are a complex pair, since a2 = -.7
         return std::tuple(
             PolicyNumber{"a1", &PlantFamily::a1, -widest, widest,
                          "final value of the coefficient a1, which begins at 1.5 (Table 5.4)"},
@@ -58,7 +58,7 @@ PlantExperiment experiment_of(const std::vector<double>& numbers) {
     return make_policy<PlantFamily>(numbers).experiment();
 }
 
-/// Returns the settings with which chapter 5's pages search it.
+/// Returns the settings with which the pages of chapter 5 search the problem.
 RecordAdvice advice_for(const std::vector<double>& numbers) {
     auto plant = make_policy<PlantFamily>(numbers);
     return {.trials = plant.per_sample, .bias = plant.simulated ? 100.0 : 10.0};

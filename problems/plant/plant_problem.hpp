@@ -17,8 +17,8 @@ namespace placedpar {
 
 /// A plant in pole-zero form (thesis eq. 5.9): poles alpha +- j beta, zeros gamma +- j delta, gain b0, delay d.
 ///
-/// The plant of 5.8 has the zeros 0 and -.5, which are not a conjugate pair: here a negative delta stands for the real
-/// pair gamma +- |delta|, so that gamma = delta = -.25 is exactly that plant.
+/// The plant of 5.8 has the zeros 0 and -.5, which are not a conjugate pair. Therefore a negative delta stands for the
+/// real pair gamma +- |delta|: gamma = delta = -.25 is exactly the plant of 5.8.
 template <typename T>
 struct PoleZeroPlantOf {
     T d, alpha, beta, gamma, delta, b0;
@@ -43,8 +43,8 @@ private:
     void behind_the_delay(const Numerator& numerator, Weights& weights) const requires std::same_as<T, double> {
         std::copy(numerator.begin(), numerator.end(), weights.begin() + 1 + static_cast<int>(d));
     }
-    /// Sets the weights of several plants, each with its own delay: adds the numerator for each possible delay,
-    /// multiplied by 1 if it is the plant's and by 0 otherwise.
+    /// Sets the weights of several plants, each with its own delay. Adds the numerator at each possible delay,
+    /// multiplied by 1 at the plant's own delay and by 0 at the others.
     void behind_the_delay(const Numerator& numerator, Weights& weights) const {
         for (std::size_t delay = 1; delay + 3 < weights.size(); ++delay) {
             T here = max(T(0.0), 1 - abs(d - static_cast<double>(delay)));
@@ -55,12 +55,12 @@ private:
 };
 using PoleZeroPlant = PoleZeroPlantOf<double>;
 
-/// Returns d, alpha, beta, gamma, delta and b0 of a plant, whose zeros 0 and -b1 are a real pair. REQUIRES: complex
+/// Returns d, alpha, beta, gamma, delta and b0 of a plant. Its zeros 0 and -b1 are a real pair. REQUIRES: complex
 /// poles.
 std::vector<double> parameters_of(const Plant& plant);
 
-/// Identification of that plant as a search problem: the string d | alpha | beta | gamma | delta | b0 of 37 bits
-/// (Table 5.1), the error y(k) - y-hat(k) predicted from measured past outputs. A sample is plant_record's.
+/// Identification of a PoleZeroPlant as a search problem. The string d | alpha | beta | gamma | delta | b0 has 37 bits
+/// (Table 5.1). The error is y(k) - y-hat(k), predicted from measured past outputs. Samples come from plant_record().
 class PlantProblem {
 public:
     PlantProblem();
@@ -83,8 +83,7 @@ public:
         return error_of<double>(weights, sample);
     }
 
-    /// Returns the weights. A population is evaluated by its weights, so that error_of() does not use the delay as an
-    /// index.
+    /// Returns the weights as the parameters of an individual, so that error_of() does not use the delay as an index.
     template <BinaryString G>
     std::array<double, plant_channels - 1> parameters_of(const G& genome) const {
         return plant(genome).weights();
@@ -105,7 +104,7 @@ public:
     template <typename T, typename Output>
     static T predicted(std::span<const T> weights, const Output& last, const Output& before,
                        std::span<const double> sample) {
-        // Written out: a loop takes longer.
+        // Written out, because a loop takes longer.
         return weights[0] * last + weights[1] * before + weights[2] * sample[3] + weights[3] * sample[4] +
                weights[4] * sample[5] + weights[5] * sample[6] + weights[6] * sample[7] + weights[7] * sample[8];
     }
@@ -120,8 +119,8 @@ private:
     ParameterCoding coding_;
 };
 
-/// PlantProblem with the error of a simulation: the two outputs before the first sample of a window are measured; later
-/// ones are the simulated plant's own y-hat.
+/// A PlantProblem whose error comes from a simulation. The two outputs before the first sample of a window are
+/// measured; later outputs are the simulated plant's own y-hat.
 class SimulatedPlantProblem : public PlantProblem {
 public:
     template <typename T>

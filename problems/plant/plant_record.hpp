@@ -13,26 +13,26 @@ class RandomStream;
 ///
 ///     y(k) = a1 y(k-1) + a2 y(k-2) + b0 (u(k-d) + b1 u(k-d-1)) + e(k) + c1 e(k-1) + c2 e(k-2)
 ///
-/// Equation 5.8 has u(k), that is d = 0, which is outside the search space of Table 5.1; here d is 1.
+/// Equation 5.8 has u(k), that is d = 0, which is outside the search space of Table 5.1. Therefore d is 1 here.
 struct Plant {
     double a1 = 1.5, a2 = -0.7, b0 = 1, b1 = 0.5;
     std::size_t delay = 1; ///< in samples, 1 to 4
 };
 
-/// The pole alpha + j beta, beta >= 0, of y(k) = a1 y(k-1) + a2 y(k-2). REQUIRES: a complex pair.
+/// The pole alpha + j beta, beta >= 0, of y(k) = a1 y(k-1) + a2 y(k-2). REQUIRES: the poles are a complex pair.
 struct Pole {
     double alpha, beta;
 };
 Pole pole_of(double a1, double a2);
 
-/// How a1 changes during an experiment, from 1.5 in a straight line. The default is that of Table 5.4, which prints a1
-/// = -1.5 + 1.0 (gen - 200). The printed sign belongs to A(q^-1), and the printed plant would be unstable from the
-/// second generation on. Here the change lasts as long as in the table: a1 = 1.5 - (gen - 200) / 200 until generation
-/// 400.
+/// The change of a1 during an experiment, from 1.5 in a straight line. The default follows Table 5.4, which prints the
+/// change as a1 = -1.5 + 1.0 (gen - 200). This sign belongs to the coefficient in A(q^-1), and with this slope the
+/// plant would be unstable from the second generation on. Here the change takes the time of the table: a1 = 1.5 - (gen
+/// - 200) / 200 until generation 400.
 struct PlantChange {
     double a1 = 0.5;    ///< value at the end
-    double from = 200;  ///< generation
-    double lasts = 200; ///< generations; 0: at once
+    double from = 200;  ///< generation at which the change begins
+    double lasts = 200; ///< duration in generations; 0: a step
 
     static const PlantChange none, ramp, step;
 };
@@ -40,19 +40,19 @@ inline constexpr PlantChange PlantChange::none{.a1 = 1.5}, PlantChange::ramp{}, 
 
 double a1_at(const PlantChange& change, double generation);
 
-/// An experiment on the plant as chapter 5 describes it: input +-1 by pseudo random bits of four samples.
+/// An experiment on the plant as chapter 5 describes it. The input is +-1 by pseudo random bits, each of which lasts
+/// four samples.
 struct PlantExperiment {
     PlantChange change = PlantChange::ramp;
     double noise = 0;               ///< standard deviation of e, which is Gaussian
-    std::array<double, 2> colour{}; ///< c1, c2: white noise
-    std::size_t generations = 601;  ///< in Table 5.4, 0 to 600
+    std::array<double, 2> colour{}; ///< c1 and c2; 0: the noise is white
+    std::size_t generations = 601;  ///< number of generations; Table 5.4 has 0 to 600
     std::size_t per_sample = 3;     ///< generations between two samples; chapter 5 does not state it
     std::size_t window = 30;        ///< samples available at generation 0
     std::size_t settling = 80;      ///< samples simulated first and left out of the record
 
-    /// Samples that arrive from generation 0 on. REQUIRES: per_sample > 0.
+    /// Returns the number of samples that arrive from generation 0 on. REQUIRES: per_sample > 0.
     std::size_t samples() const { return (generations + per_sample - 1) / per_sample; }
-    /// Returns the number of samples in the whole record.
     std::size_t record_length() const { return window - 1 + samples(); }
 };
 
@@ -60,9 +60,10 @@ struct PlantExperiment {
 inline constexpr std::size_t plant_inputs = 6;
 inline constexpr std::size_t plant_channels = 3 + plant_inputs;
 
-/// Returns the measured record: `window` - 1 samples before generation 0, then one at generation 0, `per_sample`, ...
-/// The stream supplies the start of the input's period (one number) and two numbers a sample for the noise, if there is
-/// any. Throws UserError if there is no window, no generation per sample, or if the noise is negative or not a number.
+/// Returns the measured record: `window` - 1 samples before generation 0, one at generation 0, and one every
+/// `per_sample` generations. The stream supplies one number for the start of the input's period and, if there is noise,
+/// two numbers per sample. Throws UserError if the window or `per_sample` is 0, or if the noise is negative or not a
+/// number.
 std::vector<std::vector<double>> plant_record(const PlantExperiment& experiment, RandomStream random);
 
 } // namespace placedpar

@@ -5,12 +5,12 @@
 namespace placedpar {
 
 /// A pseudo random binary sequence of period 127, from a shift register of seven bits (x^7 + x^6 + 1). In each period
-/// every pattern of seven bits but seven zeros occurs once.
+/// every pattern of seven bits except seven zeros occurs once.
 class PseudoRandomBits {
 public:
     static constexpr std::size_t period = 127;
 
-    /// Starts `start` bits into the period. REQUIRES: start < period.
+    /// Starts the sequence after the first `start` bits of the period. REQUIRES: start < period.
     explicit PseudoRandomBits(std::size_t start = 0);
     bool next();
 

@@ -1,4 +1,4 @@
-"""Tests colours on a terminal, and only there, by reading the program's output through a pseudo-terminal."""
+"""Tests that only terminals get colours; reads the program's output through a pseudo-terminal."""
 
 import os
 import pty

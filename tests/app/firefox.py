@@ -66,6 +66,6 @@ class Firefox:
         self.command("WebDriver:Navigate", {"url": address})
 
     def run(self, script):
-        """Returns the result of the script, which runs like one of the page's own."""
+        """Returns the result of the script, which runs like a script of the page."""
         script = f"return window.eval({json.dumps('(() => {' + script + '})()')})"
         return self.command("WebDriver:ExecuteScript", {"script": script, "args": []})["value"]

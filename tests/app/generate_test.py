@@ -64,8 +64,8 @@ class Generate(unittest.TestCase):
                 self.assertFalse(os.path.exists(path), words)
 
     def test_the_time_for_a_check_grows_with_the_ways_to_the_host(self):
-        """With four times the islands there are four times the routes, each twice as long, so the check takes some
-        seven times as long. Asking all processors for each route would take twelve times."""
+        """The larger machine has four times the islands and routes, and its routes have twice the length. Its check
+        takes about seven times the time; if each route needed a search of all processors, it would take twelve times."""
         with tempfile.TemporaryDirectory() as folder:
             def seconds(path):
                 before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime

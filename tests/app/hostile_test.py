@@ -14,7 +14,7 @@ import xml.dom.minidom
 from program import EXAMPLES, PROGRAM
 from results_file import opened, renew_checksums
 
-EVIL = b"evil\x1b[1;31m\xff\xc2\x9b\x7f"  # the sequence of a colour of ours, a byte that is no UTF-8, a control character of two bytes
+EVIL = b"evil\x1b[1;31m\xff\xc2\x9b\x7f"  # a colour sequence that the program uses, a byte that is not UTF-8, a control character of two bytes
 COMMSTIME = EXAMPLES / "csp/commstime" / "commstime.cfs"
 NETLIST = EVIL + b".cfs"
 REFUSED = EVIL + b" refused.cfs"

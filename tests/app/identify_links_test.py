@@ -35,8 +35,8 @@ class Links(unittest.TestCase):
         return [(link, [flag["kind"] for flag in link["flags"]] + alarms) for link in links], run.stdout
 
     def test_an_answer_that_is_off_by_more_than_a_tenth_is_flagged_in_all_but_one_of_a_hundred(self):
-        """Least squares is off by 7 % for the bucket in c and e, so a few answers just beyond 10 % go unflagged. With
-        these seeds there is one: seed 6 without noise in e."""
+        """Least squares is off by 7 % for the bucket in configurations c and e, so a few answers just beyond 10 % have no
+        flag. With these seeds it is one answer: seed 6 without noise in configuration e."""
         silent, right, trusted = [], 0, 0
         for configuration, links in CONFIGURATIONS.items():
             for noise, seed in (("none", 1), ("none", 6), ("none", 8), ("low", 2)):

@@ -11,7 +11,7 @@ from program import CLUSTER, EXAMPLES, FIGURE_E2, placedpar
 
 RECORDS = EXAMPLES / "hydraulics" / "records"
 STEP = RECORDS / "boom-4deg.csv"
-MATRIX = EXAMPLES / "csp" / "matrix" / "matrix.cfs"  # nothing in it searches
+MATRIX = EXAMPLES / "csp" / "matrix" / "matrix.cfs"  # no process of this netlist searches
 TRUTH = 0.0086
 
 
@@ -141,7 +141,7 @@ class Identification(unittest.TestCase):
         gap = self.rows(lambda row: None if 0.39 < float(row[0]) < 0.45 else row)
         result = self.result(gap)
         times = [estimate["time_s"] for estimate in result["estimates"]]
-        # The first slope after the gap is that of 0.5 s, so the window's fifth sample is that of 0.58 s.
+        # The first slope after the gap is at 0.5 s, so the window's fifth sample is at 0.58 s.
         self.assertEqual([time for time in times if 0.35 < time < 0.579], [])
         self.assertIn(0.58, times)
         self.assertEqual(result["warnings"][0]["message"], "3 samples are missing before this one")
@@ -248,7 +248,7 @@ class Identification(unittest.TestCase):
         self.assertIn("is one of a pair", self.refused(STEP, "--on", self.file("pair.cfs", text)))
 
     def test_processes_that_do_not_find_the_same_end_with_3(self):
-        # This crossover is not the one that identify uses.
+        # identify uses another crossover.
         other = self.file("other.cfs", """
             T800 t; workstation sun; connect sun.link[0] to t.link[0];
             process host, master;

@@ -1,4 +1,4 @@
-"""Tests studies that compare their figures with known ones: the printed text and the exit code."""
+"""Tests studies that compare their figures with known figures: the printed text and the exit code."""
 
 import pathlib
 import tempfile

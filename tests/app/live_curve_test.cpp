@@ -19,7 +19,7 @@ std::size_t columns_of(const std::string& line) {
 
 } // namespace
 
-TEST_CASE("a curve by hand") {
+TEST_CASE("the curve of five generations equals a curve drawn by hand") {
     GenerationLog log({"east"});
     for (std::uint64_t g = 1; g <= 5; ++g)
         test::tell(log, "east", g, {0, static_cast<double>(2 * g)});
@@ -33,7 +33,7 @@ TEST_CASE("a curve by hand") {
                                     });
 }
 
-TEST_CASE("the curve is drawn before the first generation, and if it is level") {
+TEST_CASE("an empty curve and a level curve are drawn") {
     GenerationLog log({"east"});
     CHECK(state_of(log).empty());
     CHECK(live_curve(log, 40, 3) == std::vector<std::string>(6));
@@ -41,7 +41,7 @@ TEST_CASE("the curve is drawn before the first generation, and if it is level") 
     CHECK(live_curve(log, 40, 3).at(2) == "           |*");
 }
 
-TEST_CASE("a curve of many generations fits its columns and shows the last") {
+TEST_CASE("a curve of many generations fits its columns and shows the last generation") {
     GenerationLog log({"east", "west"});
     for (std::uint64_t g = 1; g <= 1000; ++g)
         for (const char* search : {"east", "west"})

@@ -85,7 +85,7 @@ MADE_UP = {
 
 
 def random_network(seed):
-    """Makes transputers with randomly wired links; single ones and arrays."""
+    """Makes single transputers and arrays with randomly wired links."""
     stream = random.Random(seed)
     names = [f"s{i}" for i in range(stream.randrange(1, 7))] + [f"t[{i}]" for i in range(stream.randrange(2, 12))]
     ends = [f"{name}.link[{link}]" for name in names for link in range(3)]

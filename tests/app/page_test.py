@@ -337,7 +337,7 @@ class Pages(unittest.TestCase):
                 check_nothing_is_cut(self, self.chromium, f"{(self.folder / 'run.html').as_uri()}#view={view}", text)
 
     def test_the_time_for_a_page_grows_with_the_machine(self):
-        """Four times the islands take four to six times as long; a comparison of all pairs would take 16 times."""
+        """A machine with four times the islands takes four to six times the time; comparing all pairs would take 16 times."""
         def seconds(size):
             netlist = self.folder / f"torus-{size}.cfs"
             netlist.write_text(placedpar("generate", "torus", "--size", f"{size}x{size}", "--host", "node").stdout, encoding="utf-8")

@@ -237,7 +237,7 @@ class Pictures(unittest.TestCase):
                 self.assertTrue(Box(box.left - 1, box.top - 1, box.right + 1, box.bottom + 1).contains(x, y), wire)
 
     def test_the_time_for_a_drawing_grows_with_the_machine(self):
-        """Four times the machine takes at most about four times as long; quadratic time would be far more."""
+        """A machine of four times the size takes at most about four times the time; quadratic time would be 16 times."""
         def seconds(size):
             self.path.write_text(f"val n {size};\n" + TORUS, encoding="utf-8")
             least = math.inf

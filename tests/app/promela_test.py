@@ -14,7 +14,7 @@ PHILOSOPHERS = EXAMPLES / "csp/philosophers" / "philosophers.cfs"
 
 
 def can_get_stuck(netlist, *settings):
-    """Whether Spin finds an end state in which a process still waits."""
+    """Returns whether Spin finds an end state in which a process still waits."""
     with tempfile.TemporaryDirectory() as folder:
         model = placedpar("show", netlist, "--format", "promela", *settings)
         assert model.returncode == 0, model.stderr

@@ -74,9 +74,9 @@ class Replay(unittest.TestCase):
         self.assertEqual(run.returncode, 3, run.stdout)
         missed = {(c["row"], c["column"]) for c in document["cells"]
                   if abs(c["simulated"] - c["thesis"]) > 0.01 * c["tolerance_percent"] * c["thesis"]}
-        self.assertLessEqual(len([row for row, _ in missed if row in ("T_exe", "T_sr")]), 1)  # of 8: they hardly judge
+        self.assertLessEqual(len([row for row, _ in missed if row in ("T_exe", "T_sr")]), 1)  # at most 1 of 8 cells
         communication = document["other_readings"][0]
-        self.assertEqual(communication["reading"], "what judges the communication")
+        self.assertEqual(communication["reading"], "cells that judge the communication")
         self.assertFalse(communication["within_tolerance"])
 
     def test_examples_that_were_changed_are_refused_not_called_a_defect(self):
@@ -134,7 +134,7 @@ class Replay(unittest.TestCase):
             for table in tables[1::2]:
                 after = {cell["column"]: cell["simulated"] for cell in table["cells"]
                          if cell["row"] == "last answer after"}
-                # 16 T800s are about 10.4 times as fast as one of 20 MHz (Table E.2): their samples are the same.
+                # The speed-up of 16 T800s over one T800 of 20 MHz is about 10.4 (Table E.2), for the same samples.
                 self.assertAlmostEqual(after["GA, 1 T800"] / after["PGA, fittest"], 10.4, 0)
 
     def test_a_study_goes_on_where_it_was_killed(self):

@@ -283,8 +283,8 @@ class BadInput(InFolder):
         self.assertRegex(self.sweep(*many, code=1), r"1,000,000,000 runs of about \S+ s, \d+ \w+ on \d+ cores?; add --yes")
 
     def test_nothing_large_is_run_before_the_question(self):
-        # The last combination has 4,000 transputers. One combination in a hundred is refused, as are more than a
-        # thousand at the start.
+        # The last combination has 4,000 transputers. One combination in a hundred is refused, and so are more than a
+        # thousand combinations at the start.
         many = FIGURE_E2, "slaves=0..999", "population=1..1000", "master.trials=1..1000"
         self.assertIn("1,000,000,000 runs of about", self.sweep(*many, code=1))
 

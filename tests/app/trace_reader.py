@@ -13,7 +13,7 @@ import re
 Slice = collections.namedtuple("Slice", "begin end name category arguments open")
 Arrow = collections.namedtuple("Arrow", "name source left target arrived")
 
-PICOSECONDS = 1_000_000  # in a microsecond
+PICOSECONDS = 1_000_000  # picoseconds in a microsecond
 
 
 def picoseconds(microseconds):
@@ -108,7 +108,7 @@ class JsonTrace:
         return [each for each in self.slices[track] if each.category == category]
 
     def processes(self):
-        """Returns the tracks of processes, without those of components."""
+        """Returns the tracks of processes, without tracks of components."""
         return [t for t in self.tracks if "/" not in t and not t.startswith("processor ") and " -> " not in t]
 
     def components(self, process):

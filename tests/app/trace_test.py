@@ -103,7 +103,7 @@ class Traces(unittest.TestCase):
         for name, intervals in executed.items():
             computed = [(s.begin, s.end) for s in trace.of_category(name, "compute")]
             self.assertEqual(measure(intervals + computed), measure(intervals), name)
-            # The rest is the time to interrupt another process, during which this one still waits.
+            # The rest is the time to interrupt another process, during which this process still waits.
             waited = [(s.begin, s.end) for s in trace.of_category(name, "wait")]
             self.assertEqual(measure(intervals + computed + waited), measure(computed + waited), name)
             self.assertLess(measure(intervals) - measure(computed), 0.1 * measure(intervals), name)
@@ -131,7 +131,7 @@ class Traces(unittest.TestCase):
         self.assertGreater(len(either), 30)
         # The master's own evaluator finishes first in each generation.
         self.assertLessEqual({s.name for s in alternations[10:]} - {either[0].name},
-                             {"alternates: input from slave[0]/0/1",  # at first, the next name, from the other end:
+                             {"alternates: input from slave[0]/0/1",  # the next name occurs at first, from the other end:
                               "alternates: input from slave[0]/0/1 or share of master done"})
         for each in either:
             self.assertEqual(each.category, "wait")

@@ -1,4 +1,4 @@
-// The classical networks of the examples, against what is known of them.
+// Tests the classical networks of the examples against their known results.
 
 #include "classics/kinds.hpp"
 
@@ -40,7 +40,7 @@ RunReport run_buffer(int capacity) {
 
 } // namespace
 
-TEST_CASE("philosophers starve in a circle; with a butler all of them eat") {
+TEST_CASE("philosophers in a circle deadlock; with a butler all of them eat") {
     CHECK(run_example("csp/philosophers/philosophers.cfs").result.ending == Ending::completed);
     RunReport starved = run_example("csp/philosophers/philosophers.cfs", {{"butler", "0"}});
     REQUIRE(starved.result.ending == Ending::stuck);
@@ -71,7 +71,8 @@ TEST_CASE("a sieve with more processes than primes ends, and one with fewer pass
     CHECK(more.result.ending == Ending::completed);
     CHECK(more.measured("sieve[3]", "prime") == 7);
     CHECK(more.measured("sieve[4]", "prime") == 0);
-    CHECK(run_example("csp/sieve/sieve.cfs", {{"primes", "4"}}).measured("sieve[3]", "passed") == 21); // primes over 7
+    // There are 21 primes above 7.
+    CHECK(run_example("csp/sieve/sieve.cfs", {{"primes", "4"}}).measured("sieve[3]", "passed") == 21);
 }
 
 TEST_CASE("the mesh multiplies vectors by its matrix") {

@@ -156,18 +156,18 @@ def summary(data, tree):
         count[row["verdict"]] += len(items_of(row))
     lines = ["| verdict | items | meaning |", "|---|---|---|"]
     lines += [f"| {verdict} | {count[verdict]} | {meaning} |" for verdict, meaning in data["verdicts"].items()]
-    lines += ["", "What does not hold, or only in part:", "", "| of the thesis | verdict |", "|---|---|"]
+    lines += ["", "These items do not hold, or hold only in part:", "", "| item of the thesis | verdict |", "|---|---|"]
     for verdict in FAILS:
         lines += [f"| {linked(row)} | {verdict}: {row['why']} |" for row in data["row"] if row["verdict"] == verdict]
     judged = {(page_of(row), row["command"]): cells_of(row, tree)[0] for row in data["row"] if row.get("command")}
-    return lines + ["", f"Cells judged against the thesis, those of each replay counted once: {sum(judged.values())}."]
+    return lines + ["", f"The replays judge {sum(judged.values())} cells against the thesis; a replay of several items counts once."]
 
 
 def generated(data, tree):
     """Returns the generated part of README.md."""
     lines = summary(data, tree)
     for chapter, title in data["chapters"].items():
-        lines += ["", f"## {title}", "", "| of the thesis | what it shows | command | verdict | cells |", "|---|---|---|---|---|"]
+        lines += ["", f"## {title}", "", "| item of the thesis | what it shows | command | verdict | cells |", "|---|---|---|---|---|"]
         lines += [row_text(row, tree) for row in data["row"] if chapter_of(row) == chapter]
     return "\n".join([BEGIN, *lines, END])
 

@@ -4,7 +4,7 @@
 usage: false_misses.py PROGRAM [FIRST LAST [REPLAY...]]
 
 Runs the replays of chapter 3 that identify, each with the seeds FIRST to LAST, and prints of each how many runs missed
-and in which cells. docs/reference/hydraulics.md states the rate of at most 1 % that the tolerances are made for: the exit code is
+and in which cells. experiments/README.md states the rate of at most 1 % that the tolerances are made for: the exit code is
 3 when a replay misses so often that at that rate fewer than one in a hundred such studies would. The
 tolerances were made with the seeds 201 to 260, so that those say nothing.
 """

@@ -41,7 +41,7 @@ private:
     RandomStream random_;
 };
 
-/// The islands of a search, and what their netlists say beside the settings.
+/// The islands of a search, and the parts of their netlists that are not settings.
 struct Combination {
     std::string problem;
     std::string coding, reproduction, crossover, mutation; ///< "": the problem's usual policy
@@ -143,7 +143,7 @@ IslandNetlist netlist_of(const Combination& all, bool recorded, Dice& dice) {
     return netlist;
 }
 
-/// Returns machines that differ only in what must not change the search.
+/// Returns machines that differ only in properties that must not change the search.
 std::vector<IslandNetlist> machines(IslandNetlist netlist, Dice& dice) {
     using On = IslandNetlist::On;
     std::vector<IslandNetlist> all;
@@ -168,7 +168,7 @@ std::string all_figures(const RunReport& report, const Network& network) {
                        to_string(report.result.time), figures_text(figures_of(report, network)));
 }
 
-/// Checks that a run repeated by a worker with another seed reports what a separate run with that seed reports.
+/// Checks that a worker's repetition of a run with another seed reports the same as a separate run with that seed.
 void check_repeated(const Network& network, std::uint64_t seed, const RunReport& report, Counts& counts) {
     ProblemRegistry problems = known_problems(seed), of_another = known_problems(seed + 1);
     Catalogue kinds = known_kinds(problems), kinds_of_another = known_kinds(of_another);

@@ -72,7 +72,7 @@ TEST_CASE("a wrong machine's file is refused with the place and remedy of each f
     CHECK(said.find(":3:17: error: boom.inlet_area cannot be 0\n") != said.npos);
 }
 
-TEST_CASE("of many faults the first twenty are shown and the rest counted") {
+TEST_CASE("the first twenty faults are shown, and the others are counted") {
     std::string text = header_of_machine;
     for (int i = 0; i < 25; ++i)
         text += "boom.inlet_aera,1,in^2,ours,\n";

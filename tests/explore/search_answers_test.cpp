@@ -1,4 +1,4 @@
-// Tests which answers are kept of a run with several searches.
+// Tests which answers of a run with several searches are kept.
 
 #include "explore/search_answers.hpp"
 
@@ -21,7 +21,7 @@ const std::filesystem::path sixteen = PLACEDPAR_SOURCE_DIR "/examples/thesis/fig
 
 const std::vector<std::string> masters{"master[0]", "master[1]", "master[2]", "master[3]"};
 
-/// Figure E.2's run on the boom, observed.
+/// An observed run of Figure E.2 on the boom.
 struct ObservedRun {
     ProblemRegistry problems;
     SearchAnswers answers;
@@ -62,7 +62,7 @@ TEST_CASE("both problems of the boom have its compliance as the answer") {
     }
 }
 
-TEST_CASE("the boom's areas by voltage are not those by the spool") {
+TEST_CASE("the boom's areas by voltage differ from its areas by spool") {
     const ProblemRegistry problems = known_problems(1);
     const auto &by_spool = problems.find("boom").record(), &by_voltage = problems.find("boom-by-voltage").record();
     REQUIRE(by_spool.size() == by_voltage.size());

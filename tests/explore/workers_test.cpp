@@ -45,7 +45,7 @@ TEST_CASE("the exception of the first worker is rethrown when all workers have e
     CHECK(ended == 3);
 }
 
-TEST_CASE("every piece of work is done once, however many there are") {
+TEST_CASE("every piece of work is done once, however many pieces there are") {
     for (std::size_t pieces : {std::size_t{0}, std::size_t{1}, 3 * count_cores() + 1}) {
         std::vector<std::atomic<int>> done(pieces);
         const Interruption none;
@@ -56,7 +56,7 @@ TEST_CASE("every piece of work is done once, however many there are") {
     }
 }
 
-TEST_CASE("an interruption reaches running pieces and prevents further ones") {
+TEST_CASE("an interruption reaches running pieces and prevents further pieces") {
     Interruption interruption;
     std::atomic<std::size_t> begun = 0;
     auto work = [&](std::size_t, Interruption& own) {

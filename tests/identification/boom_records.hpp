@@ -13,7 +13,7 @@
 
 namespace placedpar {
 
-/// Returns a measured record of scenario A; each seed gives another one.
+/// Returns a measured record of scenario A; each seed gives another record.
 inline hydraulics::Record boom_measured(double duration_s, const hydraulics::MeasurementNoise& noise,
                                         std::uint64_t seed, double true_compliance = 0.0086) {
     hydraulics::ExcavatorScenario scenario = hydraulics::single_boom_scenario();

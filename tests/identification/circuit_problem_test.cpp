@@ -16,11 +16,11 @@ TEST_CASE("the string is a natural binary number of 10 bits over 0 ... 0.1") {
     auto compliance = [&](const char* text) { return problem.decode(Genome::from_string(text)).at(0); };
     CHECK(compliance("0000000000") == 0);
     CHECK(compliance("0000000001") == test::nearly(0.1 / 1024));
-    CHECK(compliance("0001011000") == test::nearly(0.00859375)); // 88
+    CHECK(compliance("0001011000") == test::nearly(0.00859375)); // code 88
     CHECK(compliance("1111111111") == test::nearly(0.1 * 1023 / 1024));
 }
 
-TEST_CASE("the string has any number of bits for each link, the first worth half of the range") {
+TEST_CASE("a compliance may have any number of bits, and the first is worth half of the range") {
     for (std::size_t bits : {1u, 10u, 12u, 32u}) {
         CircuitProblem problem(boom_circuit(), rounded_flow_constants(), bits);
         CHECK(problem.bits() == bits);
@@ -48,7 +48,7 @@ TEST_CASE("the SearchProblem interface gives the problem's own fitness") {
                                           InletFlow::absolute));
 }
 
-TEST_CASE("a circuit of no link, or of more than four, is refused") {
+TEST_CASE("a circuit without links, or with more than four, is refused") {
     CHECK_THROWS_WITH_AS(CircuitProblem({}, rounded_flow_constants()), "the circuit has 0 junctions, expected 1 to 4",
                          std::invalid_argument);
 }

@@ -27,13 +27,13 @@ const std::array<double, 1> far{0.03};
 
 } // namespace
 
-TEST_CASE("least squares finds the compliance of the motion without noise, from afar") {
+TEST_CASE("least squares finds the compliance of the motion without noise from a distant start") {
     auto fit = fit_compliances(boom_circuit(), samples_of(no_noise, 1), fitted_flow_constants(), far);
     REQUIRE(fit);
-    CHECK(std::abs(fit->compliance_in3_per_psi[0] / 0.0086 - 1) < 0.02); // the error of the line fits themselves
+    CHECK(std::abs(fit->compliance_in3_per_psi[0] / 0.0086 - 1) < 0.02); // the error of the line fits remains
 }
 
-TEST_CASE("the standard error of least squares is the scatter of the answers over seeds") {
+TEST_CASE("the standard error of least squares agrees with the scatter of the answers over seeds") {
     double sum = 0, squares = 0, stated = 0;
     constexpr int seeds = 100;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
@@ -79,8 +79,8 @@ TEST_CASE("the exhaustive optimum is the best of all codes evaluated one by one"
     CHECK(found.fitness == greatest);
 }
 
-TEST_CASE("the optimum of an exact sample is its true pair of codes") {
-    // The worked junction of the design notes, with slopes for which the compliances matter.
+TEST_CASE("the optimum of an exact sample is the true pair of codes") {
+    // The two junctions of circuit_error_test.cpp, with slopes for which the compliances matter.
     Circuit two = circuit_of(Configuration::a, {Link::bucket, Link::boom});
     double unit = 0.1 / 16;
     CircuitSample sample{

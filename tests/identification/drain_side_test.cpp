@@ -41,7 +41,7 @@ Identified identify_drain_of(const Record& record, std::uint64_t seed) {
 } // namespace
 
 TEST_CASE("the compliance of the drain side is found within 10 % on the measured machine") {
-    for (double truth : {0.006, 0.012}) // the inlet side's, 0.0086, is within 10 % of neither
+    for (double truth : {0.006, 0.012}) // neither is within 10 % of the inlet side's 0.0086
         for (std::uint64_t seed = 3001; seed <= 3010; ++seed) {
             const Identified found = identify_drain_of(measured(seed, truth), seed);
             CAPTURE(seed);
@@ -73,7 +73,7 @@ TEST_CASE("the error of the drain side is that of equation 3.4") {
           doctest::Approx(std::abs(piston - compliance * slope - drained)));
 }
 
-TEST_CASE("the drain sides of other links, and areas as they were read, are refused") {
+TEST_CASE("the drain sides of other links, and measured areas, are refused") {
     const Record record = measured(1, 0.006);
     auto refusal = [&](Question question) -> std::string {
         try {

@@ -1,4 +1,4 @@
-// Tests the estimate when the motion no longer excites the compliance (thesis 3.2, the end).
+// Tests the estimate when the motion no longer excites the compliance (end of thesis 3.2).
 #include "boom_records.hpp"
 #include "text/statistics.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint64_t seeds = 50;
 constexpr double truth = 0.0086;
 
-/// Searches during four seconds of motion, all of it usable: 5 generations a sample.
+/// Searches during four seconds of motion. All samples are usable, with 5 generations per sample.
 Identified follow(IdentificationWay way, std::uint64_t seed) {
     way.usable.count = 150;
     return identify_boom(boom_measured(4, low_noise, seed), way, seed);
@@ -36,7 +36,7 @@ TEST_CASE("without the gate the estimate is lost by generation 400, as the thesi
     CHECK(lower_median(late) >= 30);
 }
 
-TEST_CASE("with the gate the estimate stays right, unchanged to the bit") {
+TEST_CASE("with the gate the estimate stays accurate, and is frozen to the bit") {
     std::vector<double> errors;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         IdentificationWay way = thesis_way();

@@ -20,13 +20,13 @@ using namespace placedpar::identification;
 
 namespace {
 
-/// Restricts a way to the rising part of the transient, where an offset shows most.
+/// Restricts the settings to the rising part of the transient, where an offset has the greatest effect.
 IdentificationWay rising(IdentificationWay way) {
     way.usable.rising = true;
     return way;
 }
 
-/// With an elite and Gray code, hardly any record's answer is missed.
+/// Returns settings with an elite and Gray code, with which hardly any search misses the answer.
 IdentificationWay careful_way() {
     IdentificationWay way = thesis_way();
     way.coding = Coding::gray;
@@ -72,7 +72,7 @@ TEST_CASE("angles in radians flag the answer as uncertain, and a constant spool 
     }
 }
 
-TEST_CASE("a calibrated offset is flagged if it may be a leak: above 0 by more than sensor and error") {
+TEST_CASE("a calibrated offset may be a leak and is flagged if it exceeds the sensor's resolution and three errors") {
     Identified identified = identify_boom(boom_measured(1.5, low_noise, 1), careful_way(), 1);
     auto flagged = [&](double offset_in, double error_in) {
         Identified copy = identified;
@@ -90,7 +90,7 @@ TEST_CASE("a spool that reads .02 in too low flags the answer as at the lower bo
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         Record record = with_spool_offset(boom_measured(1.5, low_noise, seed), -0.02);
         flagged += is_flagged(identify_boom(record, rising(thesis_way()), seed), "at the lower bound");
-        // With the offset removed, the record is as good as any.
+        // Without the offset, the record is as good as any other.
         Identified cured = identify_boom(record, careful_way(), seed, -0.02);
         CHECK(error_percent(cured.links[0].compliance_in3_per_psi, 0.0086) < 10);
         CHECK(!is_flagged(cured, "at the lower bound"));
@@ -135,7 +135,7 @@ TEST_CASE("a pump with less flow than the model's is flagged as inconsistent") {
     CHECK(is_flagged(identify(problem, stronger, prepared.samples, thesis_way(), 1), "inconsistent"));
 }
 
-TEST_CASE("an answer is confirmed where it and two standard errors lie within a tenth of least squares") {
+TEST_CASE("an answer is confirmed if it is within 10 % of least squares, with two standard errors added") {
     auto confirmed = [](double compliance, double least, double error) {
         return !unconfirmed_flag(compliance, {least, error}, "the whole movement");
     };
@@ -163,7 +163,7 @@ TEST_CASE("no flag's text contains nan or inf") {
     }
 }
 
-TEST_CASE("the noise of the worst sensors is not flagged as a spike, also in areas from the spool") {
+TEST_CASE("the noise of the worst sensors is not flagged as a spike, even in areas from the spool") {
     constexpr double deviations = 7.5;
     auto beyond_noise = [&](Sensor sensor, double noise) {
         CHECK(greatest_excursion(sensor, 0.02) >= deviations * noise);

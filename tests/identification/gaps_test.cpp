@@ -1,4 +1,4 @@
-// Tests a gap in the record: no slope or window may span it, and the spool moves on by the time that has passed.
+// Tests a gap in the record: no slope or window may span it, and the spool continues to move during the gap.
 #include "boom_records.hpp"
 #include "hydraulics/circuit/voltage_spool.hpp"
 
@@ -26,7 +26,7 @@ Record without(const Record& record, std::size_t first, std::size_t count) {
 
 constexpr std::size_t first_lost = 20; // the transient begins at sample 10
 
-/// A record of two hoses, the second after the gap, so that a window across the gap fits neither.
+/// A record of two hoses, the second after the gap. A window across the gap would fit neither.
 Record two_hoses() {
     Record record = boom_measured(1.5, no_noise, 1), other = boom_measured(1.5, no_noise, 1, 0.02);
     for (std::size_t i = first_lost; i < record.size(); ++i)
@@ -39,14 +39,14 @@ Record two_hoses() {
 
 TEST_CASE("a gap restarts the window") {
     IdentificationWay way = thesis_way();
-    way.usable.count = 14; // ten samples from the end would span the gap
+    way.usable.count = 14; // the last ten samples would span the gap
     Identified identified = identify_boom(two_hoses(), way, 1);
     std::vector<std::size_t> after;
     for (const TransientEstimate& estimate : identified.estimates)
         if (estimate.index >= first_lost)
             after.push_back(estimate.index);
     REQUIRE(!after.empty());
-    CHECK(after.front() == first_lost + 6); // two samples for the slope, then the fifth of the window
+    CHECK(after.front() == first_lost + 6); // two samples for the slope, then the fifth sample of the window
     REQUIRE(identified.links[0].optimum);
     CHECK(error_percent(*identified.links[0].optimum, 0.02) < 5);
     CHECK(error_percent(identified.estimates.back().compliance_in3_per_psi[0], 0.02) < 8);
@@ -55,7 +55,7 @@ TEST_CASE("a gap restarts the window") {
 TEST_CASE("samples on both sides of a gap do not count together for the first generation") {
     Record record = boom_measured(1.5, no_noise, 1);
     record = without(record, 41, record.size() - 41);
-    for (std::size_t lost : {32u, 23u, 14u}) // leaves eight samples between two gaps: four slopes
+    for (std::size_t lost : {32u, 23u, 14u}) // eight samples between two gaps remain, with four slopes
         record = without(record, lost, 1);
     CHECK_THROWS_WITH_AS(identify_boom(record, thesis_way(), 1),
                          "4 usable samples without a gap, expected at least 5: the transient after the valve opens, in "

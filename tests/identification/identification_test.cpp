@@ -21,7 +21,7 @@ constexpr std::uint64_t study_seeds = 50;
 constexpr double true_compliance = 0.0086;
 
 struct Study {
-    std::vector<double> error_percent;      ///< of the last estimate, one for each seed
+    std::vector<double> error_percent;      ///< error of the last estimate, for each seed
     std::vector<double> codes_from_optimum; ///< distance to the best of all 1024 codes
 };
 

@@ -11,7 +11,7 @@ using namespace placedpar;
 using namespace placedpar::hydraulics;
 using namespace placedpar::identification;
 
-TEST_CASE("the thesis's way is the traditional genetic algorithm over the usable samples, to the bit") {
+TEST_CASE("thesis_way() is the traditional genetic algorithm over the usable samples, to the bit") {
     Record record = boom_measured(1.5, low_noise, 7);
     ComplianceSearch prepared = prepare(record, Parameters::excavator(), {}, thesis_way());
     std::vector<Sample> samples;
@@ -26,7 +26,7 @@ TEST_CASE("the thesis's way is the traditional genetic algorithm over the usable
     CHECK(identified.generations == traditional.generations);
 }
 
-TEST_CASE("a record at rest is refused with the missing samples") {
+TEST_CASE("a record at rest is refused with the number of usable samples") {
     Record record = boom_measured(1.5, no_noise, 1);
     for (double& spool : record.of(Link::boom, Sensor::spool))
         spool = 0.1297;

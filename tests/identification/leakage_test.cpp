@@ -21,7 +21,7 @@ using namespace placedpar::identification;
 
 namespace {
 
-constexpr double opening_s = 0.192; // when scenario A's load check opens
+constexpr double opening_s = 0.192; // time at which scenario A's load check opens
 
 ExcavatorScenario leaking_boom(double leak_in3_per_s_psi, double start_s = opening_s) {
     ExcavatorScenario scenario = single_boom_scenario();
@@ -44,7 +44,7 @@ double identified_compliance(const ExcavatorScenario& scenario) {
     return fit_compliances(boom_circuit(), rising_samples(scenario), scenario.flow, start)->compliance_in3_per_psi[0];
 }
 
-/// Leak flow and pressure slope of the true motion at the sampling times of the rise, .20 to .44 s.
+/// The leak flow and the pressure slope of the true motion, at the sampling times of the rise, .20 to .44 s.
 struct Rise {
     std::vector<double> leak_in3_per_s, slope_psi_per_s;
 };
@@ -101,15 +101,15 @@ TEST_CASE("a leak that starts with the motion has the predicted flow and apparen
     }
 }
 
-TEST_CASE("the premise of 2.8, a slower rise with the leak, holds if the leak starts with the motion only") {
+TEST_CASE("the premise of 2.8, a slower rise with the leak, holds only if the leak starts with the motion") {
     double sound = steepest_psi_per_s(leaking_boom(0));
     CHECK(steepest_psi_per_s(leaking_boom(0.002)) < sound);
-    CHECK(steepest_psi_per_s(leaking_boom(0.002, 0)) > sound); // the held pressure has leaked away before
+    CHECK(steepest_psi_per_s(leaking_boom(0.002, 0)) > sound); // the leak has lowered the held pressure before
 }
 
 TEST_CASE("the flow of a leak leaves one side and enters the other") {
     ExcavatorScenario scenario = single_boom_scenario();
-    scenario.links[0].valve = SpoolOrifices{0.1297, {}}; // the valve holds the link: both sides shut
+    scenario.links[0].valve = SpoolOrifices{0.1297, {}}; // the valve holds the link, with both sides shut
     scenario.links[0].leak = {0.002, 0.05};
     scenario.links[0].mechanics.friction_lbf = 1e6; // the piston is stuck as well
     scenario.duration_s = 0.2;

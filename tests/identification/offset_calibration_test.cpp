@@ -13,7 +13,7 @@ using namespace placedpar::identification;
 
 namespace {
 
-/// Returns a record of scenario A until long after the transient, with spool readings too high by `offset_in`.
+/// Returns a record of scenario A that ends long after the transient, with spool readings too high by `offset_in`.
 Record steady_record(double offset_in, const MeasurementNoise& noise, std::uint64_t seed = 1) {
     ExcavatorScenario scenario = single_boom_scenario();
     scenario.duration_s = 4;
@@ -39,7 +39,7 @@ TEST_CASE("steady motion gives the spool's offset at every noise level") {
     double squares = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed)
         squares += std::pow(calibrate(steady_record(0.01, mid_noise, seed))->offset_in - 0.01, 2);
-    CHECK(std::sqrt(squares / 20) < 3e-4); // .00008 in in the prototype, plus the rest of the transient
+    CHECK(std::sqrt(squares / 20) < 3e-4); // .00008 in in an independent prototype; the end of the transient adds to it
 }
 
 TEST_CASE("the calibration mistakes a wrong k or Q for an offset") {

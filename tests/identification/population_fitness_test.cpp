@@ -77,7 +77,7 @@ TEST_CASE("terms of eight errors computed together equal separate terms") {
     }
 }
 
-TEST_CASE("circuits compute their error for whole populations") {
+TEST_CASE("CircuitProblem can compute the errors of whole populations") {
     CHECK(ErrorOfParameters<CircuitProblem, Genome>);
     CHECK(ErrorOfParameters<CircuitProblem, GrayCoded<Genome>>);
 }
@@ -108,7 +108,7 @@ TEST_CASE("random populations of one to four links have the fitness of single st
         }
 }
 
-TEST_CASE("a share of individuals has the same terms whole and in pieces") {
+TEST_CASE("the fitness of a population is the same if several evaluators compute shares of it") {
     auto problem = make_search_problem(CircuitProblem(boom_circuit(), rounded_flow_constants()));
     RandomStream random(4, "shares");
     auto population = random_population(30, problem->bits(), random);

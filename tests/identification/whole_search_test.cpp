@@ -85,7 +85,8 @@ TEST_CASE("all links of every configuration are found without noise over the the
         CHECK(right_of(group, "none", 10, 5) >= 4);
 }
 
-TEST_CASE("weighed least squares leaves a quarter of the uncertainty of plain least squares at the swing in e") {
+TEST_CASE("for the swing in configuration e, weighed least squares has a quarter of the standard error of plain least "
+          "squares") {
     const Group& all = groups.back();
     const WholeWay whole = whole_way(all.size);
     const ComplianceSearch search = search_of(all, record_of(all, "low", motion_of(all), 1), whole);
@@ -121,7 +122,7 @@ TEST_CASE("the cost of a search on T800s follows from Table E.1's workload") {
     const WholeWay whole = whole_way(2);
     const ComplianceSearch search = search_of(groups[0], record_of(groups[0], "none", motion_of(groups[0]), 1), whole);
     const SearchCost cost = cost_of(whole, search.problem, 10, 100);
-    // 1,200 individuals at 100 samples, two junctions; 24 bits
+    // 1,200 individuals, 100 samples, two junctions, 24 bits
     CHECK(cost.individuals == whole.way.search.population * 10);
     CHECK(cost.errors == cost.individuals * 100);
     CHECK(cost.seconds == doctest::Approx(cost.errors * 2 * 72e-6 + cost.individuals * 87.5e-6 * 2.4));

@@ -152,7 +152,7 @@ TEST_CASE("at most twenty errors are reported") {
           "... 980 more errors not shown\n");
 }
 
-TEST_CASE("the language reference states the bounds: netlists just within them are read") {
+TEST_CASE("netlists just within the bounds of the language reference are read") {
     auto read = [](const std::string& text) { return read_netlist_text(text, small_catalogue()).network.has_value(); };
     auto array = [](int depth) { return "val a " + repeated("{", depth) + "1" + repeated("}", depth) + ";"; };
     auto nested = [](const std::string& open, const std::string& inner, const std::string& close, int depth) {

@@ -122,7 +122,7 @@ TEST_CASE("a fault's direction is relative to the named end") {
     }
 }
 
-TEST_CASE("a slow link delays messages, a temporarily slow link less so") {
+TEST_CASE("a slow link delays messages; a temporarily slow link delays them less") {
     double sound = in_milliseconds(run_stream("").result.time);
     double slow = in_milliseconds(run_stream("fault wire slow (factor = 4);").result.time);
     double for_a_while = in_milliseconds(run_stream("fault wire slow (factor = 4, until = 2ms);").result.time);
@@ -143,7 +143,7 @@ TEST_CASE("a halted processor stops its processes, and the report names the proc
     CHECK(run_stream("fault a halts (from = 1s);").faults[0].had_effect() == false);
 }
 
-TEST_CASE("a stream with time-outs survives a fault that stops a stream without, and counts losses") {
+TEST_CASE("a stream with time-outs survives a fault that stops a stream without time-outs, and counts losses") {
     for (const char* fault :
          {"fault wire silent (from = at, until = 5ms);", "fault wire loses_acknowledge (from = at);",
           "fault wire silent (from = at, until = 5ms, direction = \"out\");"}) {
@@ -162,7 +162,7 @@ TEST_CASE("a stream with time-outs survives a fault that stops a stream without,
 
 namespace {
 
-/// Two bus masters, one of which writes to the other, with additional statements.
+/// A bus master that writes to another bus master, with additional statements.
 std::string bus_of_two(const std::string& more, const std::string& arbiter = "PRI") {
     return "VME (arbiter = \"" + arbiter + R"(") vme; BBKV2 a, b; connect a.bus[0] to vme.slot[1];
         connect b.bus[0] to vme.slot[21];
@@ -230,7 +230,7 @@ TEST_CASE("a router's access to an absent device ends in a bus error, like a pro
     CHECK(said.find("bus error: ad does not answer sun on bus vme within 125.000000 us") != std::string::npos);
 }
 
-TEST_CASE("two hogging masters take two slots, and a printed network with one loads again") {
+TEST_CASE("two hogging masters take two slots, and a printed network with hogging masters loads again") {
     Network network = network_of_stream(
         bus_of_two("fault vme hogged (until = 1ms, level = 0); fault vme hogged (from = 2ms, until = 3ms);"));
     Network again = network_of_stream(print_cfs(network));
@@ -268,7 +268,7 @@ RunReport run_text(const std::string& text) { return Machine(network_of_stream(t
 
 } // namespace
 
-TEST_CASE("a fault at a link adapter, or at the transputer behind it, causes a deadlock with a named loss") {
+TEST_CASE("a fault at a link adapter, or at the transputer behind the adapter, causes a deadlock with a named loss") {
     for (bool down : {true, false})
         for (std::string at : {"adapter.link[0]", "t.link[0]"})
             for (std::string fault : {"silent (from = 2ms)", "loses_acknowledge (from = 2ms)"}) {
@@ -285,7 +285,7 @@ TEST_CASE("a fault at a link adapter, or at the transputer behind it, causes a d
             }
 }
 
-TEST_CASE("a slow link at an adapter only delays, and time-outs survive a failing one") {
+TEST_CASE("a slow link at an adapter only delays a stream, and a stream with time-outs survives a failing link") {
     for (bool down : {true, false}) {
         CAPTURE(down);
         RunReport sound = run_text(stream_by_adapter(down, false, ""));
@@ -303,7 +303,7 @@ TEST_CASE("a slow link at an adapter only delays, and time-outs survive a failin
 
 namespace {
 
-/// Two streams that pass through b, and one that does not.
+/// Two streams that pass through b, and one stream that does not.
 std::string routed_streams(const std::string& more) {
     return R"(T800 a, b, c, d; connect a.link[0] to b.link[0]; connect b.link[1] to c.link[0];
         connect a.link[2] to d.link[0];

@@ -1,4 +1,4 @@
-// Tests files from DOS, the files that they include, and the search for these.
+// Tests files from DOS, their included files, and the search for included files.
 
 #include "netlist/read.hpp"
 #include "tests/netlist/small_catalogue.hpp"
@@ -50,7 +50,7 @@ TEST_CASE("files from DOS are read: capital letters, backslashes, carriage retur
     CHECK(result.network->included_paths[1].ends_with("dos/SUB/SIZE.INC"));
 }
 
-TEST_CASE("an included file is searched beside the including file, then along the include path in order") {
+TEST_CASE("an included file is searched for beside the including file, then along the include path in order") {
     CHECK_FALSE(read_netlist(file("on_the_path.cfs"), small_catalogue()).network);
     auto along = read_netlist(file("on_the_path.cfs"), small_catalogue(), {},
                               {.include_folders = {file("dos"), file("dos/SUB")}});
@@ -65,7 +65,7 @@ TEST_CASE("an included file is searched beside the including file, then along th
     CHECK(memory_of(folder.read({folder.path / "one"})) == 4 * 1024 * 1024);
 }
 
-TEST_CASE("of files whose names differ only in case, the exact name is preferred, then the first in order") {
+TEST_CASE("if file names differ only in case, the exact name is preferred, then the first name in order") {
     Folder folder;
     folder.write("main.cfs", main_text);
     folder.write("size.INC", "val size 2M;");
@@ -83,7 +83,7 @@ TEST_CASE("the message about a missing include names the folders that were searc
     CHECK(result.diagnostics[0].hint == "looked in the folder of the including file and in one, two/three");
 }
 
-TEST_CASE("the toolset's own includes may be missing, but existing ones are read") {
+TEST_CASE("the toolset's own includes may be missing, but existing files are read") {
     Folder folder;
     folder.write("main.cfs", "#include \"SETCONF.INC\"\n#include \"c:\\icc\\boards.inc\"\n#include <trams.inc>\n"
                              "T800 (memory = 1M) a;\n");
@@ -95,7 +95,7 @@ TEST_CASE("the toolset's own includes may be missing, but existing ones are read
     CHECK(memory_of(folder.read()) == 4 * 1024 * 1024);
 }
 
-TEST_CASE("every suffix of a program file is accepted, in either case, and none") {
+TEST_CASE("every suffix of a program file is accepted, in either case, and so is a name without suffix") {
     for (const char* name : {"p.lku", "P.LKU", "p.c8x", "p.c8h", "P.C4H", "p.c0", "p.tco", "p.lah", "p", "PROGRAM"}) {
         auto text = std::string("T800 a; process p; use \"") + name + "\" for p; place p on a;";
         CAPTURE(name);

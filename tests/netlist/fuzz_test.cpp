@@ -33,7 +33,7 @@ std::vector<std::filesystem::path> netlists_below(const std::string& folder) {
 
 constexpr std::size_t good_seeds = 7;
 
-/// Returns the tests' netlists, the good ones first.
+/// Returns the tests' netlists, the good netlists first.
 std::vector<std::string> seeds() {
     auto paths = netlists_below(netlist_folder() + "/good");
     for (const char* others : {"/refusals", "/files"})

@@ -181,7 +181,7 @@ TEST_CASE("a process on an edge runs there, as on a workstation") {
     CHECK(report.measured("c", "rate") == Machine(*by_hand.network, catalogue, 1).run().measured("c", "rate"));
 }
 
-TEST_CASE("a process's refusal is a user's error at its place; its defects stay defects") {
+TEST_CASE("a process's refusal is a user's error with its place in the netlist; other exceptions remain defects") {
     auto run = [](std::function<void()> body) {
         Catalogue catalogue;
         catalogue.add({.name = "mine", .about = "", .body = [body](ProcessEnvironment&) { body(); }});

@@ -13,7 +13,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("four clusters of a master and three slaves") {
+TEST_CASE("a netlist of four clusters gives four masters with three slaves each") {
     auto network = good("clusters.cfs");
     CHECK(network.nodes.size() == 16 + 1 + 4); // processors, workstation, edges
     CHECK(network.connections.size() == 4 + 4 * 2 + 4 + 4 + 4);

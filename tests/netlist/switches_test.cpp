@@ -22,7 +22,7 @@ Catalogue kinds_of_switches() {
     return catalogue;
 }
 
-/// A root that visits three others through one of its links, with additional statements.
+/// A root that visits three other processors through one of its links, with additional statements.
 std::string visits(const std::string& more = "") {
     return R"(T800 root, w[3]; C004 sw; connection (length = 2) cable[4];
         connect root.link[3] to sw.config;
@@ -93,7 +93,7 @@ TEST_CASE("a program visits its partners over one switched link, and the switch 
     CHECK(report.measured("visitor", "wrong_answers") == 0);
     REQUIRE(report.switches.size() == 1);
     CHECK(report.switches[0].name == "sw");
-    CHECK(report.switches[0].commands == 5 * 3 * 4 - 1); // the last is acknowledged early
+    CHECK(report.switches[0].commands == 5 * 3 * 4 - 1); // the last command is acknowledged early
     CHECK(report.switches[0].connections == 5 * 3 * 2);
     CHECK(report.switches[0].losses.empty());
     for (const LinkUse& link : report.links) {
@@ -101,7 +101,8 @@ TEST_CASE("a program visits its partners over one switched link, and the switch 
         bool configures = link.from == "root.link[3]", answers = link.from == "sw.config";
         CHECK(link.bytes == (configures ? 5 * 3 * (3 + 1 + 2 + 3) : answers ? 5 * 3 : 500));
     }
-    // three commands of 3, 1 and 3 bytes, one of 2 with an answer; each byte 560 ns, each message 950 and 360 ns
+    // three commands of 3, 1 and 3 bytes, and a command of 2 bytes with an answer; a byte takes 560 ns, and a message
+    // 950 ns and 360 ns more
     CHECK(report.measured("visitor", "setting_per_visit") == doctest::Approx(4 * 1.31 + 5 * 0.56 + 0.95).epsilon(0.02));
 }
 

@@ -54,8 +54,8 @@ TEST_CASE("a ring is drawn as a circle") {
 TEST_CASE("an array with two subscripts is drawn as a grid") {
     const Shape shape = only_shape(picture::torus(3, 4));
     REQUIRE(shape.size() == 12);
-    CHECK(shape[1] - shape[0] == picture::Point{1, 0}); // t[0][1] beside t[0][0]
-    CHECK(shape[4] - shape[0] == picture::Point{0, 1}); // t[1][0] below it
+    CHECK(shape[1] - shape[0] == picture::Point{1, 0}); // t[0][1] is to the right of t[0][0]
+    CHECK(shape[4] - shape[0] == picture::Point{0, 1}); // t[1][0] is below t[0][0]
 }
 
 TEST_CASE("a hypercube is recognised by its wires") {
@@ -106,7 +106,7 @@ TEST_CASE("every node is in one block, and no shape lacks a node") {
     }
 }
 
-TEST_CASE("arranged nodes have a cell each") {
+TEST_CASE("each arranged node has its own cell") {
     for (const std::string& text :
          {picture::torus(3, 5), picture::random_tree(25, 7), picture::random_wiring(12, 7),
           picture::ring(11) + "T800 x[4]; rep i = 0 for 3 connect x[i].link[0] to x[i + 1].link[1];"}) {

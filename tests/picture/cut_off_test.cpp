@@ -9,7 +9,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Both axes from 0 to 10.
+/// Returns a panel whose axes both go from 0 to 10.
 Panel square_panel() { return {"panel", {"x", 0, 10}, {"y", 0, 10}, {}}; }
 
 std::vector<CutOff> cut_offs_of(std::vector<Point> points, Stroke stroke = Stroke::line,

@@ -30,7 +30,7 @@ Marked marked(const std::string& text) {
 
 TEST_CASE("a network without faults has no marks") { CHECK(marked(picture::chain(3)).marks.empty()); }
 
-TEST_CASE("a fault of a link stands at its wire") {
+TEST_CASE("the mark of a link's fault is at the link's wire") {
     const Marked found = marked(picture::chain(3) + "fault t[1].link[1] silent (from = 20ms);");
     REQUIRE(found.marks.size() == 1);
     const FaultMark& mark = found.marks.front();
@@ -44,7 +44,7 @@ TEST_CASE("a fault of a link stands at its wire") {
     CHECK(distance(mark.box.centre, middle) < distance(mark.box.centre, found.drawn.nodes[0].box.centre));
 }
 
-TEST_CASE("a fault of a device stands above or below its box") {
+TEST_CASE("the mark of a device's fault is above or below the device's box") {
     const Marked found = marked(picture::chain(3) + "fault t[2] halts (from = 1s);");
     REQUIRE(found.marks.size() == 1);
     CHECK(found.marks[0].node == 2);

@@ -60,7 +60,7 @@ TEST_CASE("the point where a line leaves a box lies on its border") {
     CHECK(way_out(unit, {.5, 0}, {.5, -3}) == picture::Point{.5, -1});
 }
 
-TEST_CASE("the smallest box around others touches each side of some of them") {
+TEST_CASE("the smallest box around several boxes touches the outermost of them on each side") {
     const Box all = picture::around({unit, {{4, 1}, 2, 2}, {{0, -5}, 0, 0}});
     CHECK(all.left() == -1);
     CHECK(all.right() == 5);

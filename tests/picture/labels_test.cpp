@@ -11,7 +11,7 @@ using picture::Path;
 
 namespace {
 
-const Path across{{0, 0}, {100, 0}}; ///< to the right
+const Path across{{0, 0}, {100, 0}}; ///< a line to the right
 
 } // namespace
 

@@ -61,7 +61,7 @@ inline std::string cube(int dimensions) {
     return text;
 }
 
-/// A random tree of single transputers. Each is wired to an earlier transputer that has a free link.
+/// Returns a random tree of single transputers. Each is wired to an earlier transputer that has a free link.
 inline std::string random_tree(std::size_t count, unsigned seed) {
     std::mt19937 lots(seed);
     std::string text;
@@ -78,7 +78,7 @@ inline std::string random_tree(std::size_t count, unsigned seed) {
     return text;
 }
 
-/// A chain whose remaining links are wired in random pairs; no node is wired to itself.
+/// Returns a chain whose remaining links are wired in random pairs; no node is wired to itself.
 inline std::string random_wiring(int count, unsigned seed) {
     std::mt19937 lots(seed);
     std::vector<std::pair<int, int>> links;
@@ -94,7 +94,7 @@ inline std::string random_wiring(int count, unsigned seed) {
     return text;
 }
 
-/// A producer on the first node, a consumer on the last node, and a channel between the two processes.
+/// Returns a producer on the first node, a consumer on the last node, and a channel between the two processes.
 inline std::string stream(const std::string& from, const std::string& to) {
     return fmt::format("process p, c; use \"csp.producer\" for p; use \"csp.consumer\" for c;\n"
                        "place p on {}; place c on {}; connect p.out to c.in;\n",

@@ -51,7 +51,7 @@ void for_each_picture(const std::function<void(const Network&, const Picture&)>&
     }
 }
 
-/// Whether the point lies within a hundredth of a pixel of the box's border.
+/// Returns whether the point lies within a hundredth of a pixel of the box's border.
 bool is_on_border(const Box& box, picture::Point p) {
     const double across = std::abs(p.x - box.centre.x) - box.width / 2,
                  down = std::abs(p.y - box.centre.y) - box.height / 2;
@@ -69,14 +69,14 @@ std::vector<Box> labels_of(const Picture& drawn) {
     return labels;
 }
 
-/// A ring, and a processor beside it that is wired to four of its nodes.
+/// Returns a ring, and a processor beside it that is wired to four of the ring's nodes.
 std::string ring_with_neighbour(int count) {
     return picture::ring(count) + fmt::format(" T800 beside; rep i = 0 for 4 "
                                               "connect beside.link[i] to t[i * {}].link[2];",
                                               count / 4);
 }
 
-/// Returns how many points the wires of the processor beside the ring have together.
+/// Returns the total number of points in the wires of the processor beside the ring.
 std::size_t points_outside_of_ring(int count) {
     const Picture drawn = picture_of(picture::network_of(ring_with_neighbour(count)));
     std::size_t points = 0;
@@ -98,7 +98,7 @@ TEST_CASE("no two boxes overlap, and no label lies on a box or on another label"
     });
 }
 
-TEST_CASE("every wire leads from the border of its first node to that of its second") {
+TEST_CASE("every wire leads from the border of its first node to the border of its second") {
     for_each_picture([](const Network& network, const Picture& drawn) {
         REQUIRE(drawn.wires.size() == network.connections.size());
         for (std::size_t i = 0; i < drawn.wires.size(); ++i) {
@@ -155,7 +155,7 @@ TEST_CASE("both ends of a wire have the number of their link") {
         std::vector<std::string> texts{links[0].text, links[1].text};
         std::ranges::sort(texts);
         CHECK(texts == std::vector<std::string>{"0", "1"});
-        for (const picture::LinkLabel& label : links) { // the number stands at its own end of the wire
+        for (const picture::LinkLabel& label : links) { // the number is at its own end of the wire
             const bool at_a = label.text == std::to_string(network.connections[i].a.link);
             const picture::Path& path = drawn.wires[i].spans.front();
             const double to_a = distance(label.box.centre, path.front()),
@@ -165,7 +165,7 @@ TEST_CASE("both ends of a wire have the number of their link") {
     }
 }
 
-TEST_CASE("a wire says how many channels go each way") {
+TEST_CASE("a wire is labelled with the number of channels in each direction") {
     const Network network =
         picture::network_of(picture::chain(2) + picture::stream("t[0]", "t[1]") +
                             "process q, d; use \"csp.producer\" for q; use \"csp.consumer\" for d;\n"
@@ -182,7 +182,7 @@ TEST_CASE("a wire says how many channels go each way") {
     CHECK_FALSE(picture_of(picture::network_of(picture::chain(2))).wires.front().channels);
 }
 
-TEST_CASE("a node's box has room for its processes, and says how many channels stay inside") {
+TEST_CASE("a node's box has room for its processes, and states the number of channels inside") {
     const Network network = picture::network_of("T800 t; " + picture::stream("t", "t"));
     const picture::DrawnNode node = picture_of(network).nodes.front();
     CHECK(node.name == "t");

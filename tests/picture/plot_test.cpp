@@ -78,7 +78,7 @@ Series long_curve(int steps) {
     return curve({.name = ""}, steps, [&](int i) { return Point{1. * i, 1. * i}; });
 }
 
-/// Returns how many pixels lie between the frame and the nearest symbol, in a plot of one panel without a legend.
+/// Returns the distance in pixels between the frame and the nearest symbol, in a plot of one panel without a legend.
 double nearest_to_frame(const std::string& svg) {
     const double left = 104, right = 930, top = 84, bottom = 368;
     double nearest = std::numeric_limits<double>::max();
@@ -200,7 +200,7 @@ TEST_CASE("symbols and curve ends keep a distance from the frame") {
     }
 }
 
-TEST_CASE("an interval is a bar with caps off the frame and a symbol at its point") {
+TEST_CASE("an interval is drawn as a bar with caps, away from the frame, and its point as a symbol") {
     Plot plot{"", {{"", {}, {.from = 0, .to = 10}, {{.name = "", .points = {{0, 4}, {1, 6}}}}}}};
     plot.panels[0].series[0].intervals = {{0, 6}, {5, 10}};
     const std::string svg = draw_svg(plot);
@@ -306,19 +306,19 @@ TEST_CASE("several curves have distinct symbols to be readable in grey; a single
     CHECK(alone == 0);
 }
 
-TEST_CASE("the legend says how far a curve goes beyond the axis") {
+TEST_CASE("the legend states how far a curve goes beyond the axis") {
     Plot plot = small_plot();
     plot.panels[0].series[0].points = {{0, 1}, {1, 7.5}, {2, -3}, {3, 99}};
     CHECK(has(draw_svg(plot), ">line<"));
     plot.panels[0].x.to = 2;
     CHECK(has(draw_svg(plot), ">line \u2192 to 3<"));
-    plot.panels[0].y.to = 5; // above this value the curve leaves the x axis
+    plot.panels[0].y.to = 5; // 99 does not count, because it is beyond the end of the x axis
     CHECK(has(draw_svg(plot), ">line \u2191 to 7.5<"));
     plot.panels[0].y.from = 0;
     CHECK(has(draw_svg(plot), ">line \u2191 to 7.5 \u2193 to -3<"));
 }
 
-TEST_CASE("an arrow marks a cut-off curve, with the distance if the legend lacks it") {
+TEST_CASE("an arrow marks a cut-off curve, with its farthest value if the curve is not in the legend") {
     Plot plot = small_plot();
     Series& line = plot.panels[0].series[0];
     const std::string whole = draw_svg(plot);
@@ -385,7 +385,7 @@ TEST_CASE("bands and marks beside a constant curve are fully visible") {
     CHECK(with_wide_axes(panel).y.to == 6);
 }
 
-TEST_CASE("a cut-off bar has an arrow with its distance") {
+TEST_CASE("a cut-off bar has an arrow with its farthest value") {
     Panel panel{.y = {.from = 0, .to = 10}, .series = {{"rate", {{1, 4}, {2, 5}}, Stroke::points}}};
     panel.series[0].intervals = {{3, 5}, {4, 55}};
     const std::vector<CutOff> found = cut_offs(panel.series[0], panel);

@@ -7,13 +7,13 @@
 
 using namespace placedpar;
 
-TEST_CASE("a cell with a tolerance is judged, one without is not") {
+TEST_CASE("a cell with a tolerance is judged, a cell without a tolerance is not") {
     CHECK(judged_cell("C", "spool", "in^3/psi", 0.0086, 0.0090, 0.0005, 5).within_tolerance());
     CHECK_FALSE(judged_cell("C", "spool", "in^3/psi", 0.0086, 0.0092, 0.0005, 5).within_tolerance());
     CHECK(compared_cell("C", "spool", "in^3/psi", 0.0086, 0.0200, 5).within_tolerance());
 }
 
-TEST_CASE("a cell judged from one side has one bound, even with a known figure") {
+TEST_CASE("a one-sided cell has one bound, even with a known figure") {
     Cell known = compared_cell("share", "way", "%", 65, 52, 0);
     CHECK(at_least(51, known).within_tolerance());
     CHECK_FALSE(at_least(55, known).within_tolerance());
@@ -31,9 +31,10 @@ TEST_CASE("a share misses a bound only if its whole interval does, for few runs 
     CHECK(at_most(1, share_cell("alarms", "low", 1, 12)).within_tolerance());        // .2 to 38.5 %
     CHECK_FALSE(at_most(1, share_cell("alarms", "low", 2, 12)).within_tolerance());  // 2.1 to 48.4 %
     CHECK(at_most(1, share_cell("alarms", "low", 2, 200)).within_tolerance());
-    CHECK_FALSE(at_most(1, share_cell("alarms", "low", 17, 200)).within_tolerance()); // as many in a hundred as 1 in 12
+    CHECK_FALSE(at_most(1, share_cell("alarms", "low", 17, 200)).within_tolerance()); // about the same share as 1 of 12
     CHECK_FALSE(at_least(90, share_cell("found", "low", 150, 200)).within_tolerance());
-    for (std::size_t runs : {12, 50, 200, 1000}) { // what is as required stays so, and what is far from it does not
+    for (std::size_t runs : {12, 50, 200, 1000}) { // a share that meets the bound always meets it; a share far below
+                                                   // the bound never does
         CHECK(at_least(90, share_cell("found", "low", runs * 9 / 10, runs)).within_tolerance());
         CHECK_FALSE(at_least(90, share_cell("found", "low", runs / 2, runs)).within_tolerance());
     }
@@ -45,8 +46,8 @@ TEST_CASE("a share of no runs has no value") {
 }
 
 TEST_CASE("two samples may differ by four standard deviations of their difference") {
-    CHECK(share_tolerance(50, 50) == doctest::Approx(40));                   // 4 sqrt(2 * .25 / 50)
-    CHECK(share_tolerance(50, 200) == doctest::Approx(20));                  // 4 times the records
+    CHECK(share_tolerance(50, 50) == doctest::Approx(40));  // 4 sqrt(2 * .25 / 50)
+    CHECK(share_tolerance(50, 200) == doctest::Approx(20)); // 200 records instead of 50 halve the tolerance
     CHECK(share_tolerance(100, 200) == doctest::Approx(3.96).epsilon(0.01)); // 4 sqrt(2 * .0098 * .9902 / 200)
     CHECK(share_tolerance(0, 200) == doctest::Approx(share_tolerance(100, 200)));
     CHECK(deviation_tolerance(0.00004, 50, 0.000005) == test::nearly(0.00004 * 4 / 7 + 0.000005)); // plus half a digit

@@ -58,7 +58,7 @@ TEST_CASE("a row shows each tolerance once, and none if bounds judge") {
     CHECK(printed.find(">= 1\n") != std::string::npos);
 }
 
-TEST_CASE("tolerances are in percent, in the unit, or none; a missing figure meets no tolerance") {
+TEST_CASE("a tolerance is in percent or in the unit, or absent; a missing figure meets no tolerance") {
     Cell judged = cell("x", "a", "", 100, 103);
     CHECK(judged.within_tolerance());
     judged.tolerance_percent = 2;
@@ -94,7 +94,7 @@ TEST_CASE("a one-sided cell shows its bound instead of an error, and a mark if i
     CHECK_FALSE(comparison.within_tolerance());
 }
 
-TEST_CASE("a column leaves out parts that no cell has, and is as wide as its name") {
+TEST_CASE("a column leaves out parts that are empty in all its cells, and has at least the width of its name") {
     Comparison comparison{.name = "name", .against = "known"};
     comparison.cells = {cell("x", "a", "", {}, 1), cell("x", "of a long name", "", {}, 2), cell("x", "c", "", 0, 3),
                         cell("x", "d", "", 4, 5),  cell("y", "a", "", {}, 10, 1),          cell("y", "d", "", {}, 6)};
@@ -146,7 +146,7 @@ TEST_CASE("a cell is judged as its table says, unless it names another judge") {
     CHECK(judge("known", judged_by(Judge::thesis, cell)) == Judge::thesis);
 }
 
-TEST_CASE("cells are counted by their judge; a table that does not decide judges none") {
+TEST_CASE("cells are counted by their judge; cells of a table that does not decide are not judged") {
     Cell judged = judged_cell("x", "a", "", 1, 1, 1, 0), set = judged;
     set.origin = Origin::workload;
     const Cell shown = plain_cell("x", "b", "", 1, 0);
@@ -218,7 +218,7 @@ TEST_CASE("each origin has a letter, or words in a table that names origins") {
                                           "calibrated        2.00       1   +1.00!  0.5        calibrated\n");
 }
 
-TEST_CASE("a verdict needs a bound in some deciding table") {
+TEST_CASE("tables are judged only if a deciding table has a bound") {
     const Comparison shown{.name = "shown", .cells = {plain_cell("x", "a", "", 2, 1)}};
     Comparison bounded{.name = "bounded", .cells = {at_most(1, plain_cell("x", "a", "", 2, 1))}};
     CHECK(is_any_judged({bounded, shown}));

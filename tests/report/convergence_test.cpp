@@ -18,7 +18,7 @@ TEST_CASE("a curve is the median of the runs with a band between the quartiles")
     ConvergenceCurve curve{"best", {{1, 10}, {2, 20, 5}, {3, 30}, {9, 90}}, 4};
     Panel panel = convergence_panel("title", "fitness [1]", {&curve, 1});
     REQUIRE(panel.series.size() == 1);
-    REQUIRE(panel.series[0].points.size() == 2); // as many generations as all runs have made
+    REQUIRE(panel.series[0].points.size() == 2); // only generations that all runs have made
     CHECK(panel.series[0].points[1].x == 2);
     CHECK(panel.series[0].points[1].y == 25);
     CHECK(panel.series[0].colour == 4);

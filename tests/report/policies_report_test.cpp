@@ -61,7 +61,8 @@ TEST_CASE("steps decided by numbers, the problem or connections are listed with 
                "\n\ndistributed\n  each island has its own window"));
     CHECK(says(print_policy(known.catalogue, "permutation"), "problem = \"tour-circle(cities = 12)\""));
     CHECK(says(print_policy(known.catalogue, "spread"), "\n  in a netlist: initial = \"spread\"\n"));
-    std::string star = print_policy(known.catalogue, "star"); // of islands, and of a master and its slaves
+    std::string star = print_policy(known.catalogue, "star"); // "star" is a form for islands, and for a master and its
+                                                              // slaves
     CHECK(says(star, "topology = \"star\""));
     CHECK(says(star, "connect master.to_slaves[1] to slave[1].from_master;"));
     CHECK_THROWS_WITH(print_policy(known.catalogue, "tree(3)"), "tree takes no number");

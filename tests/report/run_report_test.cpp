@@ -58,7 +58,7 @@ TEST_CASE("the load of processors is printed in percent, and in picoseconds in J
     CHECK(row.at("packets_passed_on") == 0);
 }
 
-TEST_CASE("processors that pass packets on have two columns more") {
+TEST_CASE("processors that pass packets on have two more columns") {
     RunReport report = of_one_second();
     report.processors.push_back({"t[0]", "T800", 250ms, 0ms, 0, 0ms});
     report.processors.back().packets_passed_on = 3;
@@ -107,7 +107,7 @@ TEST_CASE("a device of a new kind names its report columns") {
     CHECK(row.at("waited_ps") == 50'000'000'000);
 }
 
-TEST_CASE("the report shows how long processes waited, and the begin of unfinished waits") {
+TEST_CASE("the report shows how long processes waited, and the beginning of unfinished waits") {
     RunReport report = of_one_second();
     report.processes = {{"master", "t[0]", 400ms, {}}, {"slave", "t[1]", 100ms, Time{900ms}}};
     CHECK(has(printed(report), "\nprocess  on    waiting\n"

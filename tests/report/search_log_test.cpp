@@ -34,7 +34,7 @@ TEST_CASE("in a log without virtual time the column of times is empty") {
     CHECK(log_csv({&seeded, 1}).find("\n1,1,,east,,best,3\n") != std::string::npos);
 }
 
-TEST_CASE("the report has the begin and end of searches, and the fate of immigrants") {
+TEST_CASE("the report has the beginning and end of searches, and the fate of immigrants") {
     GenerationLog log({"east", "west"});
     for (const char* search : {"east", "west"}) {
         test::tell(log, search, 1, {0, 100});
@@ -100,6 +100,6 @@ TEST_CASE("searches of the same problem in the same coding are compared") {
     network.processes[2].parameters["problem"] = Value(std::string("plant"));
     CHECK_FALSE(log_of(network).compares());
     network.processes[2] = search("b", "boom");
-    network.processes[0].kind = "ga.coarse"; // its strings are read differently from its partner's
+    network.processes[0].kind = "ga.coarse"; // its strings are read differently from those of b
     CHECK_FALSE(log_of(network).compares());
 }

@@ -14,7 +14,7 @@ using namespace placedpar;
 
 namespace {
 
-/// A file for one test.
+/// A temporary file for one test.
 class ScratchFile {
 public:
     ScratchFile() : path_(std::filesystem::temp_directory_path() / ("placedpar-store-" + std::to_string(::getpid()))) {
@@ -66,7 +66,7 @@ TEST_CASE("a corrupt file is reported as damage, a wrong statement is not") {
     }
 }
 
-TEST_CASE("a second lock is refused with the name of the user") {
+TEST_CASE("a second lock is refused with the name of the program that uses the file") {
     ScratchFile file;
     std::ofstream(file.path()) << "content";
     std::optional<store::FileLock> first(std::in_place, file.path(), "the file", "test");

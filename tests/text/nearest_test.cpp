@@ -4,7 +4,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("a missing, extra, replaced or swapped letter is one difference") {
+TEST_CASE("a missing, extra, replaced or swapped letter is one edit") {
     CHECK(edit_distance("", "") == 0);
     CHECK(edit_distance("", "abc") == 3);
     CHECK(edit_distance("master", "master") == 0);
@@ -25,7 +25,7 @@ TEST_CASE("the nearest name is found if it is near enough") {
     CHECK(nearest_name("master", {"master"}).empty()); // the name exists, so something else is wrong
     CHECK(nearest_name("ab", {"ac", "ad"}) == "ac");   // the first of equally near names
     CHECK(nearest_name("a", {"b", "ab"}).empty());
-    CHECK(nearest_name("wire", {"size"}).empty()); // two of four letters
+    CHECK(nearest_name("wire", {"size"}).empty()); // two of four letters differ
     CHECK(nearest_name("procesor", {"PROCESSOR", "processor"}) == "processor");
     CHECK(nearest_name("PROCESOR", {"processor", "PROCESSOR"}) == "PROCESSOR");
     CHECK(nearest_name(std::string(1000, 'x'), {std::string(1001, 'x')}).empty());

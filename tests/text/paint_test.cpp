@@ -14,7 +14,7 @@ TEST_CASE("no colours are printed until the program enables them") {
     CHECK(printed(Paint::error, "error:") == "error:");
     set_painted(PaintedStream::errors, true);
     CHECK(printed(Paint::error, "error:") == "\033[1;31merror:\033[0m");
-    CHECK(printed(Paint::heading, "ports") == "ports"); // on the other stream
+    CHECK(printed(Paint::heading, "ports") == "ports"); // headings belong to the other stream
     set_painted(PaintedStream::errors, false);
     set_painted(PaintedStream::output, true);
     CHECK(printed(Paint::heading, "\nports\n") == "\n\033[1mports\033[0m\n"); // newlines stay outside the colour codes
@@ -24,7 +24,7 @@ TEST_CASE("no colours are printed until the program enables them") {
     CHECK(printed(Paint::heading, "ports") == "ports");
 }
 
-TEST_CASE("printed text keeps its lines and no foreign colours") {
+TEST_CASE("printed text keeps its lines, and colour codes from outside are escaped") {
     const std::string hostile = "a\n\033[1mb\033[1;31mc\033[0m\033[2J\xff\033",
                       shown = "a\n\\x1b[1mb\\x1b[1;31mc\\x1b[0m\\x1b[2J\\xff\\x1b";
     CHECK(escaped_but_paint(hostile) == shown);

@@ -4,7 +4,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("the median of an even number of values is their middle mean") {
+TEST_CASE("the median of an even number of values is the mean of the middle two") {
     CHECK(median({3}) == 3);
     CHECK(median({4, 1}) == 2.5);
     CHECK(median({9, 1, 5}) == 5);

@@ -35,7 +35,7 @@ TEST_CASE("control characters of two bytes and invalid characters are replaced i
     CHECK(as_json("{\"a\": \"\xc2\x9b\x7f\xff\xc3\xa4\"}\n") == "{\"a\": \"\\u009b\\u007f\xc3\xbf\xc3\xa4\"}\n");
 }
 
-TEST_CASE("a count of one has no plural") {
+TEST_CASE("the noun after a count of one is singular") {
     CHECK(counted(1, "link") == "1 link");
     CHECK(counted(0, "link") == "0 links");
     CHECK(counted(2, "process", "processes") == "2 processes");

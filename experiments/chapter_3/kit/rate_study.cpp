@@ -72,8 +72,8 @@ void add_rate(Comparison& comparison, const LoggerRate& rate, const RecordSource
               const std::vector<Figures>& machines) {
     const std::size_t alarms = count_in(machines, 0), all = machines.size();
     comparison.add(at_most(1, share_cell("sound machines with an alarm", rate.name, alarms, all)));
-    comparison.add(
-        plain_cell("sound machines: the upper bound of 95 %", rate.name, "%", success_interval(alarms, all).high, 1));
+    comparison.add(plain_cell("sound machines with an alarm, upper bound (95 %)", rate.name, "%",
+                              success_interval(alarms, all).high, 1));
     if (!rate.with_faults)
         return;
     std::size_t figure = 1;
@@ -82,8 +82,8 @@ void add_rate(Comparison& comparison, const LoggerRate& rate, const RecordSource
         const std::size_t found = count_in(machines, figure);
         add_share(comparison, name + ": found", rate.name, found, all, fault.least_found);
         if (found > 0)
-            add_share(comparison, name + ": called so, or left undecided", rate.name, count_in(machines, figure + 1),
-                      found, fault.least_called);
+            add_share(comparison, name + ": found and named so, or undecided", rate.name,
+                      count_in(machines, figure + 1), found, fault.least_called);
         figure += 2;
     }
 }
@@ -94,10 +94,11 @@ Comparison rate_comparison(const ReplayContext& context, const char* machine, co
                            AreasFrom from) {
     const std::string name =
         fmt::format("{} by the {}, {} noise", machine, from == AreasFrom::spool ? "spool" : "voltage", source.noise);
-    Comparison comparison{.name = fmt::format("loggers of several rates: {}, {} machines", name, context.seeds),
-                          .notes = "from, to: an interval of 95 % (Clopper and Pearson)\n",
-                          .against = "known",
-                          .judged = true};
+    Comparison comparison{
+        .name = fmt::format("loggers of several rates: {}, {} machines of each kind", name, context.seeds),
+        .notes = "found and named so: in % of those found; from, to: 95 % interval (Clopper and Pearson)\n",
+        .against = "known",
+        .judged = true};
     for (const LoggerRate& rate : logger_rates) {
         RecordSource at_rate = source;
         at_rate.period_s = rate.period_s;

@@ -185,15 +185,15 @@ void add_fault(Comparison& comparison, const TestedFault& fault, const std::stri
     comparison.add(limit.interval.low >= fault.least_found ? at_least(fault.least_found, share) : share);
     if (!fault.from_first_day)
         comparison.add(plain_cell(name + ": limit by theory", noise, "%", limit.percent, 1));
-    comparison.add(at_least(fault.least_called, share_cell(name + ": of those called so, or left undecided", noise,
+    comparison.add(at_least(fault.least_called, share_cell(name + ": found and named so, or undecided", noise,
                                                            called + undecided, faults)));
     if (fault.called != AlarmKind::compliance && from != AreasFrom::areas) {
-        const Cell share = share_cell(name + ": of those left undecided", noise, undecided, faults);
+        const Cell share = share_cell(name + ": found but undecided", noise, undecided, faults);
         comparison.add(fault.most_undecided ? at_most(*fault.most_undecided, share) : share);
     }
     if (faults > 0)
-        comparison.add(
-            plain_cell(name + ": movements it takes", noise, "", sum(of.found) / static_cast<double>(faults), 1));
+        comparison.add(plain_cell(name + ": movements until it is found", noise, "",
+                                  sum(of.found) / static_cast<double>(faults), 1));
 }
 
 void add_noise(Comparison& comparison, const RecordSource& source, AreasFrom from,
@@ -201,7 +201,7 @@ void add_noise(Comparison& comparison, const RecordSource& source, AreasFrom fro
     const std::string noise = std::string(source.noise) + " noise";
     const std::size_t false_alarms = count(column(machines, sound_figure));
     comparison.add(at_most(1, share_cell("sound machines with an alarm", noise, false_alarms, machines.size())));
-    comparison.add(plain_cell("sound machines: the upper bound of 95 %", noise, "%",
+    comparison.add(plain_cell("sound machines with an alarm, upper bound (95 %)", noise, "%",
                               success_interval(false_alarms, machines.size()).high, 1));
     std::size_t figure = first_fault_figure;
     for (const TestedFault& fault : tested_faults(source, from)) {
@@ -218,13 +218,15 @@ Comparison verdict_comparison(const ReplayContext& context, const char* machine,
     const char* by = from == AreasFrom::areas ? "areas" : from == AreasFrom::spool ? "the spool" : "the voltage";
     const std::string name = fmt::format("{} by {}", machine, by);
     Comparison comparison{
-        .name = fmt::format("what is said on line: {}, {} machines", name, context.seeds),
-        .notes = std::string("limit by theory: no test finds more in 8 movements that wrongly accuses 1 % of the sound "
-                             "machines\n") +
-                 (source.has_servo || from == AreasFrom::areas
-                      ? ""
-                      : "where the records end while oil flows, a leak that begins with a movement and an offset miss "
-                        "the same flow (correlation .999): either may be left undecided\n"),
+        .name = fmt::format("on-line verdicts: {}, {} machines of each kind", name, context.seeds),
+        .notes =
+            std::string(
+                "found and named so, found but undecided: in % of those found\nlimit by theory: a test that gives 1 % "
+                "of the sound machines an alarm cannot find more of the faults in 8 movements\n") +
+            (source.has_servo || from == AreasFrom::areas
+                 ? ""
+                 : "these records end while oil flows, so a leak that begins with a movement and an offset change "
+                   "the flow alike (correlation .999): both may be left undecided\n"),
         .against = "known",
         .judged = true};
     for (const char* noise : tested_noises) {

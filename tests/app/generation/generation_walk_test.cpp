@@ -28,7 +28,7 @@ TEST_CASE("the walk makes the generations of the search, bit for bit") {
         }
 }
 
-TEST_CASE("the numbers that the walk reports as drawn lead to the offspring that it reports") {
+TEST_CASE("the reported random numbers lead to the reported offspring") {
     GenerationWalk walk({.population = 6, .seed = 3});
     for (int generation = 0; generation < 20; ++generation) {
         WalkedGeneration walked = walk.next();

@@ -61,7 +61,7 @@ const Change* find_change(const std::vector<Change>& changes, const std::string&
 
 } // namespace
 
-TEST_CASE("the changes include faster processors: all, each array and each alone, at three speeds") {
+TEST_CASE("the changes include faster processors: all processors, each array and each processor, at three speeds") {
     const std::vector<Change> changes = changes_of_text(two_processors);
     const Change* both = find_change(changes, "all processors", "twice as fast");
     REQUIRE(both);

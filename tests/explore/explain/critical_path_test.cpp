@@ -69,7 +69,7 @@ TEST_CASE("forgetting points that cannot be on the path leaves the path unchange
     }
 }
 
-TEST_CASE("a path that is too long is not kept, but the tables are") {
+TEST_CASE("a path that is too long is not kept, but its accounts are") {
     for (const std::string name :
          {"thesis/figure-e2/figure-e2.cfs", "machine/busy-bus/busy-bus.cfs", "csp/commstime/commstime.cfs"}) {
         CAPTURE(name);
@@ -93,7 +93,7 @@ TEST_CASE("the report of a run whose path was not kept says what to do") {
     CHECK(explanation_json(explanation, network).at("not_kept").as_string() == why);
 }
 
-TEST_CASE("points that no current point leads back to are forgotten") {
+TEST_CASE("points that are not among the causes of a current point are forgotten") {
     PathPoints points(8);
     auto add = [&](PathPoints::Number before, int at) {
         return points.add({Time{at}, before, Activity::computing, 0, 0});
@@ -115,5 +115,5 @@ TEST_CASE("points that no current point leads back to are forgotten") {
         one = add(one, 5);
     points.forget_but(in_use);
     CHECK(points.too_long());
-    CHECK(one == 2); // the beginning, the one before it, itself
+    CHECK(one == 2); // the beginning, the point before this point, and this point
 }

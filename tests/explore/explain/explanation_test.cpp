@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// A run of 10 ms with a process that computed for half of it, and no path.
+/// A run of 10 ms without a path; its process computed for 5 ms.
 Explanation half_busy() {
     Explanation explanation;
     explanation.report.result.ending = Ending::completed;
@@ -106,7 +106,7 @@ TEST_CASE("the report says that a change was refused or did not complete") {
     CHECK(says(explanation, "refused  bytes none"));
 }
 
-TEST_CASE("the report begins with the best changes of everything, of a part and of the links, by gain") {
+TEST_CASE("the report begins with the best change of everything, of a part and of the links, the greatest gain first") {
     Explanation explanation = half_busy();
     explanation.path = {{Activity::computing, "p on t[0]", "t[0]", Time{0}, Time{7ms}},
                         {Activity::carrying, "p.out -> q.in", "", Time{7ms}, Time{10ms}}};

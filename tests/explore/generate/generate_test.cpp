@@ -48,7 +48,7 @@ std::vector<KnownMachine> lines_and_rings() {
     return known;
 }
 
-/// Returns the wires of a line of processors that is closed into a ring, where there are more than two.
+/// Returns the number of wires of a row of processors. A row of more than two processors is closed into a ring.
 std::size_t closed(std::size_t length) { return length > 2 ? length : length - 1; }
 std::size_t links_across(std::size_t length) { return length > 2 ? 2 : length - 1; }
 
@@ -97,8 +97,8 @@ std::vector<KnownMachine> cubes() {
     return known;
 }
 
-/// Returns known chordal rings. With three links: K3,3, the cube, the graphs of Heawood, Franklin, and Moebius and
-/// Kantor, and F26A. With four: the densest of each diameter (Boesch, Wang, 1985).
+/// Returns known chordal rings. With three links for each processor: K3,3, the cube, the graphs of Heawood, Franklin,
+/// and Moebius and Kantor, and F26A. With four links: the densest ring of each diameter (Boesch, Wang, 1985).
 std::vector<KnownMachine> chordal_rings() {
     std::vector<KnownMachine> known;
     struct Three {
@@ -126,7 +126,7 @@ std::vector<KnownMachine> all_known() {
     return all;
 }
 
-/// The process sends its number to each neighbour and receives theirs.
+/// The process sends its number to each neighbour and receives the numbers of all neighbours.
 void exchange_numbers(ProcessEnvironment& environment) {
     auto inputs = environment.inputs<int>("in");
     auto outputs = environment.outputs<int>("out");

@@ -57,7 +57,7 @@ TEST_CASE("two wires between the same processors count twice but do not change d
     CHECK(twice.diameter == 1);
 }
 
-TEST_CASE("processors joined only by a host count as unconnected; the diameter is that of the larger part") {
+TEST_CASE("processors joined only by a host count as unconnected; the diameter is the larger part's diameter") {
     const generate::Distances apart =
         distances_of("workstation sun; T800 a, b, c; connect a.link[1] to b.link[0];"
                      "connect sun.link[0] to a.link[0]; connect sun.link[1] to c.link[0];");

@@ -12,9 +12,9 @@
 namespace placedpar {
 
 /// Makes machines whose run times form a random landscape (S. Kauffman's NK landscape with K = 1). The time is a sum
-/// with one part for each val and one for each two neighbouring vals. The simulated run is one process that computes
-/// for that time. With `four_links`, a machine is refused if the values of its first two settings add up to more than
-/// four.
+/// with one part for each val and one part for each two neighbouring vals. The simulated run is one process that
+/// computes for this time. With `four_links`, a machine is refused if the values of its first two settings add up to
+/// more than four.
 struct Landscape {
     std::size_t vals = 4, values = 4; ///< number of vals, and number of values of each val
     std::uint64_t seed = 1;

@@ -34,7 +34,7 @@ StudySearch wanting(std::vector<std::string> minimise, std::uint64_t population,
     return {.minimise = std::move(minimise), .population = population, .generations = generations, .seed = seed};
 }
 
-/// Whether both searches tried the same machines in the same order, with the same costs.
+/// Returns whether both searches tried the same machines in the same order, with the same costs.
 bool same_course(const SearchCourse& a, const SearchCourse& b) {
     return a.machines == b.machines &&
            std::ranges::equal(a.merits, b.merits, [](const Merit& x, const Merit& y) { return x.costs == y.costs; });
@@ -42,7 +42,7 @@ bool same_course(const SearchCourse& a, const SearchCourse& b) {
 
 } // namespace
 
-TEST_CASE("a genome stands for every machine, and for no other") {
+TEST_CASE("every machine has a genome, and every genome codes a machine") {
     Scratch scratch;
     Landscape landscape{.vals = 2, .values = 5};
     LandscapeSearch tried(folder_of(scratch), landscape, wanting({"time"}, 8, 1));
@@ -72,7 +72,7 @@ TEST_CASE("in small spaces the search finds the optimum of the exhaustive search
     }
 }
 
-TEST_CASE("the search finds better machines than the same number of random ones") {
+TEST_CASE("the search finds better machines than a random search with the same number of machines") {
     int better = 0, worse = 0;
     for (std::uint64_t seed = 101; seed <= 120; ++seed) {
         Scratch scratch;
@@ -85,7 +85,7 @@ TEST_CASE("the search finds better machines than the same number of random ones"
         worse += least_cost(*genetic) > least_cost(*random) ? 1 : 0;
     }
     CAPTURE(better);
-    CHECK(better >= 15); // out of 20: if neither were better, the chance of 15 would be 2 %
+    CHECK(better >= 15); // if neither search were better, 15 or more of 20 would have a chance of 2 %
     CHECK(worse <= 5);
 }
 
@@ -104,7 +104,7 @@ TEST_CASE("two measures give the front that the exhaustive search finds") {
     CHECK(wide >= 3);
 }
 
-TEST_CASE("machines that the netlist or the condition refuses are neither simulated nor mended") {
+TEST_CASE("machines that the netlist or the condition refuses are not simulated") {
     Scratch scratch;
     LandscapeSearch tried(folder_of(scratch), {.vals = 3, .values = 4, .four_links = true}, wanting({"time"}, 16, 10),
                           "v1 != v2");
@@ -149,7 +149,7 @@ TEST_CASE("the search's course does not depend on the number of workers or on in
     CHECK(second.results().count() == LandscapeSearch(folder_of(whole), landscape, wanted).results().count());
 }
 
-TEST_CASE("another seed draws another course") {
+TEST_CASE("another seed gives another course") {
     const Landscape landscape{.vals = 5, .values = 5};
     Scratch scratch;
     auto one = LandscapeSearch(folder_of(scratch), landscape, wanting({"time"}, 10, 2, 1)).search().genetic();

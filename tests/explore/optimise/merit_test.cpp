@@ -33,7 +33,7 @@ bool dominated(const std::vector<Merit>& merits, std::size_t which) {
     return std::ranges::any_of(merits, [&](const Merit& other) { return dominates(other, merits[which]); });
 }
 
-/// Returns each merit's layer: how often the undominated merits must be removed before it is undominated itself.
+/// Returns each merit's layer: how often all undominated merits must be removed before this merit is undominated.
 std::vector<std::size_t> layers(const std::vector<Merit>& merits) {
     std::vector<std::size_t> layer(merits.size(), 0);
     for (bool changed = true; changed;) {
@@ -59,7 +59,7 @@ TEST_CASE("a machine dominates machines that are worse in some cost and better i
     CHECK_FALSE(dominates(Merit{}, costs({9})));
 }
 
-TEST_CASE("the front consists of the machines that no other dominates") {
+TEST_CASE("the front consists of the machines that no other machine dominates") {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         CAPTURE(seed);
         auto merits = random_merits(1 + seed, 1 + seed % 2, seed);

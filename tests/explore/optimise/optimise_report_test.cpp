@@ -31,9 +31,9 @@ Optimum optimum_of(std::vector<std::string> measures, std::vector<SearchCourse> 
 
 } // namespace
 
-TEST_CASE("with one cost the few best machines are shown, the best first, one for each value of the cost") {
+TEST_CASE("with one cost the best few machines are shown, the best first, one machine for each value of the cost") {
     const SearchCourse course = course_of("genetic", {{5}, {3}, {}, {3}, {9}, {8}, {7}, {6}, {4}});
-    CHECK(best_of(course) == std::vector<std::size_t>{1, 8, 0, 7, 6}); // 3, 4, 5, 6, 7
+    CHECK(best_of(course) == std::vector<std::size_t>{1, 8, 0, 7, 6}); // their costs are 3, 4, 5, 6, 7
     CHECK(best_of(course_of("genetic", {{}, {}})).empty());
 }
 
@@ -42,7 +42,7 @@ TEST_CASE("with two costs the front is shown") {
     CHECK(best_of(course) == std::vector<std::size_t>{0, 1, 2});
 }
 
-TEST_CASE("the comparison states the result of each method and the machines it needed") {
+TEST_CASE("the comparison states the result of each method and the number of machines that it needed") {
     const std::string text = print_comparison(
         optimum_of({"time [ms]"}, {course_of("genetic", {{8}, {4}, {5}}), course_of("random", {{}, {7}})}));
     CHECK(text == "search        machines                 time [ms]      found with\n"
@@ -86,7 +86,8 @@ TEST_CASE("the command makes the run again, with each word as a shell takes it")
                          "--fault 't[0] halts (from = 1s)' --seed 7"));
 }
 
-TEST_CASE("if no machine can be built, a single reason is printed in full, several with the most frequent first") {
+TEST_CASE("if no machine can be built, a single reason is printed in full; of several reasons, the most frequent comes "
+          "first") {
     SearchCourse course = course_of("random", {{}, {}, {}});
     course.why["short"] = {.machines = 3, .said = "short\nand in full"};
     CHECK(print_why_none(course) ==
@@ -106,7 +107,7 @@ TEST_CASE("the minimised measures are shown first, and no measure twice") {
     CHECK(shown_measures(study) == std::vector<std::string>{"time", "processors", "links"});
 }
 
-TEST_CASE("one measure is plotted over the machines simulated, two against each other") {
+TEST_CASE("one measure is plotted over the number of machines, two measures against each other") {
     const Plot one = optimum_plot(optimum_of({"time"}, {course_of("genetic", {{8}, {9}, {4}})}), "title");
     CHECK(one.title == "title");
     REQUIRE(one.panels.size() == 1);
@@ -118,7 +119,7 @@ TEST_CASE("one measure is plotted over the machines simulated, two against each 
     CHECK(two.panels[0].y.label.find("cost") != std::string::npos);
 }
 
-TEST_CASE("two critical paths are compared part by part, the greatest difference first, the rest together") {
+TEST_CASE("two critical paths are compared part by part, the greatest difference first, and the other parts together") {
     auto path = [](const std::vector<std::pair<std::string, int>>& parts) {
         std::vector<PathPart> all;
         for (Time begin{}; const auto& [subject, milliseconds] : parts) {
@@ -138,5 +139,5 @@ TEST_CASE("two critical paths are compared part by part, the greatest difference
     for (char name = 'a'; name < 'k'; ++name)
         many.emplace_back(std::string(1, name), name - 'a' + 1); // 1 ms to 10 ms
     CHECK(print_paths(path(many), {}).find("       3.000         0.000        -3.000  everything else\n") !=
-          std::string::npos); // the two shortest
+          std::string::npos); // the sum of the two shortest
 }

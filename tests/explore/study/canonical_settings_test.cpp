@@ -40,7 +40,7 @@ TEST_CASE("settings are spelled as in the study, otherwise as in the first run")
     CHECK(CanonicalSettings(results, nullptr).of({{"clock", "8.0"}}) == Overrides{{"clock", "8.0"}}); // no such val
 }
 
-TEST_CASE("of runs with equal settings only the one in the study's spelling is passed on") {
+TEST_CASE("if runs have equal settings, only the run in the study's spelling is passed on") {
     StudyResults results(StudySource{});
     keep_run(results, "8", 1, 1);
     keep_run(results, "8.0", 1, 2);

@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Returns a run of 10 ms on two processors, the first of which computed for a quarter of the time.
+/// Returns a run of 10 ms on two processors. The first processor computed for a quarter of the time.
 RunReport quarter_busy() {
     RunReport report;
     report.result.ending = Ending::completed;
@@ -82,7 +82,7 @@ TEST_CASE("a table names a measure by its last part, without aggregate and subsc
                              UserError);
 }
 
-TEST_CASE("stored figures in another form than the written one are refused") {
+TEST_CASE("stored figures in a form that is never written are refused") {
     for (const char* wrong : {"", "{", "[1]", "{\"a\":1}", "{\"a\":[1]}", "{\"a\":[\"1\",\"ms\"]}", "{\"a\":[1,2]}",
                               "{\"a\":[1,\"\"],\"a\":[2,\"\"]}", "{\"a\":[1e999,\"\"]}"}) {
         CAPTURE(wrong);
@@ -110,7 +110,7 @@ TEST_CASE("a measure that a run lacks is refused with the nearest name, or with 
           "unknown measure \"wall clock\"; the runs have the measures links, master.rate, processors, t.busy, time");
 }
 
-TEST_CASE("the message about a measure that the run ended before says so and describes the measure") {
+TEST_CASE("if runs ended before a measurement, the message describes the measure") {
     const StudyFigures host{{"host.estimates", {20, ""}}, {"host.response", {3, "ms"}}};
     CHECK(there_is_no_measure(StudyMeasure("host.accurate_after"), host) ==
           "no run measured \"host.accurate_after\": time after which the fittest estimate stays accurate; absent if "

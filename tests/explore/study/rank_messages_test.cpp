@@ -6,7 +6,7 @@
 
 using namespace placedpar;
 
-TEST_CASE("a run and its outcome come out of a message to the last bit") {
+TEST_CASE("a message carries a run and its outcome without loss") {
     RankMessage sent{
         RankMessage::Kind::ended, "",
         StudyRun{{{"slaves", "3"}, {"t[0].name", "\"a, \\\"b\\\"\""}}, std::numeric_limits<std::uint64_t>::max()},

@@ -168,7 +168,7 @@ TEST_CASE("a run that a helper leaves unfinished remains counted as handed out")
     CHECK(played.results.count() == 0);
 }
 
-TEST_CASE("a stopped rank 0 announces it once and hands out no more runs") {
+TEST_CASE("a stopped rank 0 announces the stop once and hands out no more runs") {
     PlayedHelpers played;
     RankZero zero(played.rank);
     const LeavesAtTheEnd leaves{played};
@@ -195,7 +195,7 @@ TEST_CASE("a helper's error is reported with its rank and stops the other helper
     CHECK(kinds_of(played.post.collect(1)) == std::vector{RankKind::begin, RankKind::stop});
 }
 
-TEST_CASE("a helper requests one run more than it makes at once and reports each outcome") {
+TEST_CASE("a helper requests one run more than it has threads and reports each outcome") {
     const Study study = three_runs();
     const RankMessage none{RankKind::none};
     const std::vector<RankMessage> said = answers_to({{RankKind::begin, digest_of(source_of_three())},
@@ -214,7 +214,7 @@ TEST_CASE("a helper requests one run more than it makes at once and reports each
     }
 }
 
-TEST_CASE("a helper with other files than rank 0 reports it and stops when told to") {
+TEST_CASE("a helper with other files than rank 0 reports the difference and stops when told to") {
     const std::vector<RankMessage> said = answers_to({{RankKind::begin, "another digest"}, {RankKind::stop}});
     REQUIRE(kinds_of(said) == std::vector{RankKind::failed, RankKind::gone});
     CHECK(said[0].text ==

@@ -87,7 +87,7 @@ TEST_CASE("several problems share one bound on remembered strings") {
     CHECK(*room == 10'000);
 }
 
-TEST_CASE("registries share the problems of a family by their numbers") {
+TEST_CASE("registries share the problems of a family that have equal numbers") {
     RememberedProblems problems;
     ProblemFamily one = problems.around(minimised<Valley>()), other = problems.around(minimised<Valley>());
     CHECK(one.make({2, -1}) == other.make({2, -1}));

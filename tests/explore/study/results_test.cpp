@@ -25,7 +25,7 @@ namespace {
 const StudySource source_of_test{
     "ring.cfs", {{"ring.cfs", "host h;\n"}, {"part.inc", "val n 3;\n"}}, "{\"faults\":[]}"};
 
-/// The folder is in memory if possible, since SQLite waits for disks.
+/// Returns a folder in memory if possible, since SQLite waits for disks.
 std::filesystem::path quick_folder() {
     std::filesystem::path memory = "/dev/shm";
     return std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
@@ -141,7 +141,8 @@ void check_refused(const std::string& sql, const std::string& why) {
     CHECK_THROWS_AS(StudyResults(file.path(), source_of_test), UserError);
 }
 
-/// Flips one bit in every `one_in`; adds runs only to one file in every `one_written_in`.
+/// Flips each bit whose number is a multiple of `one_in`. If it is a multiple of `one_written_in`, also adds runs to
+/// the file.
 void flip_bits(std::size_t one_in, std::size_t one_written_in) {
     ResultsFile file;
     make_results(file);
@@ -168,11 +169,11 @@ void flip_bits(std::size_t one_in, std::size_t one_written_in) {
 
 } // namespace
 
-TEST_CASE("with any bit of it flipped, a file of results is the same or refused") {
+TEST_CASE("a file of results with a flipped bit reads as before or is refused") {
     test::sanitized ? flip_bits(97, 997) : flip_bits(7, 101);
 }
 
-TEST_CASE("with any bit of it flipped, a file of results is the same or refused: all of them" * doctest::skip()) {
+TEST_CASE("a file of results with a flipped bit reads as before or is refused: every bit" * doctest::skip()) {
     flip_bits(1, 1);
 }
 

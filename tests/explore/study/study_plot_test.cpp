@@ -35,7 +35,7 @@ bool is_drawn_by_decades_over(const std::vector<double>& values) {
 
 } // namespace
 
-TEST_CASE("the axis of a plot is logarithmic for multiplied values and linear for added ones") {
+TEST_CASE("the axis of a plot is logarithmic for multiplied values and linear for added values") {
     CHECK(is_drawn_by_decades_over({1, 2, 4, 8, 16, 32, 64}));
     CHECK(is_drawn_by_decades_over({5, 10, 20, 40, 1000}));
     CHECK(is_drawn_by_decades_over({10, 1000}));

@@ -39,7 +39,7 @@ TEST_CASE("a study's table has one line for each combination, with intervals if 
     CHECK(print_summary(single).find("95 %") == std::string::npos);
 }
 
-TEST_CASE("in CSV a missing figure is empty, and so is the interval of a single run") {
+TEST_CASE("in CSV a missing figure and the interval of a single run are empty") {
     StudySummary summary = of_two_lines();
     summary.lines.push_back({.values = {"3"}, .runs = 1, .ended = {}, .cells = {test::cell_of({7.5})}});
     const std::string csv = summary_csv(summary);

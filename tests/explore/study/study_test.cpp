@@ -66,13 +66,13 @@ TEST_CASE("values that mean the same are equal, however they are spelled") {
         CHECK(equal(name, "20M", "20000k"));
         CHECK_FALSE(equal(name, "20M", "20971520"));
     }
-    CHECK_FALSE(equal("memory", "1M", "1000000")); // a size
+    CHECK_FALSE(equal("memory", "1M", "1000000")); // a size, so M is 1048576
     CHECK_FALSE(equal("memory", "1M", "1000K"));
     CHECK(equal("memory", "1M", "1m"));
     CHECK(equal("slaves", "8", "8.0"));
     CHECK(equal("slaves", "8", "4+4"));
     CHECK(equal("mutation", "0.50", "5e-1"));
-    CHECK_FALSE(equal("seed", "9007199254740993", "9007199254740992")); // as doubles they would be
+    CHECK_FALSE(equal("seed", "9007199254740993", "9007199254740992")); // as doubles they would be equal
     CHECK(equal("topology", "ring", "\"ring\""));
     CHECK_FALSE(equal("topology", "ring", "rings"));
     CHECK_FALSE(equal("name", "8", "\"8\""));
@@ -91,7 +91,7 @@ TEST_CASE("a condition holds for equal values, however they are spelled") {
     CHECK(StudyExpression("slaves == 8").holds({{"slaves", "8.0"}}));
 }
 
-TEST_CASE("equal values are one, spelled as the first, or as a whole number") {
+TEST_CASE("equal values count once, spelled as the first value or as a whole number") {
     CHECK(all_values("20000k,7,20000k,07") == Values{"20000k", "7"});
     CHECK(all_values("a,\"a\",b") == Values{"a", "b"});
     CHECK(all_values("8.0,8,0.5,.5") == Values{"8", "0.5"});
@@ -125,7 +125,7 @@ TEST_CASE("a study consists of all combinations that meet its condition, with ea
     CHECK_THROWS_AS(StudyExpression("a >"), RefusedInput);
 }
 
-TEST_CASE("a study finds any combination without enumerating the earlier ones") {
+TEST_CASE("a study finds any combination without enumerating earlier combinations") {
     Study study = two_axes("a > 0");
     study.products.push_back({.axes = {read_axis("far=0..999999999999..3,x,0.1..0.3..0.1,1..64..x2")}});
     study.products.push_back({.axes = {read_axis("a=7.0"), read_axis("only=x")}});
@@ -159,13 +159,14 @@ TEST_CASE("a study finds any combination without enumerating the earlier ones") 
 TEST_CASE("a study whose number of runs exceeds 64 bits is refused with its largest settings") {
     Study study;
     study.products.push_back({{read_axis("a=0..65535"), read_axis("b=1..65536"), read_axis("once=1"),
-                               read_axis("c=1..65536"), read_axis("d=1..65535,0")}}); // 2^64: none, in 64 bits
+                               read_axis("c=1..65536"), read_axis("d=1..65535,0")}}); // 2^64 runs, which is 0 in 64
+                                                                                      // bits
     CHECK_THROWS_WITH_AS(study.products[0].count(),
                          doctest::Contains("4 settings with several values (65536 of a, 65536 of b, 65536 of c, 65536 "
                                            "of d), each run with 1 seed, are more than 18446744073709551615"),
                          UserError);
     CHECK_THROWS_AS(study.count(), UserError);
-    study.products[0].axes.pop_back(); // 2^48
+    study.products[0].axes.pop_back(); // now 2^48 runs
     study.seeds = 65535;
     CHECK(study.count() == 65535ULL << 48);
     study.products.push_back({{read_axis("a=1..65536"), read_axis("b=1..4294967296")}});
@@ -205,7 +206,7 @@ TEST_CASE("a measure is one figure or an aggregate of several") {
     CHECK_THROWS_AS(StudyMeasure("max(m.T"), UserError);
 }
 
-TEST_CASE("figures are read to the last bit") {
+TEST_CASE("figures are read back without loss") {
     StudyFigures figures{{"a[0].\"b\\", {3999.2662143707275, "a \"unit\""}},
                          {"c", {-1e-300, ""}},
                          {"d", {20, "%"}},
@@ -218,7 +219,7 @@ TEST_CASE("figures are read to the last bit") {
     }
 }
 
-TEST_CASE("an interval is Student's") {
+TEST_CASE("a cell's interval is Student's confidence interval") {
     StudyCell cell;
     for (double value : {4.0, 6.0, 8.0})
         cell.add(value);

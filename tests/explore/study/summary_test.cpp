@@ -37,18 +37,20 @@ const StudyLine& line_with(const StudySummary& summary, const std::string& slave
 
 } // namespace
 
-TEST_CASE("a cell has the mean, the ends, and Student's interval") {
+TEST_CASE("a cell has the mean, the least and greatest value, and Student's interval") {
     const StudyCell cell = test::cell_of({1, 2, 3, 4, 5});
     CHECK(cell.mean == doctest::Approx(3));
     CHECK(cell.least == 1);
     CHECK(cell.greatest == 5);
-    CHECK(cell.half_width == doctest::Approx(2.776445 * std::sqrt(2.5 / 5)).epsilon(1e-6)); // t for 4, 97.5 %
+    CHECK(cell.half_width == doctest::Approx(2.776445 * std::sqrt(2.5 / 5)).epsilon(1e-6)); // Student's t with 4
+                                                                                            // degrees of freedom, at
+                                                                                            // 97.5 %
     CHECK(test::cell_of({7}).half_width == 0);
     CHECK(shown_interval(test::cell_of({7})).empty());
     CHECK(shown_mean(StudyCell{}) == "-");
 }
 
-TEST_CASE("a mean of far numbers that lie close together keeps its digits") {
+TEST_CASE("a mean of large numbers with small differences keeps its digits") {
     const StudyCell cell = test::cell_of({1e9 + 1, 1e9 + 2, 1e9 + 3});
     CHECK(cell.mean == doctest::Approx(1e9 + 2).epsilon(1e-15));
     CHECK(cell.half_width == doctest::Approx(4.302653 / std::sqrt(3)).epsilon(1e-6));
@@ -74,12 +76,12 @@ TEST_CASE("runs that did not complete are counted by how they ended, and a deadl
     StudyResults results(StudySource{});
     const StudySummary summary = summary_of(add_runs(results, {"1", "9"}, 2), {"master.rate"});
     CHECK(line_with(summary, "9").cells[0].runs == 0);
-    CHECK(ended_of(line_with(summary, "9")) == "deadlock"); // all of them
+    CHECK(ended_of(line_with(summary, "9")) == "deadlock"); // all runs
     CHECK(ended_of(line_with(summary, "1")).empty());
     CHECK(has_intervals(summary));
 }
 
-TEST_CASE("relative figures divide figures of the same seed") {
+TEST_CASE("a relative figure is the ratio of two figures of the same seed") {
     StudyResults results(StudySource{});
     const StudySummary summary =
         summary_of(add_runs(results, {"1", "2"}, 2), {"master.rate"}, nullptr, {{"slaves", "1"}});
@@ -100,7 +102,7 @@ TEST_CASE("figures without a reference run are counted, and the message names th
     CHECK(there_is_no_reference({{"slaves", "5"}}, summary.names()).find("slaves") != std::string::npos);
 }
 
-TEST_CASE("equal values are one line, however they are spelled") {
+TEST_CASE("equal values have one line, however they are spelled") {
     StudyResults results(StudySource{});
     add_runs(results, {"8"}, 1);
     results.keep({{{"slaves", "8.0"}, {"samples", "12"}}, 2},

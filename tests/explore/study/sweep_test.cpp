@@ -36,8 +36,8 @@ std::string all_of(const std::optional<StudyOutcome>& outcome) {
                        outcome->netlist_hash, outcome->refused, figures_text(outcome->figures));
 }
 
-/// Makes all runs with one worker, and each run with a new worker, which has no run to repeat. Returns how many runs
-/// the one worker repeated.
+/// Makes all runs with one worker, and each run with a new worker, which has no run to repeat. Returns the number of
+/// runs that the first worker repeated.
 std::uint64_t check_worker(const Study& study) {
     Interruption never;
     StudyWorker worker(study);
@@ -94,11 +94,12 @@ TEST_CASE("runs that depend on the order of processes are not repeated from a re
     CHECK(check_worker(study_of("examples/machine/figure-d1/figure-e2-on-d1.cfs",
                                 {"slaves=1", "host.samples=6", "host.accuracy=0.1"}, 2)) == 0);
     CHECK(check_worker(study_of("examples/machine/figure-d1/figure-e2-on-d1.cfs",
-                                {"slaves=1", "host.samples=6", "broadcast=TRUE"}, 2)) == 0); // messages are compared
+                                {"slaves=1", "host.samples=6", "broadcast=TRUE"}, 2)) == 0); // a broadcast compares
+                                                                                             // messages
     CHECK(check_worker(study_of("examples/csp/philosophers/philosophers.cfs", {"meals=2"}, 2)) == 0);
 }
 
-TEST_CASE("a run that ends early is not repeated, and one with a single seed is not recorded") {
+TEST_CASE("a run that ends early is not repeated, and a run with a single seed is not recorded") {
     Study study = study_of("examples/csp/commstime/commstime.cfs", {}, 3);
     study.until = std::chrono::microseconds{50};
     CHECK(check_worker(study) == 0);
@@ -152,7 +153,7 @@ TEST_CASE("a measure that no run has is refused after the first and last runs") 
     CHECK_NOTHROW(require_possible({"max(t.busy)", "master.T_exe"}, study, readable_network(study)));
 }
 
-TEST_CASE("the missing runs of a study are those not made yet, also after an interrupted sweep") {
+TEST_CASE("the missing runs of a study are the runs not made yet, also after an interrupted sweep") {
     Study study;
     study.products = {{.axes = {read_axis("n=1..10")}, .where = StudyExpression("n != 4")}};
     study.function = [](const StudyRun&) { return StudyFigures(); };

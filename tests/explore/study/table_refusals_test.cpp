@@ -68,7 +68,7 @@ TEST_CASE("tables, columns and rows need distinct names") {
                        ":7:9: error: two rows of the table have the name \"a\"");
 }
 
-TEST_CASE("a table is like another only where it says so") {
+TEST_CASE("a table copies another only if it has the key like") {
     check_farm_refused(farm_head + farm_columns + farm_rows("") + "[[table]]\nname = \"y\"\n" + farm_rows(""),
                        ":7:1: error: the table lacks columns or rows");
 }

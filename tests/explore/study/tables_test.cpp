@@ -56,7 +56,7 @@ void check_study_refused(const std::string& text, const std::string& why) {
 
 } // namespace
 
-TEST_CASE("a table needs a run for each row and column, and no other") {
+TEST_CASE("a table needs a run for each row and column, and no other run") {
     Study study =
         study_in(head + "[[table]]\nname = \"x\"\nset = {reading = 30}\n" + columns +
                  "rows = [{name = \"a\", figure = \"rate\"}, {name = \"b\", figure = \"rate\", set = {clock = "
@@ -99,7 +99,7 @@ TEST_CASE("a cell has the figure of its run, the known figure and the tolerance"
     CHECK_FALSE(table.within_tolerance());
 }
 
-TEST_CASE("a row can name another judge than its table") {
+TEST_CASE("a row can name a judge that differs from its table's judge") {
     Comparison table =
         tables_of(study_in(head + "[[table]]\nname = \"x\"\nagainst = \"thesis\"\nknown = 1\ntolerance = 1\n" +
                            columns +

@@ -25,7 +25,7 @@ TEST_CASE("boom orifices at the knees of A.3 to A.9 agree with a hand computatio
     check_areas(0.476, 0, 0.2346 + 0.3927, 0.1509 + 0.3927);
 }
 
-TEST_CASE("with the spool's travel the bypass never opens, inlet and outlet never close, no area is negative") {
+TEST_CASE("as the spool moves out, the bypass never opens, inlet and outlet never shut, and no area is negative") {
     OrificeAreas before = boom_orifices(0);
     for (int i = 1; i <= 6000; ++i) {
         OrificeAreas areas = boom_orifices(i * 1e-4);

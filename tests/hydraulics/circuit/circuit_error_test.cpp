@@ -18,7 +18,7 @@ namespace {
 const Circuit boom_alone = circuit_of(Configuration::a, {Link::boom});
 const Circuit bucket_and_boom = circuit_of(Configuration::a, {Link::bucket, Link::boom});
 
-/// Returns a sample at constant pressure with this flow into the link; with no slope, its compliance does not matter.
+/// Returns a sample at constant pressure with this flow into the link. Without a slope the compliance does not matter.
 LinkSample steady(double psi, double flow, double inlet_in2, double bypass_in2) {
     return {psi, 0, flow, inlet_in2, bypass_in2};
 }
@@ -66,25 +66,25 @@ TEST_CASE("a pressure below the tank's gives no square root of a negative number
 }
 
 TEST_CASE("the error of two junctions is 0 at the solution of equations B.3 and B.4") {
-    // k = 100, Q_t = 175, P_e = 25: the worked junction of the design notes, to the digits given there.
+    // k = 100, Q_t = 175, P_e = 25: a solution computed independently, to the digits given.
     LinkSample bucket = steady(2000, 56.7165, .1, .068), boom = steady(1700, 52.2247, .096, .016);
     CHECK(error_of<2>(bucket_and_boom, {0, 0}, {bucket, boom}) < 2e-3);
 
-    SUBCASE("what enters the cylinders and is not accounted for is missed at its junction") {
-        // More flow into the boom raises P_12, so that less flow passes the bucket and more goes to the tank: the sum
-        // grows by more than the added flow.
+    SUBCASE("an additional flow into the boom's cylinder is missing at the junctions") {
+        // More flow into the boom raises P_12, so that less flow passes the bucket and more flow goes to the tank: the
+        // sum grows by more than the added flow.
         boom.piston_flow_in3_per_s += 1;
         double error = error_of<2>(bucket_and_boom, {0, 0}, {bucket, boom});
         CHECK(error > 1);
         CHECK(error < 3);
     }
-    SUBCASE("a compliance counts through its pressure's slope") {
+    SUBCASE("a compliance counts in proportion to the slope of the pressure") {
         boom.inlet_slope_psi_per_s = 1000;
         boom.piston_flow_in3_per_s -= 8.6;
         CHECK(error_of<2>(bucket_and_boom, {0, 0.0086}, {bucket, boom}) < 2e-3);
         CHECK(error_of<2>(bucket_and_boom, {0, 0.0096}, {bucket, boom}) > 1);
     }
-    SUBCASE("nothing passes on against the pressure") {
+    SUBCASE("nothing flows through a bypass towards a higher pressure") {
         bucket.inlet_psi = 1000;
         double p12 = 1700 + std::pow(52.2247 / 9.6, 2), q12 = 100 * .016 * std::sqrt(p12 - 25);
         CHECK(error_of<2>(bucket_and_boom, {0, 0}, {bucket, boom}) ==
@@ -104,7 +104,7 @@ TEST_CASE("in configuration d the boom gets the flow of both pumps") {
     CHECK(error_of<1>(both, {0}, {steady(1700, 100, .4, .16)}) == doctest::Approx(std::abs(350 - 100 - past)));
 }
 
-TEST_CASE("a whole array of compliances has the same bits as each alone") {
+TEST_CASE("the errors of several compliances computed together equal separate errors, to the bit") {
     using Array = Lanes<2>;
     std::mt19937 random(2);
     auto draw = [&](double low, double high) {

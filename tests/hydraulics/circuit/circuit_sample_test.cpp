@@ -51,7 +51,7 @@ TEST_CASE("scenario A has 20 usable samples from .20 to .58 s, the first 14 risi
     }
 }
 
-TEST_CASE("the piston's flow at each sample is that of the motion, up to the line fit") {
+TEST_CASE("the piston's flow at each sample equals that of the motion, apart from the error of the line fit") {
     ExcavatorMotion motion = simulate_excavator(single_boom_scenario());
     auto samples = usable(exact_record());
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -123,9 +123,9 @@ TEST_CASE("read areas are preferred to areas from the spool, and a missing chann
                          UnfitRecord);
 }
 
-TEST_CASE("of two junctions in series, a link takes no flow while another keeps the pressure below its own") {
+TEST_CASE("in series, a link takes no flow while the other keeps the junction's pressure below the link's") {
     Circuit two = circuit_of(Configuration::a, {Link::bucket, Link::boom});
-    // With k = 100, Q = 175, P_e = 25, the worked junction of the design notes has 2032.168 psi at the bucket.
+    // With k = 100, Q = 175, P_e = 25, these areas and pressures give 2032.168 psi at the bucket.
     std::array<LinkSample, 2> links{{{2000, 0, 0, .1, .068}, {1700, 0, 0, .096, .016}}};
     CHECK(all_open(two, links, rounded_flow_constants(), 0));
     links[0].inlet_psi = 2700;

@@ -122,5 +122,5 @@ TEST_CASE("in every circuit each usable pump feeds one junction, and bypasses le
         CHECK(pumps >= 1);
         CHECK(pumps <= 2);
     });
-    CHECK(circuits == 52); // 3+3, 1+7, 7+1, 15, 15
+    CHECK(circuits == 52); // configurations a to e have 3+3, 1+7, 7+1, 15 and 15
 }

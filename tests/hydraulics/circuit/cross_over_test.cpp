@@ -22,7 +22,7 @@ void for_all_pressures(auto work) {
                     work(BranchPressures{p12, p13, p22, p23});
 }
 
-/// The rule as a table: where the surpluses go next (tank, boom, stick), by where they go now and by P13 - P23.
+/// Returns where the surpluses go next (tank, boom, stick), from a table by where they go now and by P13 - P23.
 char surplus(char now, double difference_psi) {
     const std::size_t band = difference_psi < -1000  ? 0
                              : difference_psi < -500 ? 1
@@ -73,7 +73,7 @@ TEST_CASE("exchanging the branches exchanges b with c and d with e") {
         });
 }
 
-TEST_CASE("a machine at rest stays in configuration a, and one boom or one stick at work gets both pumps") {
+TEST_CASE("a machine at rest stays in configuration a, and a boom or a stick that works alone gets both pumps") {
     const Parameters& machine = Parameters::excavator();
     const FlowConstants flow = flow_constants(machine);
     const CrossOverLimits own = cross_over_limits(machine);
@@ -89,7 +89,7 @@ TEST_CASE("a machine at rest stays in configuration a, and one boom or one stick
     CHECK(working(Link::stick, Configuration::d) == Configuration::e);
 }
 
-TEST_CASE("beside a working boom, a bucket without load that takes its pump's whole flow is alone with it") {
+TEST_CASE("while the boom works, a bucket without load that takes its pump's whole flow is alone with this pump") {
     const Parameters& machine = Parameters::excavator();
     PerLink<JunctionOpening> openings = at_rest();
     openings[index_of(Link::boom)] = {2600, 0.1, 0.05};

@@ -15,7 +15,7 @@ using test::rounded_flow;
 
 namespace {
 
-// Model minus table in 1e-4 in, worked out independently, to the digits given.
+// The model minus the table, in 1e-4 in, computed independently, to the digits given.
 constexpr double fitted_residuals[] = {-0.61, -0.22, -0.29, 0.65, 1.38, 0.07, -0.47, -0.50, -0.12};
 constexpr double rounded_residuals[] = {-0.39, -0.24, -0.62, 0.82, 1.29, -0.37, -0.35, -0.66, -0.65};
 
@@ -29,7 +29,7 @@ TEST_CASE("the rounded constants have the printed values") {
     CHECK(rounded.relief_psi == rounded_flow.relief_psi);
 }
 
-TEST_CASE("both sets of constants leave their known residuals of Table 2.6") {
+TEST_CASE("both sets of constants have the known residuals for Table 2.6") {
     auto fitted = spool_residuals_in(table_2_6(), fitted_flow_constants());
     auto round = spool_residuals_in(table_2_6(), rounded_flow_constants());
     for (std::size_t i = 0; i < 9; ++i) {
@@ -55,7 +55,7 @@ TEST_CASE("the fit to Table 2.6 gives the same constants and residuals from any 
     }
 }
 
-TEST_CASE("without its worst entry Table 2.6 is fitted to its rounding") {
+TEST_CASE("without its worst entry, Table 2.6 is fitted to within its rounding") {
     std::vector<SteadyFlowPoint> table(table_2_6().begin(), table_2_6().end());
     table.erase(table.begin() + 4);
     FlowConstantsFit fit = fit_flow_constants(table, rounded_flow);

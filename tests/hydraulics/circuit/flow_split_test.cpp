@@ -19,7 +19,7 @@ FlowSplit boom_split(double spool_in, double inlet_psi) {
     return split_flow(areas.inlet_in2, areas.bypass_in2, inlet_psi, rounded_flow);
 }
 
-/// Returns the spool position that gives this flow, by bisection: the flow grows with the spool.
+/// Returns the spool position that gives this flow, by bisection, since the flow grows with the spool.
 double spool_for(double inlet_in3_per_s, double inlet_psi) {
     double low = boom_dead_band_in, high = boom_bypass_shut_in;
     for (int i = 0; i < 60; ++i) {
@@ -69,7 +69,7 @@ TEST_CASE("the relief valve opens at 4500 psi") {
     CHECK(overloaded.relief_in3_per_s == 175);
 }
 
-TEST_CASE("any split satisfies the orifice equations and keeps the pump's flow") {
+TEST_CASE("any split satisfies the orifice equations and conserves the pump's flow") {
     RandomStream random(11, "flow split");
     int shut = 0, relieved = 0, reversed = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -97,7 +97,7 @@ TEST_CASE("any split satisfies the orifice equations and keeps the pump's flow")
     CHECK(reversed > 100);
 }
 
-TEST_CASE("the predicted state of the path agrees with the flow split") {
+TEST_CASE("the prediction whether the path to the cylinder is open agrees with the flow split") {
     for (double spool_in = 0.189; spool_in < 0.25; spool_in += 0.0007) {
         CAPTURE(spool_in);
         bool predicted = bypass_only_psi(boom_orifices(spool_in).bypass_in2, rounded_flow) > 1600;

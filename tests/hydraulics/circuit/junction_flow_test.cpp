@@ -72,8 +72,8 @@ std::vector<JunctionOpening> random_openings(const Circuit& circuit, RandomStrea
     return openings;
 }
 
-/// Draws a solution first, and computes openings that have it as their solution. Each junction's inflow is split
-/// between inlet and bypass; the pressure drops between junctions are random.
+/// Draws a solution, and computes openings with this solution. Each junction's inflow is split between inlet and
+/// bypass; the pressure drops between junctions are random.
 struct MadeUp {
     std::vector<JunctionOpening> openings;
     std::vector<JunctionFlow> flows;
@@ -108,7 +108,7 @@ TEST_CASE("bucket and boom of configuration a satisfy B.3 and B.4 at given press
     CHECK(std::abs(flows[1].bypass_in3_per_s - 66.0588) < 1e-3);
 }
 
-TEST_CASE("one junction equals the flow split") {
+TEST_CASE("the solution of one junction equals the flow split") {
     RandomStream random(5, "one junction");
     Circuit boom = circuit_of(Configuration::a, {Link::boom});
     for (int i = 0; i < 5000; ++i) {
@@ -122,7 +122,7 @@ TEST_CASE("one junction equals the flow split") {
     }
 }
 
-TEST_CASE("flow is conserved and no check valve is passed, for any areas, pressures, configuration and links") {
+TEST_CASE("flow is conserved and never backward, for any areas, pressures, configuration and links") {
     RandomStream random(7, "junction flow");
     int draws = 0, relieved = 0, shut = 0, unreached = 0;
     for (int round = 0; round < 200; ++round)
@@ -162,7 +162,7 @@ TEST_CASE("a constructed solution is found, in every configuration with every se
         });
 }
 
-TEST_CASE("a heavier load on any link lowers no junction's pressure and adds nothing to the link's flow") {
+TEST_CASE("a heavier load on any link lowers no junction's pressure and does not increase the link's flow") {
     RandomStream random(13, "heavier load");
     for (int round = 0; round < 50; ++round)
         for_each_circuit([&](Configuration, LinkSet, const Circuit& circuit) {

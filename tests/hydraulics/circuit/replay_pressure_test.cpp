@@ -49,7 +49,7 @@ Replay replay(double compliance_factor, std::size_t stride = 40) {
 
 } // namespace
 
-TEST_CASE("the true compliance reproduces the pressure of Figure 3.8, half and twice of it do not") {
+TEST_CASE("the true compliance reproduces the pressure of Figure 3.8; half of it and twice of it do not") {
     CHECK(replay(1).rms_psi < 4);
     CHECK(std::abs(replay(1).rms_psi - 1) < 0.5);
     CHECK(std::abs(replay(0.5).rms_psi - 134) < 2);
@@ -58,7 +58,7 @@ TEST_CASE("the true compliance reproduces the pressure of Figure 3.8, half and t
     CHECK(std::abs(replay(2).peak_psi - 1883) < 2);
     CHECK(std::abs(replay(1.1).rms_psi - 19.5) < 0.5);
     CHECK(std::abs(replay(0.9).rms_psi - 19.5) < 0.5);
-    CHECK(std::abs(replay(0.005 / 0.0086).rms_psi - 105) < 1); // the experiments' two compliances
+    CHECK(std::abs(replay(0.005 / 0.0086).rms_psi - 105) < 1); // the compliances of the two experiments
 }
 
 TEST_CASE("with a sample for every step the replayed pressure equals the simulation") {

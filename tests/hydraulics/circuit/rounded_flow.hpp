@@ -4,7 +4,7 @@
 
 namespace placedpar::test {
 
-/// k = 100, Q = 175, P_e = 25: the values of rounded_flow_constants().
+/// The values of rounded_flow_constants(): k = 100, Q = 175, P_e = 25.
 inline constexpr hydraulics::FlowConstants rounded_flow{100, 175, 25, 4500};
 
 } // namespace placedpar::test

@@ -68,7 +68,7 @@ TEST_CASE("as in the thesis, 0.02 in of spool change the flow by up to 50 %, 0.0
         CHECK(change_percent(point, 0.02) < 56);
         CHECK(change_percent(point, 0.01) > 16);
         CHECK(change_percent(point, 0.01) < 28);
-        CHECK(0.02 / point.spool_in < 0.083); // the "8 %"
+        CHECK(0.02 / point.spool_in < 0.083); // the thesis's "8 %"
     }
 }
 

@@ -25,7 +25,7 @@ TEST_CASE("A.1 and its inverse agree at the thesis's knees and spools") {
     CHECK(desired_spool_in(0) == 0.1297);
 }
 
-TEST_CASE("A.1 rises everywhere, least at -.879 V, and its inverse undoes it") {
+TEST_CASE("A.1 rises everywhere, least steeply at -.879 V, and servo_volts() is its inverse") {
     double before = desired_spool_in(-3);
     for (int i = -2999; i <= 3000; ++i) {
         double volts = i * 1e-3, spool = desired_spool_in(volts);
@@ -34,7 +34,7 @@ TEST_CASE("A.1 rises everywhere, least at -.879 V, and its inverse undoes it") {
         if (spool >= 0)
             CHECK(std::abs(servo_volts(spool) - volts) < 1e-13);
     }
-    CHECK(std::abs(servo_volts(50) - 7.4) < 0.5); // far outside the table, still found
+    CHECK(std::abs(servo_volts(50) - 7.4) < 0.5); // far outside the table
     CHECK(std::abs(desired_spool_in(servo_volts(50)) - 50) < 1e-10);
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("the spool lag is exact for held commands") {
     CHECK_THROWS_AS(SpoolLag(8, -1, 0), std::invalid_argument);
 }
 
-TEST_CASE("the spool from voltages answers a step one period later") {
+TEST_CASE("the spool responds to a voltage step one period later") {
     std::vector<double> volts{0, 0, 0.35, 0.35, 0.35};
     auto spools = spool_from_volts(volts, 8, 0.02);
     REQUIRE(spools.size() == 5);
@@ -75,7 +75,7 @@ TEST_CASE("the spool from voltages answers a step one period later") {
     CHECK(spool_from_volts({}, 8, 0.02).empty());
 }
 
-TEST_CASE("over a gap the spool continues under the last command") {
+TEST_CASE("over a gap the spool follows the last command") {
     std::vector<double> volts{0, 0.35, 0.35, 0.35, 0.2, 0.2}, time_s{0, 0.02, 0.04, 0.06, 0.08, 0.1};
     auto whole = spool_from_volts(volts, 8, 0.02);
     auto at = [&](std::vector<std::size_t> rows) {
@@ -91,7 +91,7 @@ TEST_CASE("over a gap the spool continues under the last command") {
     CHECK(gap[2] == doctest::Approx(whole[4]).epsilon(1e-14));
     CHECK(gap[3] == doctest::Approx(whole[5]).epsilon(1e-14));
     CHECK(spool_from_volts(std::vector<double>{0, 0.35, 0.35}, std::vector<double>{0, 0.02, 1e9}, 8, 0.02)[2] ==
-          desired_spool_in(0.35)); // a gap of years takes no longer
+          desired_spool_in(0.35)); // a gap of years takes no more time
 }
 
 TEST_CASE("a drift adds growing offsets to voltage and spool") {

@@ -28,7 +28,7 @@ std::vector<Diagnostic> faults_of(const std::string& rows, Parameters* machine =
 
 } // namespace
 
-TEST_CASE("every constant has a mark, and constants of others have a source") {
+TEST_CASE("every constant has a mark, and constants that are not ours have a source") {
     for (const Parameter& parameter : Parameters::excavator().all()) {
         CAPTURE(parameter.name);
         CHECK(std::set<std::string>{"thesis", "fitted", "ours"}.contains(parameter.mark));

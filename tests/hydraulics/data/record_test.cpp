@@ -191,7 +191,7 @@ TEST_CASE("pressures below vacuum and a frozen pressure give warnings") {
         "logger that froze: leave these rows out\n");
 }
 
-TEST_CASE("a resting pressure that starts smoothly, and one that moves a little, are not frozen") {
+TEST_CASE("a pressure that starts smoothly from rest is not frozen, and neither is one that moves a little") {
     for (double step : {49.0, 19.0}) {
         std::string text = "time [s],boom.inlet_pressure [psi],boom.angle [deg]\n";
         for (int i = 0; i < 12; ++i)
@@ -205,7 +205,8 @@ TEST_CASE("jittering times are resampled to whole periods, but not across a gap"
     std::vector<int> off{0, 1, -1, 1, 0, -1, 1, -1, 0, 0}; // ms
     for (int i = 0; i < 10; ++i) {
         int time = 20 * (i < 6 ? i : i + 3) + off[static_cast<std::size_t>(i)];
-        text += fmt::format("{},{}\n", time, time < 110 ? time / 4.0 : 300 - time / 4.0); // another line after the gap
+        // After the gap the angle follows another line.
+        text += fmt::format("{},{}\n", time, time < 110 ? time / 4.0 : 300 - time / 4.0);
     }
     ReadRecord read = read_record(text);
     REQUIRE(read.record);
@@ -243,7 +244,7 @@ TEST_CASE("gaps divide a record into stretches") {
     CHECK(stretches[2].last == 11);
 }
 
-TEST_CASE("the earliest impossible reading is found, in the first channel of its instant") {
+TEST_CASE("the earliest impossible reading is found, and at one instant the reading of the first channel") {
     ReadRecord read = read_record(boom_columns + rows(0, 6));
     REQUIRE(read.record);
     Record& record = *read.record;

@@ -40,7 +40,7 @@ TEST_CASE("unit conversions agree with the thesis and with tables") {
     CHECK(350 * factor("mV") == doctest::Approx(0.35));
 }
 
-TEST_CASE("every quantity has a unit of this room, first and of factor 1, and every name is used once") {
+TEST_CASE("the first unit of every quantity has factor 1, and no two units have the same name") {
     std::string all;
     for (int i = 0; i < quantities; ++i) {
         auto quantity = static_cast<Quantity>(i);

@@ -13,7 +13,7 @@ using namespace placedpar::hydraulics;
 
 namespace {
 
-/// Returns the mean lag of the last second, in degrees.
+/// Returns the boom's mean lag behind its reference in the last second, in degrees.
 double lag_deg(double leak, double bias_volts, bool closed, std::uint64_t seed) {
     Parameters machine = Parameters::excavator();
     for (Parameter& row : noise_rows(machine, "low"))
@@ -41,15 +41,15 @@ TEST_CASE("feedback keeps the boom at its reference, and hides most of a leak an
         CAPTURE(seed);
         const double sound = lag_deg(0, 0, true, seed), open = lag_deg(0, 0, false, seed);
         CHECK(std::abs(sound) < 0.1);
-        CHECK(open > 1); // the spool's lag is never made up
+        CHECK(open > 1); // without feedback nothing makes up for the spool's lag
         CHECK(lag_deg(0.004, 0, false, seed) - open > 1.5);
         CHECK(lag_deg(0.004, 0, true, seed) - sound < 0.4);
-        CHECK(lag_deg(0.004, 0, true, seed) - sound > 0.1); // there is no integral part
+        CHECK(lag_deg(0.004, 0, true, seed) - sound > 0.1); // there is no integral part, so some of the effect remains
         CHECK(lag_deg(0, -0.04, true, seed) - sound < 0.25 * (lag_deg(0, -0.04, false, seed) - open));
     }
 }
 
-TEST_CASE("the record under control has what the control read") {
+TEST_CASE("the record under control has the readings that the control used") {
     const Parameters machine = Parameters::excavator();
     const MeasuredExcavator excavator = measured_excavator(machine);
     RandomStream sensors(7, "sensors");

@@ -22,7 +22,7 @@ Record read_with(const BoomSensors& sensors, const MeasuredExcavator& excavator,
 
 } // namespace
 
-TEST_CASE("a converter rounds to its steps, by at most half of one") {
+TEST_CASE("a converter rounds to its steps, with an error of at most half a step") {
     Converter resolver{360, 16};
     CHECK(resolver.step() == 0.0054931640625);
     CHECK(Converter{360, 12}.step() == 0.087890625);

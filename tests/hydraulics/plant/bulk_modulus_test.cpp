@@ -14,7 +14,7 @@ struct Known {
     double air_fraction, exponent, psia, modulus_kpsi;
 };
 
-// Values worked out independently, to the digits given.
+// The values are computed independently, to the digits given.
 constexpr Known known[] = {
     {.001, 1, 100, 166.2}, {.001, 1, 500, 217.2}, {.001, 1, 1000, 219.3},  {.001, 1, 2000, 219.8},
     {.01, 1, 100, 51.6},   {.01, 1, 500, 194.6},  {.01, 1, 1000, 213.1},   {.01, 1, 2000, 218.2},
@@ -40,7 +40,7 @@ TEST_CASE("bulk modulus is -V dP/dV of a volume of oil and gas") {
             for (double psia : {20.0, 200.0, 2000.0}) {
                 AirOilMixture mixture = air_oil_mixture(air, exponent);
                 auto volume = [&](double p) {
-                    double shrunk = (p - 14.7) / 220e3; // missing from V itself: 1 % at 2200 psi
+                    double shrunk = (p - 14.7) / 220e3; // the formula of V neglects this: 1 % at 2200 psi
                     return (1 - air) * (1 - shrunk) + air * std::pow(14.7 / p, 1 / exponent);
                 };
                 double step = psia * 1e-4;
@@ -49,7 +49,7 @@ TEST_CASE("bulk modulus is -V dP/dV of a volume of oil and gas") {
             }
 }
 
-TEST_CASE("the bulk modulus has its limits and decreases with air") {
+TEST_CASE("the bulk modulus tends to the oil's at high pressure and decreases with air") {
     CHECK(bulk_modulus_psi(air_oil_mixture(0), 100) == doctest::Approx(220e3));
     CHECK(bulk_modulus_psi(air_oil_mixture(0.05), 1e9) == doctest::Approx(220e3).epsilon(1e-4));
     for (double air : {0.001, 0.01, 0.05, 0.1, 0.5})

@@ -34,7 +34,7 @@ struct Kinks {
     }
 };
 
-/// x' = -sign(x): once x is 0 it stays there, through endless events.
+/// x' = -sign(x): x reaches 0 and stays there, with endless events.
 struct Sliding {
     using Mode = bool;
     Mode rate(const State& x, State& slope, double) const {
@@ -66,7 +66,7 @@ double plain(State state, double end_s, int steps) {
 } // namespace
 
 TEST_CASE("across a jump of the derivative the method keeps its order 4") {
-    double exact = std::exp(3 * (1 - std::log(2.0))); // from 1/2: reaches 1 at ln 2
+    double exact = std::exp(3 * (1 - std::log(2.0))); // x begins at 1/2 and reaches 1 at ln 2
     double coarse = std::abs(stepped<Jump>({0.5}, 1, 10) - exact);
     double fine = std::abs(stepped<Jump>({0.5}, 1, 20) - exact);
     CHECK(coarse < 2e-4);
@@ -109,7 +109,7 @@ TEST_CASE("the integration stops at each of several events within one step") {
         CHECK(std::abs(times[i] - std::numbers::pi / 10 * static_cast<double>(i + 1)) < 1e-11);
 }
 
-TEST_CASE("endless events cost few steps a call") {
+TEST_CASE("endless events cost few steps per call") {
     static std::size_t rates = 0;
     struct Counted : Sliding {
         Mode rate(const State& x, State& slope, double time_s) const {
@@ -118,7 +118,7 @@ TEST_CASE("endless events cost few steps a call") {
         }
     };
     CHECK(std::abs(stepped<Counted>({0.25}, 100, 10'000)) < 0.01);
-    CHECK(rates < 10'000 * 60); // 5 rates a step, 50 in a search for an event
+    CHECK(rates < 10'000 * 60); // 5 evaluations per step, 50 per search for an event
 }
 
 TEST_CASE("time advances despite endless events") {
@@ -127,5 +127,5 @@ TEST_CASE("time advances despite endless events") {
     for (int i = 1; i <= 100; ++i)
         stepper.advance_to(0.01 * i, [](double, bool, bool) {});
     CHECK(stepper.time_s() == doctest::Approx(1));
-    CHECK(std::abs(stepper.state()[0]) < 0.01); // no farther than one step can reach
+    CHECK(std::abs(stepper.state()[0]) < 0.01); // no farther from 0 than one step can reach
 }

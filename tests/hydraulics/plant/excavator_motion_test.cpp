@@ -34,7 +34,7 @@ double peak_psi(const ExcavatorMotion& motion, std::size_t link) {
     return peak;
 }
 
-/// Returns the root mean square of dP/dt over a window of 10 samples of 20 ms, by differences of the motion.
+/// Returns the root mean square of dP/dt over a window of 10 samples of 20 ms, from differences of the motion.
 double excitation_psi_per_s(const ExcavatorMotion& motion, double time_s, std::size_t link) {
     double sum = 0;
     for (int w = 0; w < 10; ++w) {
@@ -46,7 +46,7 @@ double excitation_psi_per_s(const ExcavatorMotion& motion, double time_s, std::s
     return std::sqrt(sum / 10);
 }
 
-/// Returns the greatest difference of any inlet pressure between a motion and one of half its step.
+/// Returns the greatest difference in any inlet pressure between a motion and the motion with half its step.
 double difference_psi(const ExcavatorMotion& coarse, const ExcavatorMotion& halved) {
     double greatest = 0;
     for (std::size_t i = 0; i < coarse.states.size(); ++i)
@@ -109,8 +109,9 @@ TEST_CASE("in scenario R2 the first opening agrees with its closed form") {
     CHECK(std::abs(two_links().checks[0].time_s - low) < 1e-8);
 }
 
-TEST_CASE("R2: halving the step divides the change of pressure by 16, the method's order, through both openings") {
-    // Steps that do not stop at the openings give .05 psi, where .001 is required here, and a ratio of 2.
+TEST_CASE(
+    "in scenario R2, halving the step divides the pressure's error by 16, as order 4 requires, through both openings") {
+    // With steps that did not stop at the openings, the difference would be .05 psi instead of .001, and the ratio 2.
     ExcavatorMotion steps_4_ms = with_step(two_link_scenario(), 0.004),
                     steps_2_ms = with_step(two_link_scenario(), 0.002),
                     steps_1_ms = with_step(two_link_scenario(), 0.001);

@@ -49,7 +49,7 @@ std::vector<BoomState> with_step(const char* name, double step_s) {
     return simulate_boom(scenario);
 }
 
-/// Returns the greatest difference of the inlet pressure between a motion and one of half its step.
+/// Returns the greatest difference in the inlet pressure between a motion and the motion with half its step.
 double difference_psi(const std::vector<BoomState>& coarse, const std::vector<BoomState>& halved) {
     double greatest = 0;
     for (std::size_t i = 0; i < coarse.size(); ++i)
@@ -89,8 +89,8 @@ TEST_CASE("the spool follows its first-order lag") {
     CHECK(state.spool_in == doctest::Approx(0.1297 + 0.1296 * (1 - std::exp(-0.8))).epsilon(1e-9));
 }
 
-TEST_CASE("halving the step divides the change of pressure by 16, through the opening and the knees") {
-    // Steps that do not stop at the events give .02 psi and a ratio of 2 to 4.
+TEST_CASE("halving the step divides the simple plant's pressure error by 16, through the opening and the knees") {
+    // With steps that did not stop at the events, the difference would be .02 psi, and the ratio 2 to 4.
     for (const char* name : {"scenario_a", "scenario_b"}) {
         CAPTURE(name);
         auto coarse = with_step(name, 0.004), halved = with_step(name, 0.002), fine = with_step(name, 0.001);
@@ -116,7 +116,7 @@ TEST_CASE("scenario B rises from 1524 to 2070 psi in .52 s and settles at 1835 p
     CHECK(std::abs(peak->time_s - rises->time_s - 0.52) < 0.05);
 }
 
-TEST_CASE("an impossible scenario is refused with the reason") {
+TEST_CASE("an impossible scenario of the boom is refused with the reason") {
     ExcavatorScenario scenario = single_boom_scenario();
     scenario.links[0].mechanics.inlet_compliance_in3_per_psi = 0;
     CHECK_THROWS_WITH_AS(simulate_boom(scenario),

@@ -31,9 +31,9 @@ TEST_CASE("the areas of the feedforward give each link its flow, in every config
 TEST_CASE("the feedforward of bucket and boom agrees with a hand computation") {
     Circuit circuit = circuit_of(Configuration::a, {Link::bucket, Link::boom});
     auto openings = openings_for(circuit, {{{1900, 50}, {1700, 55}}}, rounded_flow, 25, 175);
-    CHECK(openings[1].inlet_in2 == doctest::Approx(55 / 500.0));          // P12 1725: 25 psi over the boom's inlet
+    CHECK(openings[1].inlet_in2 == doctest::Approx(55 / 500.0)); // P12 is 1725 psi: 25 psi over the boom's inlet
     CHECK(openings[1].bypass_in2 == doctest::Approx(70 / 4123.1056256));  // sqrt(1700 psi) to the tank
-    CHECK(openings[0].inlet_in2 == doctest::Approx(50 / 500.0));          // P11 1925 > 1725 + 175
+    CHECK(openings[0].inlet_in2 == doctest::Approx(50 / 500.0));          // P11 is 1925 psi > 1725 + 175
     CHECK(openings[0].bypass_in2 == doctest::Approx(125 / 1414.2135624)); // sqrt(200 psi) to junction 2
 }
 

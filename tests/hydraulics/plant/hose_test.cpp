@@ -12,8 +12,8 @@ using namespace placedpar::hydraulics;
 
 namespace {
 
-/// Returns the flow in a line shut at both ends whose pressures differ by 100 psi at first, every microsecond;
-/// semi-implicit Euler.
+/// Simulates a line that is shut at both ends, whose pressures differ by 100 psi at first. Returns the flow at every
+/// microsecond; the method is semi-implicit Euler.
 std::vector<double> ringing(const Hose& hose, const HoseEnds& ends, double duration_s) {
     constexpr double step_s = 1e-6;
     HoseLine line{1700, 0, 1600};

@@ -78,11 +78,11 @@ TEST_CASE("with stiff hoses and no friction the transient equals the simple plan
     double greatest = 0;
     for (std::size_t i = 0; i < plain.size(); ++i) // steps of .5 and .1 ms
         greatest = std::max(greatest, std::abs(rich.at(5 * i).inlet_psi - plain[i].links[0].inlet_psi));
-    CHECK(greatest < 4); // of 500 psi of rise
+    CHECK(greatest < 4); // the rise is 500 psi
     CHECK(greatest > 0);
 }
 
-TEST_CASE("the pump's flow equals the sum of its parts, and the cylinder's flow its motion") {
+TEST_CASE("the pump's flow equals the sum of its parts, and the flow into the cylinder moves the piston") {
     MeasuredExcavator excavator = measured_excavator();
     excavator.duration_s = 8;
     excavator.leak.in3_per_s_psi = 0.002;
@@ -110,7 +110,8 @@ TEST_CASE("a leak starts at its time and slows the boom") {
     excavator.leak.start_s = 2.005;
     std::vector<MeasuredState> motion = simulate_measured_excavator(excavator);
     CHECK(motion.at(20000).leak_in3_per_s == 0);
-    CHECK(motion.at(20060).leak_in3_per_s == doctest::Approx(6.9).epsilon(0.05)); // hydraulics of 6.2: 6.97 at .004
+    // k_l times a pressure difference of about 1740 psi is 6.97.
+    CHECK(motion.at(20060).leak_in3_per_s == doctest::Approx(6.9).epsilon(0.05));
     CHECK(motion.back().velocity_in_per_s < 0.95 * tight);
 }
 
@@ -153,7 +154,7 @@ TEST_CASE("below the break-away force the piston does not move") {
     double held = simulate_measured_excavator(excavator).front().inlet_psi;
     CHECK(held == doctest::Approx(1555.5).epsilon(1e-3));
     excavator.duration_s = 3;
-    excavator.flow.relief_psi = held + 200; // 6400 lbf more than gravity, break-away is 7800
+    excavator.flow.relief_psi = held + 200; // 6400 lbf more than gravity; the break-away force is 7800 lbf
     const MeasuredState stuck = simulate_measured_excavator(excavator).back();
     CHECK(stuck.inlet_cylinder_psi == doctest::Approx(held + 200).epsilon(1e-3));
     CHECK(std::abs(stuck.velocity_in_per_s) < 1e-3);
@@ -172,7 +173,7 @@ TEST_CASE("free air gives the inlet side the stiffness of the mixture") {
     for (std::size_t i = 1; i < motion.size(); ++i) {
         const MeasuredState &a = motion[i - 1], &b = motion[i];
         double psia = (a.inlet_cylinder_psi + b.inlet_cylinder_psi) / 2 + 14.7;
-        // 6.1: beta = B0 (R + z) / (R + B0 z / P), R = 19, z = 14.7 / P
+        // beta = B0 (R + z) / (R + B0 z / P), with R = 19 and z = 14.7 / P
         double z = 14.7 / psia, beta = 220e3 * (19 + z) / (19 + 220e3 * z / psia);
         double softness = 0.7 * 0.0086 + 946 / beta - 946 / 220e3;
         fed += (a.inlet_in3_per_s + b.inlet_in3_per_s) / 2 * (b.time_s - a.time_s);
@@ -210,7 +211,7 @@ TEST_CASE("the voltage is held from one sampling instant to the next, in the con
     CHECK(held_volts(excavator, 0.66) == 10 - 20.0 / 4096); // the end of the converter's range
 }
 
-TEST_CASE("halving the step divides the change of pressure by 16, through the opening and the knees") {
+TEST_CASE("halving the step divides the measured machine's pressure error by 16, through the opening and the knees") {
     auto with_step = [](double step_s) {
         MeasuredExcavator excavator = measured_excavator();
         excavator.duration_s = 0.6;

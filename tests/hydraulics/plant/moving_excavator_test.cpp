@@ -47,7 +47,7 @@ JointAngles angles_of(const MovingState& state) {
 
 } // namespace
 
-TEST_CASE("the pose of the joint angles of a pose is the pose, all over the reachable space") {
+TEST_CASE("joint_angles() is the inverse of tip_pose() all over the reachable space") {
     int reached = 0;
     for (double reach = -350; reach <= 350; reach += 25)
         for (double height = -300; height <= 300; height += 25)
@@ -63,7 +63,7 @@ TEST_CASE("the pose of the joint angles of a pose is the pose, all over the reac
     CHECK(reached > 4000);
 }
 
-TEST_CASE("joint rates move the tip at its velocity, and torques do the work of the force") {
+TEST_CASE("joint rates move the tip at the given velocity, and joint torques do the work of the force") {
     const TipPose pose{220, -40, -1.2, 0}, velocity{-12, 7, 0.3, 0.1};
     const JointAngles angles = *joint_angles(arm, pose), rates = joint_rates(arm, angles, velocity);
     JointAngles later = angles;
@@ -99,7 +99,7 @@ TEST_CASE("the tip follows its reference while the configuration changes") {
     CHECK(seen.size() < 20); // the valves do not chatter
 }
 
-TEST_CASE("the pilot valves answer each command after their dead time like exp(-a_0 t)") {
+TEST_CASE("after their dead time the pilot valves approach each command like exp(-a_0 t)") {
     const MovingExcavator machine = moving_excavator(Parameters::excavator());
     const std::vector<MovingState> states = motion(machine, cycle());
     const DigJob job = cycle();
@@ -133,7 +133,7 @@ TEST_CASE("the pilot valves answer each command after their dead time like exp(-
     CHECK(worst < 1e-9);
 }
 
-TEST_CASE("the junctions' pressures are mostly those of the steady circuit, and the configuration follows from them") {
+TEST_CASE("the junctions' pressures are mostly those of steady flow, and determine the configuration") {
     const MovingExcavator machine = moving_excavator(Parameters::excavator());
     std::size_t near = 0, right = 0, count = 0;
     Configuration seen = Configuration::a;
@@ -185,7 +185,7 @@ TEST_CASE("half the integration step gives the same motion") {
         CHECK(std::abs(coarse.links[i].angle_rad - fine.links[i].angle_rad) < 0.05 * rad);
 }
 
-TEST_CASE("a job beyond the arm's reach and soil that lifts a load are refused with the move") {
+TEST_CASE("a job beyond the arm's reach, or soil that lifts a load, is refused with the number of the move") {
     const MovingExcavator machine = moving_excavator(Parameters::excavator());
     DigJob job = cycle();
     job.moves[2].velocity.reach_in = 60;

@@ -38,7 +38,7 @@ TEST_CASE("the P-D loop has the known poles at the compliance of Figure 2.8") {
     CHECK(std::abs(figures.settling_time_s - 0.715) < 0.0011);
 }
 
-TEST_CASE("the P-D loop is unstable beyond its limit of stability") {
+TEST_CASE("the limit of stability of the P-D loop is six times the compliance of Figure 2.8") {
     PdLoop limit = with_compliance(reference_pd_loop(), 6);
     auto roots = poles(limit);
     CHECK(near(roots[0], {-5, 0}, 1e-9));
@@ -73,10 +73,10 @@ TEST_CASE("poles are the roots of the denominator of 2.9") {
         }
         CHECK(near(sum, -loop.a2_per_s, 1e-9 * loop.a2_per_s));
     }
-    CHECK_FALSE(oscillation({1, 9, 6, 6, 2}).has_value()); // s^3 + 6 s^2 + 11 s + 6: -1, -2, -3
+    CHECK_FALSE(oscillation({1, 9, 6, 6, 2}).has_value()); // s^3 + 6 s^2 + 11 s + 6 has the roots -1, -2 and -3
 }
 
-TEST_CASE("with a_1 and a_2 as printed, four times C changes little") {
+TEST_CASE("with a_1 and a_2 as printed, a fourfold compliance changes little") {
     PdLoop printed = as_printed(reference_pd_loop());
     CHECK(std::abs(oscillation(printed)->damping - 0.280) < 1e-3);
     CHECK(std::abs(step_figures(printed).overshoot_percent - 39.9) < 0.1);

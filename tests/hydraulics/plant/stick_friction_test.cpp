@@ -34,7 +34,7 @@ TEST_CASE("below the break-away force only the bristles move") {
     for (double force = 0; force <= 7500; force += 100)
         mass.push(force, 0.1);
     mass.push(7500, 1);
-    CHECK(mass.position_in < 0.0125); // the bristles deflect by .0025 in, the rest is creep under the jerks
+    CHECK(mass.position_in < 0.0125); // the bristles deflect by .0025 in; the rest is creep under the jerks
     CHECK(mass.position_in > 7500 / 3e6 * 0.9);
     CHECK(std::abs(mass.velocity_in_per_s) < 1e-3);
     double held = mass.position_in;
@@ -55,7 +55,7 @@ TEST_CASE("the force of steady sliding agrees with the Stribeck curve") {
     CHECK(sliding_force_lbf(friction, 0) == 7800);
     CHECK(sliding_force_lbf(friction, 0.3) == doctest::Approx(6000 + 1800 * std::exp(-1)));
     CHECK(sliding_force_lbf(friction, 1.5) == doctest::Approx(6000).epsilon(1e-5));
-    for (double velocity : {-2.0, -0.05, -0.001, 0.001, 0.03, 2.0}) { // velocities at which the bristles no longer move
+    for (double velocity : {-2.0, -0.05, -0.001, 0.001, 0.03, 2.0}) { // in steady sliding the bristles do not move
         double bristle = std::copysign(sliding_force_lbf(friction, velocity) / 3e6, velocity);
         CHECK(std::abs(bristle_rate_in_per_s(friction, velocity, bristle)) < 1e-12);
         CHECK(friction_force_lbf(friction, velocity, bristle) ==

@@ -25,7 +25,7 @@ std::vector<Alarm> alarms_of(const LinkVerdict& bucket, const LinkVerdict& boom,
 
 } // namespace
 
-TEST_CASE("sound and unknown links raise no alarm") {
+TEST_CASE("sound links, and links without enough evidence, raise no alarm") {
     CHECK(find_alarms({}).empty());
     CHECK(alarms_of(verdict_in(VerdictKind::sound), verdict_in(VerdictKind::not_enough_evidence)).empty());
 }

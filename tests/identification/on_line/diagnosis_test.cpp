@@ -75,7 +75,7 @@ TEST_CASE("scenario A gives the boom's compliance with areas from the spool") {
     }
 }
 
-TEST_CASE("a change from a to b leaves P2a untouched") {
+TEST_CASE("a change from configuration a to b leaves population set P2a unchanged") {
     Diagnosis diagnosis = diagnosis_in(Configuration::a, bucket_boom);
     feed(diagnosis, {Configuration::a, bucket_boom, healthy}, 0);
     CHECK(diagnosis.sets().size() == 1); // population sets are made when first needed
@@ -110,7 +110,7 @@ TEST_CASE("a change of configuration restarts the window") {
             counts.push_back(outcome.generations);
         return counts;
     };
-    // The first slope takes 5 samples, the first generation 5 slopes; then there are 5 generations a sample.
+    // The first slope takes 5 samples, and the first generation 5 slopes; then there are 5 generations per sample.
     std::vector<std::size_t> expected{0, 0, 0, 0, 0, 0, 0, 0, 5, 5};
     CHECK(generations(feed(diagnosis, before, 0, 10)) == expected);
     diagnosis.change({Configuration::a, boom}); // unchanged, so it has no effect
@@ -125,7 +125,7 @@ TEST_CASE("a change of configuration restarts the window") {
     CHECK(diagnosis.take(after.sample(7, 1)).generations == 0);
 }
 
-TEST_CASE("below the gate the estimate is frozen") {
+TEST_CASE("while the gate is shut the estimate is frozen") {
     Diagnosis diagnosis = diagnosis_in(Configuration::a, boom);
     feed(diagnosis, {Configuration::a, boom, healthy}, 0);
     double found = estimate_of(diagnosis, boom, Link::boom).compliance_in3_per_psi().value();
@@ -142,7 +142,7 @@ TEST_CASE("below the gate the estimate is frozen") {
     CHECK(diagnosis.sets().at(boom).state().population == population);
 }
 
-TEST_CASE("a link below the gate keeps its part of a common population") {
+TEST_CASE("a link without excitation keeps its part of a common population") {
     Diagnosis diagnosis = diagnosis_in(Configuration::a, bucket_boom);
     feed(diagnosis, {Configuration::a, bucket_boom, healthy}, 0);
     auto columns = [&](std::size_t first) {
@@ -182,8 +182,8 @@ TEST_CASE("a refused sample changes nothing") {
 
 namespace {
 
-/// Feeds movements of scenario A, half a minute apart, and counts the alarms of a kind that are raised and cleared. The
-/// gap after the last movement needs one more sample to be seen.
+/// Feeds movements of scenario A, half a minute apart, and counts the alarms of a kind that are raised and cleared. One
+/// more sample shows the gap after the last movement.
 struct Told {
     std::size_t raised = 0, cleared = 0;
 };
@@ -210,7 +210,7 @@ Told feed_movements(Diagnosis& diagnosis, AlarmKind kind, int movements, double 
 
 } // namespace
 
-TEST_CASE("a grown compliance is reported once, and once again when it ends") {
+TEST_CASE("a grown compliance is reported once, and its end once") {
     Diagnosis diagnosis = diagnosis_in(Configuration::a, boom);
     CHECK(feed_movements(diagnosis, AlarmKind::compliance, 5, 0.0086).raised == 0);
     CHECK(off(diagnosis.baseline_in3_per_psi(Link::boom), 0.0086) < 0.05);
@@ -335,5 +335,5 @@ TEST_CASE("a piston driven while its valve reads shut shows a dead sensor; a swi
     REQUIRE(alarms_after(29, 4).size() == 1);
     CHECK(alarms_after(29, 4)[0].kind == AlarmKind::sensor);
     CHECK(alarms_after(200, 0.5).empty());
-    CHECK(alarms_after(200, -4).empty()); // lowered, so oil flows out
+    CHECK(alarms_after(200, -4).empty()); // the boom is lowered, so oil flows out
 }

@@ -36,7 +36,7 @@ TEST_CASE("a frozen sensor is reported at the reading after its jump") {
           std::vector<std::size_t>{8});
 }
 
-TEST_CASE("a frozen sensor needs a tenth of a second at any rate, and five readings") {
+TEST_CASE("a sensor counts as frozen after a tenth of a second at any rate, and after five readings at least") {
     CHECK(fewest_frozen(0.1) == 5);
     CHECK(fewest_frozen(0.02) == 5);
     CHECK(fewest_frozen(0.001) == 100);
@@ -49,7 +49,7 @@ TEST_CASE("a frozen sensor needs a tenth of a second at any rate, and five readi
     CHECK(told(frozen, least_jump_psi, fewest_frozen(0.001)) == std::vector<std::size_t>{101});
 }
 
-TEST_CASE("the watch by samples agrees with frozen_run over a record") {
+TEST_CASE("reading by reading, FrozenWatch agrees with frozen_run() over a record") {
     RandomStream random(1, "pressures");
     int frozen = 0;
     for (int trial = 0; trial < 2000; ++trial) {

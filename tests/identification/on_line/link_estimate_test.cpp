@@ -30,7 +30,7 @@ TEST_CASE("an estimate settles when the last 25 generations of one transient agr
     add(estimate, 0.05, 5);
     add(estimate, 0.01, 24);
     CHECK(estimate.compliance_in3_per_psi() == 0.01);
-    CHECK_FALSE(estimate.settled_in3_per_psi()); // one of them is still .05
+    CHECK_FALSE(estimate.settled_in3_per_psi()); // one of the 25 is still .05
     add(estimate, 0.01, 1);
     CHECK(estimate.settled_in3_per_psi() == 0.01);
     estimate.excite(687, {}); // a slope of 687 psi/s into .01 in^3/psi is 6.87 in^3/s; 6.88 would be needed

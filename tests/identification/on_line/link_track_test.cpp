@@ -10,7 +10,8 @@ using namespace placedpar::identification;
 TEST_CASE("the spool is computed from its voltage") {
     LinkTrack by_voltage, by_spool;
     LinkConstants parameters{716.8, 8};
-    // By A.2, after a voltage step the spool stays for one sample, then the distance shrinks by exp(-8 * .02) a sample.
+    // By A.2, after a voltage step the spool stays for one sample; then its distance shrinks by exp(-8 * .02) per
+    // sample.
     double spool = 0.1297, desired = 0.0892 * 0.027 + 0.2352 * 0.09 + 0.2815 * 0.3 + 0.1297;
     for (int k = 0; k < 8; ++k) {
         by_voltage.read({1500, 0, ServoVoltage{k < 2 ? 0 : 0.3}}, parameters, 0.020);

@@ -13,8 +13,7 @@ using namespace placedpar::identification;
 
 namespace {
 
-/// Table of configurations and active links from the description of the hydraulics: active links, then the sets of
-/// configurations a, b, c, and those of d and e.
+/// Each line has the active links, then the sets of configurations a, b and c, and then the sets of both d and e.
 constexpr const char* table = R"(
 BU P1a P1a P1a P1a
 BO P1b P1b P1b P1b

@@ -28,7 +28,7 @@ std::vector<MovementFinding> movements_of(const Record& record, std::uint64_t se
     return found;
 }
 
-/// Returns the only movement's only link.
+/// Returns the finding for the only link of the only movement.
 LinkFinding boom_of(const Record& record, std::uint64_t seed) {
     auto found = movements_of(record, seed);
     REQUIRE(found.size() == 1);
@@ -52,7 +52,7 @@ Record piece_of(const Record& record, std::size_t first, std::size_t last) {
 
 } // namespace
 
-TEST_CASE("a movement's compliance: within 6 % at low and 12 % at mid noise, for 9 seeds of 10") {
+TEST_CASE("for 9 of 10 seeds a movement's compliance is within 6 % at low noise and 12 % at mid noise") {
     std::vector<double> low, mid;
     for (std::uint64_t seed = 1001; seed <= 1030; ++seed) {
         auto error = [&](const MeasurementNoise& noise) {
@@ -124,7 +124,8 @@ TEST_CASE("a movement lasts from the valve's opening to its closing; a gap ends 
     CHECK(two[1].from_s > record.time_s[60]);
 }
 
-TEST_CASE("a spool offset falsifies the search, which is flagged; the whole movement reveals it") {
+TEST_CASE(
+    "a spool offset falsifies the search's answer, which is flagged; the fit to the whole movement finds the offset") {
     for (std::uint64_t seed = 1001; seed <= 1010; ++seed) {
         Record record = boom_measured(2, low_noise, seed);
         for (double& spool : record.of(Link::boom, Sensor::spool))
@@ -156,7 +157,7 @@ TEST_CASE("frozen angles, angles in radians and pressures in bar are sensor faul
     }
 }
 
-TEST_CASE("the gate opens by flow, so a soft hose is followed longer than by slope") {
+TEST_CASE("flow into the compliance opens the gate, too, so a soft hose is followed for longer") {
     const ExcitationGate gate;
     CHECK(gate.opens(800, 0.0086));
     CHECK(!gate.opens(799, 0.0086));

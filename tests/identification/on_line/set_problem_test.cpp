@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t bits = 10;
 
-/// Makes the string of these codes in reflected Gray code, where code n differs from n - 1 in one bit.
+/// Makes the string of these codes in reflected Gray code: the strings of n - 1 and n differ in one bit.
 Genome string_of(const std::vector<std::uint64_t>& codes) {
     Genome genome(bits * codes.size());
     for (std::size_t i = 0; i < codes.size(); ++i)
@@ -44,7 +44,7 @@ TEST_CASE("neighbours in compliance are neighbours in the string") {
               doctest::Approx(0.1 * static_cast<double>(code) / 1024));
 }
 
-TEST_CASE("fitness is the circuit's error in any order of junctions") {
+TEST_CASE("fitness agrees with the circuit's error for any order of junctions") {
     RandomStream random(1, "set problem");
     for (Configuration configuration : all_configurations)
         for (LinkSet group : coupled_groups(configuration)) {
@@ -53,7 +53,8 @@ TEST_CASE("fitness is the circuit's error in any order of junctions") {
             Circuit circuit = circuit_of(configuration, group);
             std::vector<SetSample> window{random_set_sample(links.size(), random),
                                           random_set_sample(links.size(), random)};
-            std::vector<Genome> strings = random_population(19, problem.bits(), random); // not a multiple of a block
+            // 19 is not a multiple of a vector's width.
+            std::vector<Genome> strings = random_population(19, problem.bits(), random);
             std::vector<double> fitness = problem.fitness(strings, problem.prepared(window), 400);
             for (std::size_t i = 0; i < strings.size(); ++i) {
                 double sum = 0;
@@ -85,7 +86,8 @@ TEST_CASE("a path is open if the pump can exceed the cylinder's pressure") {
     SetProblem series(Configuration::a, {Link::bucket, Link::boom}, {100, 175, 25, 4500}, bits);
     CHECK(series.open({{2000, 0, 0, 0.1, 0.068}, {1700, 0, 0, 0.096, 0.016}}));
     CHECK_FALSE(series.open({{2000, 0, 0, 0.1, 0.068}, {2500, 0, 0, 0.096, 0.016}}));
-    // The flow not taken by the boom holds the bucket's junction at 993.6 psi at most: .068 + .1 in^2 in series.
+    // The flow that the boom does not take holds the bucket's junction at 993.6 psi or less: it passes .068 and .1 in^2
+    // in series.
     CHECK_FALSE(series.open({{994, 0, 0, 0.1, 0.1}, {600, 0, 0, 0.1, 0.068}}));
 }
 

@@ -21,10 +21,10 @@ public:
               const hydraulics::PerLink<double>& compliance_in3_per_psi)
         : configuration_(configuration), active_(active), compliance_(compliance_in3_per_psi) {}
 
-    hydraulics::PerLink<double> slope_psi_per_s{1800, 1400, 1600, 2000}; ///< at the start
+    hydraulics::PerLink<double> slope_psi_per_s{1800, 1400, 1600, 2000}; ///< slopes at the start
     double curvature_psi_per_s2 = -600;
 
-    double swing_psi = 0, swing_rad_per_s = 0; ///< an oscillation added to that
+    double swing_psi = 0, swing_rad_per_s = 0; ///< an additional oscillation
 
     ExcavatorSample sample(double start_s, std::size_t index) const {
         double t = static_cast<double>(index) * period_s;
@@ -42,7 +42,7 @@ private:
     static double base_psi(std::size_t position) { return 1700 - 250 * static_cast<double>(position); }
 
     Reading reading(hydraulics::Link link, double psi, double flow_in3_per_s, double t, ValveAreas areas) const {
-        // integral of (flow - C dP/dt)
+        // the integral of (flow - C dP/dt)
         double piston_in3 = flow_in3_per_s * t - compliance_[index_of(link)] * risen_psi(link, t);
         double angle_rad =
             piston_in3 /
@@ -55,7 +55,7 @@ private:
         const double k = flow.orifice_in3_per_s_in2_sqrt_psi, inlet_in2 = 0.1;
         std::array<double, 4> psi{}, into{}, junction_psi{}, arriving{};
         for (std::size_t j = 0; j < circuit.size(); ++j) {
-            psi[j] = base_psi(j) + risen_psi(circuit[j].link, t); // lower downstream
+            psi[j] = base_psi(j) + risen_psi(circuit[j].link, t); // the pressure is lower downstream
             arriving[j] += circuit[j].pumps * flow.pump_in3_per_s;
             into[j] = circuit[j].through == hydraulics::Through::nowhere ? arriving[j] : 40;
             junction_psi[j] = psi[j] + std::pow(into[j] / (k * inlet_in2), 2);
@@ -77,7 +77,7 @@ private:
     hydraulics::PerLink<double> compliance_;
 };
 
-/// Feeds the samples of a transient one after another; returns the outcomes.
+/// Feeds the samples of a transient one after another, and returns the outcomes.
 inline std::vector<SampleOutcome> feed(Diagnosis& diagnosis, const Transient& transient, double start_s,
                                        std::size_t samples = 30) {
     std::vector<SampleOutcome> outcomes;

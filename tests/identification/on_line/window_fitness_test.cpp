@@ -1,4 +1,5 @@
-// Tests that fitness remembered for a window equals fitness computed anew, and that every vector width finds the same.
+// Tests that fitness remembered for a window equals fitness computed anew, and that all vector widths give equal
+// results.
 
 #include "gaprocs/representation/genome.hpp"
 #include "hydraulics/circuit/flow_constants.hpp"

@@ -89,7 +89,7 @@ TEST_CASE("each fault is found with its kind and size, and no other fault") {
         }
 }
 
-TEST_CASE("the stated standard errors are the errors' scatter") {
+TEST_CASE("nine of ten errors are within two of the stated standard errors") {
     for (const char* noise : {"low", "mid", "high"}) {
         int within_two = 0, of = 0;
         for (std::uint64_t seed = 1; seed <= 30; ++seed) {
@@ -104,7 +104,7 @@ TEST_CASE("the stated standard errors are the errors' scatter") {
 
 TEST_CASE("standard errors agree with the scatter, for one link and for two") {
     for (bool two : {false, true}) {
-        Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(two ? 4 : 2), squares = sum; // known areas have no offset
+        Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(two ? 4 : 2), squares = sum; // areas that are measured have no offset
         constexpr int movements = 60;
         for (std::uint64_t seed = 101; seed < 101 + movements; ++seed) {
             const auto found =
@@ -159,7 +159,7 @@ TEST_CASE("rest without pressure gives no information about a leak") {
     CHECK(with_rest == found());
 }
 
-TEST_CASE("a leak from the rest after a movement has an uncertainty of a quarter") {
+TEST_CASE("a leak from the rest after a movement is uncertain by a quarter of its size") {
     const Faults shuts{{"excavator.second_time", 1.5}, {"excavator.duration", 2.3}, {"fault.leak", 0.0028}};
     const MovementSamples movement = moved({"excavator", "low"}, shuts, 7);
     REQUIRE(movement.rest_after.size() >= 4);
@@ -175,7 +175,7 @@ TEST_CASE("the uncertainty of the compliance at rest makes the leak uncertain by
     MovementSamples movement = moved({"scenario-a", "low"}, {}, 1);
     movement.at_rest.clear();
     constexpr double psi = 1000, slope_psi_per_s = -1000, compliance = 0.0086; // the fit assumes no leak
-    for (double noise = 0.22; movement.at_rest.size() < 100; noise = -noise)   // in^3/s, the least assumed
+    for (double noise = 0.22; movement.at_rest.size() < 100; noise = -noise)   // the least noise that the fit assumes
         movement.at_rest.push_back({{psi, slope_psi_per_s, -compliance * slope_psi_per_s + noise, 0, 0.03}});
     movement.rest_after.clear();
     const Deviation found =

@@ -16,7 +16,7 @@ JunctionSamples boom_at(double psi, double inlet_in2) {
 
 class Stream {
 public:
-    /// Returns how many movements ended.
+    /// Returns the number of movements that ended.
     std::size_t feed(std::size_t samples, bool open) { return feed_inlet(samples, open ? 0.09 : 0); }
     std::size_t feed_inlet(std::size_t samples, double inlet_in2) {
         std::size_t over = 0;
@@ -35,7 +35,7 @@ public:
 
 } // namespace
 
-TEST_CASE("a movement has its earlier rest and its motion, without slopes across opening and closing") {
+TEST_CASE("a movement has its earlier rest and its motion, without samples whose slopes span the opening or closing") {
     Stream stream;
     CHECK(stream.feed(20, false) == 0);
     CHECK(stream.feed(30, true) == 0);

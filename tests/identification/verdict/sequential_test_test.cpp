@@ -29,7 +29,7 @@ std::size_t movements_until_raised(const Deviation& each, std::size_t most = 100
 
 } // namespace
 
-TEST_CASE("an alarm needs two movements, even for a plain fault") {
+TEST_CASE("an alarm needs two movements, even for an obvious fault") {
     CHECK(movements_until_raised(seen(1, 0, 0, 0.01)) == 2);
     CHECK(movements_until_raised(seen(5, 0, 0, 0.01)) == 2);
     CHECK(movements_until_raised(seen(0, 0, -1, 0.01)) == 2);
@@ -49,7 +49,7 @@ TEST_CASE("deviations below half a unit and negative leaks raise no suspicion") 
     CHECK(movements_until_raised(seen(0, -1, 0, 0.1)) == 0);
 }
 
-TEST_CASE("an uncertain baseline delays the alarm, except for plain faults") {
+TEST_CASE("an uncertain baseline delays the alarm, except for obvious faults") {
     auto until = [](double compliance, double error) {
         SequentialTest test;
         const Deviation health{{}, two_ways_of(WayMatrix::Identity() * 0.3 * 0.3)};
@@ -60,7 +60,7 @@ TEST_CASE("an uncertain baseline delays the alarm, except for plain faults") {
         }
         return std::size_t{0};
     };
-    CHECK(until(5, 0.01) == 2); // a movement counts for no more than its ratio
+    CHECK(until(5, 0.01) == 2); // the information of a movement is limited together with its ratio
     CHECK(until(2, 0.01) == 2);
     CHECK(until(2, 0.8) > 2);
     CHECK(until(1.2, 0.2) == 0); // within the spread of sound machines

@@ -72,7 +72,7 @@ TEST_CASE("a leak is recognised despite the correlation of leak and offset") {
 }
 
 TEST_CASE("a new leak and an offset are one verdict unless they can be distinguished") {
-    // A unit of leak and half a unit of offset lack the same flow; the rest before shows no leak.
+    // One unit of leak and half a unit of offset cause the same missing flow; the rest before shows no leak.
     const WayVector unknown(0, 1, -0.5, 0);
     const Deviation flow{{0, 0.5, 0.25, 0},
                          two_ways_of(WayMatrix::Identity() * 0.01 + 4 * unknown * unknown.transpose())};
@@ -91,11 +91,11 @@ TEST_CASE("a new leak and an offset are one verdict unless they can be distingui
     CHECK(verdict_of(none_after, true, AreasFrom::spool).kind == VerdictKind::offset);
 }
 
-TEST_CASE("three movements set the baseline that a link is compared with") {
+TEST_CASE("three movements set the baseline with which a link is compared") {
     CHECK(after({}).kind == VerdictKind::not_enough_evidence);
     CHECK(after({in_health, in_health, in_health}).kind == VerdictKind::not_enough_evidence);
     CHECK(after({in_health, in_health, in_health, in_health}).kind == VerdictKind::sound);
-    const Deviation other = off_by(0.8, 0, 0); // within the spread of machines of a kind
+    const Deviation other = off_by(0.8, 0, 0); // within the spread of the machines of a kind
     CHECK(after({other, other, other, other, other}).kind == VerdictKind::sound);
     const Deviation more = off_by(1.8, 0, 0);
     CHECK(after({other, other, other, more, more, more}).kind == VerdictKind::compliance);
@@ -116,7 +116,7 @@ TEST_CASE("a movement without excitation does not count as evidence") {
     CHECK(verdict.movements == 1);
 }
 
-TEST_CASE("a fault needs more than its standard error, and a sound link must be likelier sound") {
+TEST_CASE("a fault must exceed its standard error, and a sound link must be more likely sound than not") {
     LinkJudge::State state;
     state.first = {in_health, in_health, in_health};
     const double information = 1 / (1.2 * 1.2);

@@ -88,7 +88,8 @@ struct Files {
     }
 };
 
-/// Whether the files can be opened; they must then give `whole`. Refused files without a journal must be unchanged.
+/// Returns whether the files can be opened, and checks that they then give `whole`. Refused files without a journal
+/// must be unchanged.
 bool accepted(const Files& files, const Everything& whole) {
     Scratch scratch;
     files.write(scratch);

@@ -94,7 +94,7 @@ class Diagnosis(ServiceTest):
         self.assertEqual(loads[-1]["machines"], 1)
         while loads[-1]["over_s"] < 1 or loads[-1]["samples_per_s"] == 0:  # until the first whole second
             loads.append(client.receive_type("load"))
-        counted = loads[-1]["samples_per_s"] * loads[-1]["over_s"]  # all 20, unless the second ended before the last
+        counted = loads[-1]["samples_per_s"] * loads[-1]["over_s"]  # all 20 samples, unless the interval ended earlier
         self.assertAlmostEqual(counted, round(counted), delta=0.01)
         self.assertLessEqual(round(counted), 20)
         self.assertGreater(loads[-1]["work_of_core"], 0)

@@ -53,7 +53,7 @@ struct Restarted {
 
 } // namespace
 
-TEST_CASE("a machine of the state file gets a connection even if 256 peers hold all") {
+TEST_CASE("a machine of the state file gets a connection even if 256 peers hold all places") {
     Restarted service({"site", "other-site"}, 10);
     for (std::size_t i = 0; i < service.limits.clients; ++i)
         CHECK(service.hello(fmt::format("flood-{}", i), fmt::format("10.0.0.{}", i)).said.find("welcome") !=

@@ -12,7 +12,7 @@ DOCUMENT = pathlib.Path(os.environ["PLACEDPAR_DOCUMENT"])
 
 
 def contains(actual, documented):
-    """Whether an answer has all documented fields."""
+    """Returns whether an answer has all documented fields."""
     if isinstance(documented, dict):
         return isinstance(actual, dict) and all(
             key in actual and contains(actual[key], value) for key, value in documented.items())

@@ -35,14 +35,14 @@ bool never(const std::string&) { return false; }
 
 } // namespace
 
-TEST_CASE("two peers that hold all places give way to a third until all have equal numbers") {
+TEST_CASE("two peers that hold all places give way to a third peer until all have equal numbers of places") {
     std::vector<Occupant> places;
     CHECK(crowd_in(places, "flooder", 128) == 128);
     CHECK(crowd_in(places, "other flooder", 128) == 128);
     CHECK(crowd_in(places, "third", 1) == 1);
     CHECK(crowd_in(places, "third", 1000) == 85);
     CHECK(crowd_in(places, "flooder", 1000) + crowd_in(places, "other flooder", 1000) ==
-          171); // none is taken from the other
+          171); // neither takes a place from the other
     CHECK(std::ranges::count(places, std::string("third"), &Occupant::peer) == 85);
     CHECK(places.size() == limit);
 }
@@ -56,7 +56,8 @@ TEST_CASE("kept places are not given away even if all others are taken") {
     CHECK(std::ranges::count(places, true, &Occupant::kept) == 100);
 }
 
-TEST_CASE("within a peer, idle machines go first, then those with fewest samples, then the longest silent") {
+TEST_CASE(
+    "within a peer, idle machines go first, then machines with the fewest samples, then the longest silent machines") {
     std::vector<Occupant> places{{"p", false, false, 0, at(3)}, {"p", false, false, 0, at(2)},
                                  {"p", false, false, 9, at(1)}, {"p", false, true, 9, at(9)},
                                  {"q", false, true, 0, at(0)},  {"p", true, true, 0, at(0)}};
@@ -65,7 +66,8 @@ TEST_CASE("within a peer, idle machines go first, then those with fewest samples
     CHECK(gives_way(places, "new", false) == 1);
     places.erase(places.begin() + 1);
     CHECK(gives_way(places, "new", false) == 0);
-    CHECK(gives_way(places, "q", false) == 2);  // only as many would be left, so its own idle connection gives way
+    CHECK(gives_way(places, "q", false) == 2);  // p does not have enough more places than q, so q's own idle connection
+                                                // gives way
     CHECK_FALSE(gives_way(places, "p", false)); // p itself has most connections, all in use
     CHECK(gives_way(places, "p", true) == 0);   // a known machine wins a place
     CHECK_FALSE(gives_way(std::span(places).last(1), "new", true));
@@ -118,7 +120,7 @@ TEST_CASE("many known machines of one peer do not keep out other peers' machines
         introduce(fmt::format("flood {}", i), "flooder", 5000, never);
     CHECK(known("site") == 400);
     CHECK(known("flood") == most_kept(limits.machines_per_peer));
-    for (int i = 0; i < 200; ++i) // connections of its own peer too
+    for (int i = 0; i < 200; ++i) // machines that the flooder itself replaces, since they are idle
         CHECK(introduce(fmt::format("own {}", i), "flooder", 1, always));
     for (int i = 0; i < 100; ++i)
         CHECK(introduce(fmt::format("new {}", i), "newcomer", 5000, never));
@@ -135,7 +137,7 @@ TEST_CASE("restored machines count as known within the limit of kept places") {
         machines.restored(fmt::format("m{}", i), i > 0 && i < 6 ? 9000 : 8 - static_cast<std::uint64_t>(i), at(0));
     for (int i = 0; i < 8; ++i)
         CHECK(machines.known(fmt::format("m{}", i)) == (i < 7));
-    CHECK_FALSE(machines.gives_way("p", false, always)); // each peer has one
+    CHECK_FALSE(machines.gives_way("p", false, always)); // each peer has one machine
     machines.restored("name", 0, at(0));
     CHECK_FALSE(machines.known("name"));
     CHECK(machines.gives_way("p", false, always) == "name");
@@ -147,7 +149,7 @@ TEST_CASE("restored machines count as known within the limit of kept places") {
     machines.introduced("newer", "p", at(0));
     machines.heard("newer", 1, at(0));
     CHECK(machines.known("m0"));
-    CHECK(machines.heard("newer", 5000, at(1000))); // replaces the next one, which has eight
+    CHECK(machines.heard("newer", 5000, at(1000))); // replaces the next machine, which has eight samples
     CHECK_FALSE(machines.known("m0"));
     machines.introduced("newest", "p", at(0));
     machines.heard("newest", 1, at(0));

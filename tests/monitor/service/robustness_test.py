@@ -95,7 +95,7 @@ class Robustness(ServiceTest):
         service = self.service("--stall-timeout", 60)
         before = service.memory_kilobytes()
         client = self.client(service)
-        count = 400000  # 6 MB of questions and as many of answers, unread at first
+        count = 400000  # 6 MB of questions and 6 MB of answers, unread at first
         flood = threading.Thread(target=client.send_bytes, args=(b'{"type":"ping"}\n' * count,))
         flood.start()
         self.still_well(service)

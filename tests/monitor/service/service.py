@@ -17,7 +17,7 @@ SECONDS = 60  # longest wait for anything that should be immediate
 
 
 class Service:
-    """A running `placedpar monitor`; its port is any free one."""
+    """A running `placedpar monitor`; it uses any free port."""
 
     def __init__(self, *arguments):
         self.process = subprocess.Popen([PROGRAM, "monitor", *map(str, arguments)], stdout=subprocess.PIPE,

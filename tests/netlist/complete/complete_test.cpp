@@ -45,7 +45,8 @@ TEST_CASE("channels between neighbours are spread over their links") {
         return sending_link(
             network, channel(network, "pumps[" + std::to_string(i) + "].out -> sinks[" + std::to_string(i) + "].in"));
     };
-    // The last channel is placed on link 1. The others take the link with fewer channels, or the lower link if equal.
+    // The last channel is placed on link 1. The others take the link with fewer channels, or the lower link if both
+    // carry equally many.
     CHECK(link(4) == 1);
     CHECK(link(0) == 0);
     CHECK(link(1) == 0);
@@ -57,7 +58,7 @@ TEST_CASE("channels between neighbours are spread over their links") {
     CHECK_FALSE(back.placement.in_packets); // the only channel in its direction
 }
 
-TEST_CASE("channels at the edge are placed on links to it") {
+TEST_CASE("channels at an edge are placed on links to the edge") {
     auto network = good("edges.cfs");
     const auto& keys = channel(network, "from_host -> app.keys");
     CHECK(keys.from.at_edge());
@@ -91,7 +92,7 @@ std::string route_of(const Network& network, std::size_t channel = 0) {
     return text;
 }
 
-/// A ring of four, link 2 of each wired to link 1 of the next.
+/// A ring of four processors: link 2 of each is wired to link 1 of the next.
 Network ring_of_four(const std::string& rest) {
     return good_text("connection c, w; T800 t[4]; rep i = 0 for 4 connect t[i].link[2] to t[(i + 1) % 4].link[1];"
                      "process p[2], q[2]; use \"pump\" for p; use \"sink\" for q; connect p[0].out to q[0].in by c;"
@@ -104,7 +105,7 @@ Network ring_of_four(const std::string& rest) {
 TEST_CASE("a channel between processors that are not neighbours takes the shortest route") {
     CHECK(route_of(ring_of_four("place q[0] on t[1]; place q[1] on t[1];"), 1) == "t[0].link[2]");
     auto network = ring_of_four("place q[0] on t[2]; place q[1] on t[2];");
-    CHECK(route_of(network, 0) == "t[0].link[1] t[3].link[1]"); // of equal routes, the one by the lowest link
+    CHECK(route_of(network, 0) == "t[0].link[1] t[3].link[1]"); // of equal routes, the route by the lowest link
     CHECK(route_of(network, 1) == "t[0].link[2] t[1].link[2]"); // the wires with fewer channels
     CHECK(network.channels[0].placement.in_packets);
 }
@@ -152,7 +153,7 @@ TEST_CASE("a linkquota keeps channels from passing through a processor or its hi
     }
 }
 
-TEST_CASE("a tolerance gives a warning if a channel passes through a processor, since the real tool may choose "
+TEST_CASE("a tolerance gives a warning if a channel passes through a processor, since the INMOS tool may choose "
           "another route") {
     auto said_with = [](const std::string& to) {
         return render(read_netlist_text("T800 a, b; T800 (tolerance = 3) c; connect a.link[0] to b.link[0];"

@@ -1,4 +1,4 @@
-// Tests that routes are the best, when many are needed from the same processor.
+// Tests that routes are the best routes if many routes begin at the same processor.
 
 #include "netlist/complete/routes.hpp"
 #include "netlist/read.hpp"
@@ -34,7 +34,7 @@ Network torus_of(std::mt19937_64& random, bool with_quotas) {
 
 } // namespace
 
-TEST_CASE("routes found together are the routes found one by one") {
+TEST_CASE("one search object finds the same routes as a new search for each route") {
     for (std::uint64_t seed : test::seeds(6)) {
         INFO(test::replay(seed));
         std::mt19937_64 random(seed);

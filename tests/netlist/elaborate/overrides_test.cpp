@@ -13,7 +13,7 @@ using namespace placedpar;
 
 namespace {
 
-/// A master and two slaves on processors of their own; one wire has a name and a speed, the other neither.
+/// A master and two slaves on processors of their own; one wire has a name and a speed, the other wire has neither.
 const std::string cluster = R"(val people 30; val code "binary"; val times 2;
 T800 (memory = 1M) root, t[2];
 connection (linkspeed = 20M) c;
@@ -37,7 +37,7 @@ place other on t[1];
 )";
 
 /// Returns the message about the cluster with these overrides. The kinds of `other` and s[1] do not fit, but overrides
-/// are refused earlier. A cluster parsed once for all tests must be refused like a newly parsed one.
+/// are refused earlier. A cluster parsed once for all tests must be refused like a newly parsed cluster.
 std::string refusal(const Overrides& overrides) {
     static const ParsedNetlist parsed = ParsedNetlist::of_text(cluster);
     std::string said = render(parsed.read(small_catalogue(), overrides));
@@ -149,7 +149,7 @@ TEST_CASE("--set takes strings without quotes") {
     CHECK(says(refusal({{"m.population", "many"}}), "--set:1:14: error: the name \"many\" is undefined"));
 }
 
-TEST_CASE("values of --set are checked like the netlist's, with errors at the option") {
+TEST_CASE("values of --set are checked like values in the netlist, with errors at the option") {
     CHECK(says(refusal({{"m.mutation", "2"}}), "--set:1:12: error: the parameter \"mutation\" is out of range: 2\n"
                                                "    m.mutation=2\n"
                                                "               ^\n"
@@ -175,7 +175,7 @@ TEST_CASE("setting a value twice is refused") {
     CHECK(says(refusal({{"m.mutation", "1"}, {"m . mutation", "1"}}), "\"mutation\" of \"m\" is set twice\n"));
 }
 
-TEST_CASE("a setting of one element overrides one of its array, which overrides one of all elements") {
+TEST_CASE("a setting of an element overrides a setting of its array, which overrides a setting of all elements") {
     Overrides overrides{{"clock", "5M"}, {"t.clock", "10M"}, {"t[1].clock", "25M"}};
     auto network = good_text(sound, overrides);
     std::vector<std::int64_t> clocks;
@@ -202,7 +202,7 @@ TEST_CASE("--set accepts a wire without a name by its name in reports") {
 
 namespace {
 
-/// Two bus masters, one of them attached by a named connection, and an adapter.
+/// Two bus masters and an adapter. One of the masters is attached by a named connection.
 const std::string on_bus =
     R"(VME vme; busmaster a, b; C012 (master = "a") adapter; T800 t; connection at_a, cable, spare;
 connect a.bus[0] to vme.slot[1] by at_a;
@@ -228,7 +228,7 @@ std::vector<PlaceOnBus> places_on_bus(const Overrides& overrides) {
 
 } // namespace
 
-TEST_CASE("--set sets level and release of one master on a bus or of all") {
+TEST_CASE("--set sets level and release of one master on a bus or of all masters") {
     using Places = std::vector<PlaceOnBus>;
     CHECK(places_on_bus({}) == Places{{3, false}, {3, false}});
     CHECK(places_on_bus({{"at_a.level", "1"}, {"at_a.release", "ROR"}}) == Places{{1, true}, {3, false}});
@@ -241,7 +241,7 @@ TEST_CASE("--set sets level and release of one master on a bus or of all") {
     CHECK(good_text(on_bus, {{"length", "2"}}).set[0].elements == Elements{"cable"}); // the attachments are not set
 }
 
-TEST_CASE("wrong attributes and values of a place on a bus are refused") {
+TEST_CASE("wrong attributes and values of a master's place on a bus are refused") {
     auto told = [](const char* name, const char* value) {
         return render(read_netlist_text(on_bus, small_catalogue(), {{name, value}}));
     };
@@ -307,7 +307,7 @@ TEST_CASE("the message about an unknown name gives the nearest name or all names
                                                "note: it has population, mutation, code, priority\n"));
     CHECK(says(refusal({{"rot.clock", "3"}}), "no node, connection or process \"rot\"\n"));
     CHECK(says(refusal({{"rot.clock", "3"}}), "hint: did you mean \"root\"?\n"));
-    // "people" is a similar name, but that of a val.
+    // "people" is a similar name, but the name of a val.
     CHECK_FALSE(says(refusal({{"peoples.clock", "3"}}), "did you mean"));
     CHECK(says(refusal({{"t[2].clock", "3"}}), "nothing has the name \"t[2]\"\n    t[2].clock=3\n    ^\n"
                                                "hint: the names are t[0] to t[1]\n"));

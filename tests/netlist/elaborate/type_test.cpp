@@ -58,7 +58,7 @@ TEST_CASE("processes are declared by process types") {
         return typed_process(network, name).other.at(attribute);
     };
     CHECK(typed_process(network, "source").high_priority);
-    CHECK(typed_process(network, "sink").high_priority); // its own attribute overrides its type's
+    CHECK(typed_process(network, "sink").high_priority); // its own attribute overrides the attribute of its type
     CHECK_FALSE(typed_process(network, "last").high_priority);
     CHECK_FALSE(typed_process(network, "first").high_priority);
     CHECK(typed_process(network, "third").high_priority);

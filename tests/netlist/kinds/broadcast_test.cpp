@@ -1,4 +1,4 @@
-// Channels that the netlist places on a bus: one message for several link adapters.
+// Tests channels that the netlist places on a bus: one message for several link adapters.
 
 #include "netlist/kinds/csp_kinds.hpp"
 #include "netlist/kinds/description.hpp"
@@ -19,7 +19,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Sends `count` packets of `bytes` to all outputs at once; those to the last output are `more` bytes longer.
+/// Sends `count` packets of `bytes` to all outputs in parallel; the packets to the last output are `more` bytes longer.
 void shout(ProcessEnvironment& environment) {
     auto to = environment.outputs<Packet>("out");
     for (std::int64_t i = 0; i < environment.integer("count"); ++i)
@@ -154,7 +154,7 @@ TEST_CASE("a broadcast uses the stated adapter of the receiver's processor, or a
 
 namespace {
 
-/// A process of this kind passes on the packets of a producer.
+/// Returns a netlist in which a process of this kind passes on the packets of a producer.
 std::string passed_on_by(const std::string& kind) {
     std::string text = one_to_three();
     replace(text, "\"test.shout\" for p", "\"" + kind + "\" for p");
@@ -175,7 +175,7 @@ TEST_CASE("a process that outputs to all receivers in a PAR broadcasts") {
         CHECK(report.measured(consumer, "last_number") == 4);
 }
 
-TEST_CASE("a process that outputs to the receivers in turn waits for ever, and the report says for which output") {
+TEST_CASE("a process that outputs to the receivers in turn waits for ever, and the report names the awaited output") {
     RunReport report = run_broadcast(passed_on_by("csp.delta"));
     CHECK(report.result.ending == Ending::stuck);
     REQUIRE(report.result.deadlock);

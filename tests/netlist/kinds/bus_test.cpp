@@ -104,7 +104,7 @@ TEST_CASE("placement alone leads channels over buses, adapters and bus masters")
     CHECK(use_by(report, "a").bytes >= 2 * 5 * 300);
     CHECK(use_by(report, "a").words >= 5 * 75);
     CHECK(use_by(report, "a").level == 1);
-    CHECK(use_by(report, "b").words == 0); // it only receives
+    CHECK(use_by(report, "b").words == 0); // b only receives
     CHECK(report.buses.at(0).busy > Time{0});
 }
 
@@ -232,7 +232,7 @@ TEST_CASE("a host sets a switch through a link adapter") {
     CHECK(report.measured("visitor", "setting_per_visit") > 2 * (9 + 1) * 1.71);
 }
 
-TEST_CASE("a host's data rate through an adapter is that of polling, within the range of real machines") {
+TEST_CASE("a host that polls an adapter has a data rate within the range of real machines") {
     auto rate = [](const char* from, const char* to) {
         std::string text = R"(workstation (clock = 25M) sun; VME vme; C012 adapter; T800 t;
             connect sun.bus[0] to vme.slot[1]; connect adapter.bus[0] to vme.slot[2];

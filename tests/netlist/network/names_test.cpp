@@ -14,7 +14,7 @@ TEST_CASE("names are split into base and subscripts") {
     CHECK(element_name("root", {}) == "root");
 }
 
-TEST_CASE("the last subscript runs fastest") {
+TEST_CASE("the last subscript varies fastest") {
     CHECK(element_count({}) == 1);
     CHECK(element_count({2, 3}) == 6);
     CHECK(element_subscripts(0, {2, 3}) == std::vector<std::int64_t>{0, 0});

@@ -31,7 +31,7 @@ std::string message_for(const std::string& text) {
 
 // In these two networks, edges bring the size to the limit.
 
-TEST_CASE("processes with every parameter of their kind") {
+TEST_CASE("a network of processes with every parameter of their kind loads again") {
     check_loads_again("val n 5000; T800 t; edge e[214000]; process m[n], s[n];\n"
                       "use \"ga.master\" for m; use \"ga.slave\" for s; m (population = 30);\n"
                       "rep i = 0 for n { connect m[i].out to s[i].in; connect s[i].out to m[i].back;\n"
@@ -48,7 +48,7 @@ TEST_CASE("a network of the largest size loads again" * doctest::skip(test::sani
     check_loads_again("T800 t; process p[249997]; rep i = 0 for 249997 place p[i] on t; connect t.link[0] to host;");
 }
 
-TEST_CASE("arrays of long strings and of many numbers") {
+TEST_CASE("a network with arrays of long strings and of many numbers loads again") {
     std::string row(1900, 'x'), escaped;
     for (int i = 0; i < 1900; ++i)
         escaped += "\\1";
@@ -65,7 +65,7 @@ TEST_CASE("arrays of long strings and of many numbers") {
     check_loads_again(text + "});");
 }
 
-TEST_CASE("the longest names, declared again and again") {
+TEST_CASE("a network with repeated declarations of the longest names loads again") {
     std::string name(255, 'n');
     check_loads_again("T800 t; rep i = 0 for 12 { process (interface (output out[1][1][1])) " + name +
                       "; process (interface (input in)) " + name.substr(1) + "; connection c" + name.substr(2) +

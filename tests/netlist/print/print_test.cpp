@@ -13,7 +13,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Returns everything but the places and the source, through JSON, which names every field of the structures.
+/// Returns the network as JSON, which has all fields of the structures except places; leaves out the source's path.
 std::string content(Network network) {
     network.source_path = "";
     return print_json(network);

@@ -1,5 +1,5 @@
-// Random networks: what is printed of each loads again to an equal network, and prints the same text again.
-// A failure prints the number of the network; the same number makes the same network again.
+// Tests that the printed form of random networks loads again as an equal network, and prints the same text again. A
+// failure prints the number of the network; the same number makes the same network again.
 
 #include "netlist/print/print.hpp"
 #include "netlist/read.hpp"
@@ -108,8 +108,8 @@ private:
         }
     }
 
-    /// Places the first process on t0, and each further one on the same processor as the one before or on the next,
-    /// since channels lead only to neighbours.
+    /// Places the first process on t0, and each further process on the processor of the preceding process or on the
+    /// next processor, since channels lead only to neighbours.
     std::size_t place() {
         placed_ = first_ ? 0 : std::min(processors_ - 1, placed_ + (chance(3) ? 1 : 0));
         first_ = false;
@@ -165,7 +165,7 @@ private:
         return "\"" + text + "\"";
     }
 
-    /// Each process sends to the next. Unused ports lead to the edge of the network or back to their own process.
+    /// Connects each process with the next. Unused ports lead to the edge of the network or back to their own process.
     void connect_processes() {
         std::vector<std::string> ring;
         for (const auto& array : arrays_)

@@ -52,7 +52,7 @@ std::vector<std::string> texts_of(const std::vector<PathShare>& shares) {
 
 } // namespace
 
-TEST_CASE("of two independent processes the path takes the one that ends last") {
+TEST_CASE("of two independent processes, the path takes the process that ends last") {
     Sought sought;
     sought.simulation.process("short", [] { wait_for(1us); });
     sought.simulation.process("long", [] { wait_for(3us); });

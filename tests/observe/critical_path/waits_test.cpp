@@ -29,7 +29,7 @@ TEST_CASE("time is assigned to the process's activity") {
     CHECK(p.ready == at(2));
     CHECK(p.computing == at(3));
     CHECK(p.communicating == at(4));
-    CHECK(p.life() == at(9)); // nothing is counted when it has ended
+    CHECK(p.life() == at(9)); // nothing is counted after the process has ended
 }
 
 TEST_CASE("a process computes while any of its components does") {

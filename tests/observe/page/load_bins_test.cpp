@@ -40,7 +40,7 @@ TEST_CASE("bins become wider as the run grows and lose nothing") {
     CHECK(levels_of(bins) == "Q"); // a quarter of 63
 }
 
-TEST_CASE("the first bin begins where the page does") {
+TEST_CASE("the first bin begins at the beginning of the page") {
     LoadBins bins(4, Time{1'000'000});
     bins.add(0, running, Time{1'001'000}, Time{1'002'000});
     CHECK(levels_of(bins) == "A/");

@@ -55,7 +55,7 @@ struct Recorded {
 
 } // namespace
 
-TEST_CASE("the page has its begin, its end, and the reason for the trace's end") {
+TEST_CASE("the page has its beginning, its end, and the reason for the trace's end") {
     boost::json::object json = Recorded().json();
     CHECK(json.at("begin") == 0);
     CHECK(json.at("end") == 10000);

@@ -45,7 +45,7 @@ TEST_CASE("if there are too many stretches, the first and last are kept") {
     CHECK(begins == std::vector{Time{0}, Time{1}, Time{4}, Time{5}});
 }
 
-TEST_CASE("slices longer than a stretch are in another row, and each stretch has its time") {
+TEST_CASE("slices longer than a stretch are in another row, and each stretch states its beginning and end") {
     Network network;
     Tracks tracks(network);
     Stretches stretches = steps_and_a_long_one(tracks, 10, {.entries_of_stretch = 4});
@@ -102,8 +102,8 @@ TEST_CASE("a stretch has a known encoding") {
     std::string computes(1, static_cast<char>(Activity::computing)),
         inputs(1, static_cast<char>(Activity::inputting) + 16);
     CHECK(packed.bytes == std::string(1, static_cast<char>(texts.size())) + texts + // texts
-                              std::string("\2\1\1\2\1", 5) +                        // tracks 1 and 2 have one each
-                              std::string("\0\12\310\1\5", 5) +                     // gaps; lengths
-                              computes + inputs + "\2\1" +                          // notes
-                              "\1\1\2\5\5\3");                                      // the message
+                              std::string("\2\1\1\2\1", 5) +    // tracks 1 and 2 have one slice each
+                              std::string("\0\12\310\1\5", 5) + // gaps; lengths
+                              computes + inputs + "\2\1" +      // notes
+                              "\1\1\2\5\5\3");                  // the message
 }

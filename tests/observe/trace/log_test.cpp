@@ -83,7 +83,7 @@ TEST_CASE("a process computes while it has its processor, and is ready from then
     CHECK(notes.lines == Lines{"0 p ready", "0 p starts", "0 p computes", "100 p ready", "100 p ended", "100 over"});
 }
 
-TEST_CASE("a PAR joins its components, whose end is logged only for them") {
+TEST_CASE("a PAR joins its components; the log has the end of each component") {
     Simulation simulation;
     ToldLines notes;
     simulation.trace_to(notes);

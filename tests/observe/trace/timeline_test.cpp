@@ -97,7 +97,7 @@ TEST_CASE("a PAR in a loop reuses its tracks, which follow their parent") {
     CHECK(traced.notes.about("p:").size() == 5); // p waits for its components
 }
 
-TEST_CASE("a wait has its cause") {
+TEST_CASE("a wait shows its channels, its partner and its timer") {
     Traced traced({"p", "q"});
     Channel<int> c("c"), d("d");
     traced.simulation.process("p", [&] {
@@ -132,7 +132,7 @@ TEST_CASE("a message begins at the output and ends where the other process conti
     traced.simulation.process("q", input, &t);
     traced.simulation.process("p", output, &t);
     const Notes& notes = traced.run();
-    // q is first, and waits. The message leaves when p has spent the time of its output, the copy included.
+    // q is first, and waits. The message leaves when p has spent the time of its output, including the copy.
     CHECK(notes.about("q:") ==
           Lines{"q: computes 0 to 19", "q: inputs 19 to 2042, c with p", "q: computes 2042 to 2542"});
     CHECK(notes.about("p:") == Lines{"p: ready 0 to 19", "p: computes 19 to 1042", "p: computes 1042 to 2042"});
@@ -167,7 +167,7 @@ TEST_CASE("at a deadlock, at the limit of time and at the end of the window the 
         traced.simulation.process("p", [&] { c.in().input(); });
         CHECK(traced.run().lines == Lines{"p: inputs 0 to the end, c with ", "0 to 0: deadlock"});
     }
-    SUBCASE("who has stopped") {
+    SUBCASE("stopped process") {
         Traced traced({"p"});
         traced.simulation.process("p", [] { wait_for(1us), stop(); });
         traced.simulation.process("q", [] { wait_for(9us); });

@@ -60,7 +60,7 @@ TEST_CASE("a device's own tracks follow all others") {
     CHECK(tracks.all()[tracks.of_place("u waits")].place.kind == Track::Kind::bus);
 }
 
-TEST_CASE("tracks of processors, links and buses are found by name, those of processes are not") {
+TEST_CASE("tracks of processors, links and buses are found by name, tracks of processes are not") {
     Tracks tracks(two_wired_nodes());
     for (const char* name : {"t", "u", "t.link[0] -> u.link[0]", "u.link[0] -> t.link[0]"}) {
         REQUIRE(tracks.of_place(name) != Tracks::none);

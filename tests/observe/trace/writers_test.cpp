@@ -80,7 +80,7 @@ TEST_CASE("Perfetto: a wait names its partner and channel") {
     CHECK(has(shown(waiting(Activity::inputting, {{"c", ""}})), R"("args":{"channel":"c","partner":"none yet"})"));
 }
 
-TEST_CASE("Perfetto: an alternation names few partners and counts many") {
+TEST_CASE("Perfetto: an alternation names a few partners, but only counts many partners") {
     CHECK(name_shown(waiting(Activity::alternating, {{"c", "q"}, {"d", "r"}})) == "alternates: input from q or r");
     CHECK(name_shown(waiting(Activity::alternating, {{"c", "q"}}, true)) == "alternates: input from q, or its timer");
     CHECK(name_shown(waiting(Activity::alternating, {{"a", ""}, {"b", ""}, {"c", ""}, {"d", ""}})) ==
@@ -98,7 +98,7 @@ TEST_CASE("Perfetto: a message is a flow from slice to slice") {
     CHECK(has(text, R"({"ph":"f","bp":"e","name":"c","cat":"message","id":1,"pid":1,"tid":4,"ts":0.000020})"));
 }
 
-TEST_CASE("Perfetto: the critical path is shown above all, whole and by processor and link") {
+TEST_CASE("Perfetto: the critical path is shown above all tracks, as a whole and by processor and link") {
     Tracks tracks(on_one_node({"p"}));
     const PathPart path[] = {{Activity::computing, "p on t", "t", Time{0}, Time{5}},
                              {Activity::delayed, "p", "", Time{5}, Time{9}}};

@@ -12,7 +12,7 @@ using namespace placedpar;
 
 namespace {
 
-/// Returns the function's value where every parameter is `each`.
+/// Returns the function's value at the point where every parameter is `each`.
 template <class Function>
 double at(const Function& function, double each) {
     return function.objective(std::vector<double>(function.representation().parameters(), each));

@@ -51,7 +51,8 @@ TEST_CASE("random cities depend on the seed, and their shortest tour is unknown"
     CHECK_FALSE(one.optimum());
 }
 
-TEST_CASE("a search finds the shortest tour of eight random cities, of all 2520, and around a circle") {
+TEST_CASE(
+    "a search finds the shortest of all 2520 tours of eight random cities, and the shortest tour around a circle") {
     auto search = [](const Tour& tour, std::size_t generations) {
         auto problem = minimise(tour);
         SearchSettings settings = usual_settings(*problem);
@@ -65,7 +66,7 @@ TEST_CASE("a search finds the shortest tour of eight random cities, of all 2520,
     CHECK(search(circle, 300) == doctest::Approx(*circle.optimum()));
 }
 
-TEST_CASE("every benchmark exists by name, with default numbers and a string for its solutions") {
+TEST_CASE("every benchmark problem can be made by name, with default parameters and a representation") {
     ProblemRegistry problems;
     add_benchmark_problems(problems);
     CHECK(problems.names().size() == 14);

@@ -50,7 +50,7 @@ TEST_CASE("a change of a1 from 1.5 to .5 moves the pole along a circle of modulu
     CHECK(std::hypot(after.alpha, after.beta) == doctest::Approx(std::sqrt(0.7)));
 }
 
-TEST_CASE("the record follows 5.8 from a full window on, and each sample holds the past") {
+TEST_CASE("the record follows 5.8 and begins with a full window; each sample holds earlier outputs and inputs") {
     PlantExperiment experiment;
     auto record = record_of(experiment);
     CHECK(record.size() == 29 + 201);
@@ -67,7 +67,7 @@ TEST_CASE("the record follows 5.8 from a full window on, and each sample holds t
     }
 }
 
-TEST_CASE("the change takes most of the signal's energy") {
+TEST_CASE("the change of a1 removes most of the signal's energy") {
     PlantExperiment experiment{.generations = 1501};
     auto record = record_of(experiment);
     std::vector<double> before, after;
@@ -100,7 +100,7 @@ TEST_CASE("noise has its standard deviation and its colour") {
     CHECK(some == test::nearly(0.09 * (-1 - 0.2), 0.05));
 }
 
-TEST_CASE("a record depends only on its random stream, and its input begins anywhere in the period") {
+TEST_CASE("a record depends only on its random stream, and its input may begin anywhere in the period") {
     CHECK(record_of({}, 7) == record_of({}, 7));
     CHECK(record_of({}, 7) != record_of({}, 8));
 }

@@ -32,7 +32,7 @@ TEST_CASE("every seven bits except zeros occur once in a period of 127") {
     CHECK(!seen.contains(0));
 }
 
-TEST_CASE("shifted pseudo random bits agree with themselves one time less than they differ") {
+TEST_CASE("a sequence and its shifted copy agree in one bit fewer than they differ") {
     constexpr int period = PseudoRandomBits::period;
     auto sequence = signs(2 * PseudoRandomBits::period);
     for (int shift = 0; shift < period; ++shift) {
