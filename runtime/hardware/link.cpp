@@ -235,7 +235,7 @@ void LinkDirection::begin_part(AnyChannel& channel, std::uint32_t bytes, bool la
 
 void LinkDirection::write_byte() {
     LinkCourse::Touch touch(course_);
-    touch->ask_for_byte(number_, kernel_.now());
+    touch->ask_for_byte(number_, std::max(touch->may_start(number_), kernel_.now()));
     touch.begin_if_free(number_);
 }
 
