@@ -128,7 +128,7 @@ void LinkDirection::input(AnyChannel& channel, const SourceLocation& where) {
     do {
         input_.where = where;
         charge_and_communicate(self, &OperationCosts::hard_communication, input_);
-    } while (!took_last_part_ && !input_given_up_);
+    } while (!delivered_last_part_ && !input_given_up_);
 }
 
 void LinkDirection::begin_writing(AnyChannel& channel) {
@@ -211,7 +211,7 @@ bool LinkDirection::receiver_asks(LinkCourse::Touch& touch) {
 
 /// Hands the part over, before the receiving or the sending process continues.
 void LinkDirection::deliver() {
-    took_last_part_ = last_part_;
+    delivered_last_part_ = last_part_;
     if (last_part_)
         channel_->hand_over();
 }

@@ -8,9 +8,9 @@ namespace {
 
 constexpr std::size_t none = 2;
 
-/// Begins the next packet and returns its direction, or returns `none` if the limit excludes the packet. Of a simultaneous
-/// byte and acknowledge, the acknowledge goes first, because they need the same wire; so it is in the orders of
-/// link_state.cpp. The other simultaneous packets are on different wires, and do not affect each other.
+/// Begins the next packet and returns its direction, or returns `none` if the limit excludes the packet. Of a byte and
+/// an acknowledge that begin together, the acknowledge goes first, because both need the same wire (`orders` in
+/// link_state.cpp). Two bytes or two acknowledges are on different wires and do not affect each other.
 std::size_t begin_next(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) {
     const Time forth = packets.begin_of_next(0), back = packets.begin_of_next(1);
     const bool first = forth < back || (forth == back && packets.streams[0].acknowledge);

@@ -12,7 +12,7 @@ constexpr std::uint8_t order_of(EventQueue::Priority priority, std::size_t rank)
 }
 
 /// The order of a direction's packets among simultaneous steps. If two packets can begin on the same wire, the
-/// acknowledge goes first, also if it waited for the wire. next_within() in link_period.cpp follows the same rule.
+/// acknowledge goes first, also if it waited for the wire. begin_next() in link_period.cpp follows the same rule.
 struct Orders {
     std::uint8_t acknowledge, acknowledge_that_waited, byte;
 };

@@ -69,8 +69,8 @@ struct alignas(64) LinkState {
     /// end of sending. If they are simultaneous, they happen in this order.
     static constexpr std::size_t arrivals_of_a_direction = 3, most_arrivals = 6;
     std::array<Time, most_arrivals> arrivals = {never, never, never, never, never, never};
-    /// The arrivals of the last bytes of the next part. This part can begin before the last byte of the current part has
-    /// arrived.
+    /// The arrivals of the last bytes of the next part. This part can begin before the last byte of the current part
+    /// has arrived.
     std::array<Time, 2> last_bytes_after = {never, never};
     Time busy_until{}; ///< the wires are busy until then, if no step comes later; set if a waiting packet is withdrawn
     std::array<Users, 2> users;

@@ -203,9 +203,10 @@ TEST_CASE("a message to an adapter that is given up while its acknowledge waits 
     }
 }
 
-// At 10 kbit/s without overlap, an acknowledge begins 16.2 bits after its byte. The next byte begins 5.6 bits and 120 ns
-// later.
-TEST_CASE("an adapter whose message is given up while its register restarts writes no byte before the restart is over") {
+// At 10 kbit/s without overlap, an acknowledge begins 16.2 bits after its byte. The next byte begins 5.6 bits and 120
+// ns later.
+TEST_CASE(
+    "an adapter whose message is given up while its register restarts writes no byte before the restart is over") {
     for (Time given_up = microseconds{1640}; given_up < microseconds{2180}; given_up += microseconds{20}) {
         CAPTURE(given_up.count());
         Host host(32, LinkTiming{.bits_per_second = 10'000, .overlapped_acknowledge = false});
