@@ -23,6 +23,10 @@ struct WholeWay {
 /// the samples of the transient: afterwards the pressure says little of C_o, and its noise shifts the answer.
 WholeWay whole_way(std::size_t links, hydraulics::Side side = hydraulics::Side::inlet);
 
+/// Flags a link whose answer may be off by more than 10 % within three standard errors of `of_all_samples`. Readings
+/// with noise also shift the answer, which two standard errors do not cover.
+void flag_limit(LinkIdentified& link);
+
 /// Identifies the compliances from all samples at once. LinkIdentified::standard_error and of_all_samples are those of
 /// weighed least squares, the limit that the record's noise leaves (Cramer-Rao). Uses at most 1,024 samples, to which a
 /// fitness is limited. Throws UnfitRecord if there are fewer samples than a first generation needs.

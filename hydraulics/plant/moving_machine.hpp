@@ -1,7 +1,6 @@
 #pragma once
 
 #include "hydraulics/circuit/cross_over.hpp"
-#include "hydraulics/circuit/flow_constants.hpp"
 #include "hydraulics/plant/link_mechanics.hpp"
 #include "hydraulics/plant/tip_kinematics.hpp"
 
@@ -21,7 +20,7 @@ struct TrackingGains {
 /// A link that goes back is not pumped: its load drives it, and the valve throttles its oil to the tank (ours; the
 /// thesis gives no equations for that direction).
 struct MovingExcavator {
-    FlowConstants flow{};
+    MainValve valve{};
     CrossOverLimits cross_over{};
     PerLink<LinkMechanics> links{};
     ArmLengths arm{};
@@ -29,8 +28,6 @@ struct MovingExcavator {
     double joystick_lag_s = 0;
     double bypass_rest_in2 = 0;               ///< of a valve at rest
     double dead_time_s = 0;                   ///< of the pilot valves; their lag is LinkMechanics::spool_lag_per_s
-    double branch_compliance_in3_per_psi = 0; ///< of the oil in a pump's line and valve: volume / bulk modulus
-    double laminar_psi = 0;                   ///< drop below which flow is proportional to it
     double control_period_s = 0;              ///< also the interval between the states that are shown
     double integration_step_s = 0;
 };
