@@ -137,7 +137,7 @@ ExitCode identify_moving(const IdentifyOptions& options, Record first, RecordPie
         healthy[index_of(link)] = moving.healthy_in3_per_psi(link);
     const std::vector<SetAnswer> sets = moving.sets();
     if (sets.empty())
-        throw UnfitRecord(fmt::format("no link moves forward for long enough; a population set needs {} of 0.08 s",
+        throw UnfitRecord(fmt::format("no link moves forward for long enough; a population set needs {} of 0.16 s",
                                       counted(SetSearch::fewest_samples, "sample")));
     const std::vector<LinkIdentified> links = combined_links(sets);
     print_out(print_recognition(moving.recognition()) + print_sets(sets) + print_links(links, wanted) +

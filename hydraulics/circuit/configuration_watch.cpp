@@ -58,7 +58,7 @@ void ConfigurationWatch::take(const ValveReading& reading) {
     else
         last_ = next(last_, reading, false);
     recent_.push_back(last_);
-    if (recent_.size() > reach + 1)
+    if (recent_.size() > span + 1)
         recent_.erase(recent_.begin());
     reconsider();
 }
@@ -107,7 +107,8 @@ void ConfigurationWatch::add_flows(ValveInterval& now, const PerLink<double>& be
 void ConfigurationWatch::reconsider() {
     std::vector<ValveInterval> best;
     double greatest_gain = least_gain, misfit = recent_.back().misfit;
-    for (std::size_t from = recent_.size() - 1; from-- > 0; misfit += recent_[from].misfit) {
+    const std::size_t first = recent_.size() - std::min(recent_.size(), reach + 1);
+    for (std::size_t from = recent_.size() - 1; from-- > first; misfit += recent_[from].misfit) {
         if (misfit < least_gain || from + 2 == recent_.size()) // noise could explain a single interval
             continue;
         for (Configuration other : {Configuration::a, Configuration::d, Configuration::e}) {
@@ -142,7 +143,7 @@ double ConfigurationWatch::mean(Get get) const {
 
 LinkSet ConfigurationWatch::driven() const {
     LinkSet driven;
-    if (recent_.size() <= reach)
+    if (recent_.size() <= span)
         return driven;
     for (const ValveInterval& interval : recent_)
         if (interval.configuration != last_.configuration)
@@ -152,7 +153,7 @@ LinkSet ConfigurationWatch::driven() const {
         const bool fed = std::ranges::all_of(recent_, [&](const ValveInterval& each) {
             return each.end.links.inlet_in2[i] > least_inlet_in2;
         });
-        if (fed && last_.forward_s[i] > outlet_shuts_s + reach * period_s_ &&
+        if (fed && last_.forward_s[i] > outlet_shuts_s + span * period_s_ &&
             mean([&](const ValveInterval& each) { return each.mean.inlet[i]; }) > least_flow_in3_per_s)
             driven.insert(link);
     }
@@ -161,7 +162,7 @@ LinkSet ConfigurationWatch::driven() const {
 
 std::optional<std::vector<LinkSample>> ConfigurationWatch::samples(const Circuit& circuit) const {
     const ValveReading &first = recent_.front().end, &last = recent_.back().end;
-    const double time_s = period_s_ * static_cast<double>(reach);
+    const double time_s = period_s_ * static_cast<double>(span);
     PerLink<double> psi, inlet, bypass, comes{};
     for (const Junction& junction : circuit) {
         const std::size_t i = index_of(junction.link);

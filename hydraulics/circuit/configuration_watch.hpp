@@ -34,7 +34,8 @@ struct ValveInterval {
 /// last `reach` intervals, explains these flows much better, it replaces the present one.
 class ConfigurationWatch {
 public:
-    static constexpr std::size_t reach = 4;
+    static constexpr std::size_t reach = 4; ///< intervals
+    static constexpr std::size_t span = 8;  ///< intervals of a sample: long, so that noise hardly changes its slopes
 
     /// `compliance_in3_per_psi` are those of healthy links. A deviation of a third to either side does no harm.
     ConfigurationWatch(const MainValve&, const CrossOverLimits&, const PerLink<double>& compliance_in3_per_psi,
@@ -47,10 +48,10 @@ public:
 
     Configuration configuration() const { return last_.configuration; }
     const ValveInterval& last() const { return last_; }
-    /// Returns the links into which oil flows all through the last `reach` intervals, and that have moved forward for
+    /// Returns the links into which oil flows all through the last `span` intervals, and that have moved forward for
     /// so long that their outlets are shut. Returns none if the configuration has changed.
     LinkSet driven() const;
-    /// Returns the means over the last `reach` intervals as samples of this circuit. What the circuit leaves out is in
+    /// Returns the means over the last `span` intervals as samples of this circuit. What the circuit leaves out is in
     /// the piston's flow and in the bypass: the oil stored in pipes, the valves of links at rest, and the flows into
     /// other links. Returns nullopt if the readings contradict the circuit. REQUIRES: driven() contains its links.
     std::optional<std::vector<LinkSample>> samples(const Circuit&) const;
@@ -60,7 +61,7 @@ private:
     /// Adds the flows of a step, at the mean of the junctions' pressures before and after it.
     void add_flows(ValveInterval& now, const PerLink<double>& before_psi, const ValveLinks& links, double share) const;
     void reconsider();
-    /// Returns the mean of get(interval) over the last `reach` intervals.
+    /// Returns the mean of get(interval) over the last `span` intervals.
     template <class Get>
     double mean(Get get) const;
 
@@ -69,7 +70,7 @@ private:
     PerLink<double> compliance_in3_per_psi_;
     double period_s_;
     ValveInterval last_;
-    std::vector<ValveInterval> recent_; ///< at most reach + 1, oldest first; of the first only its end matters
+    std::vector<ValveInterval> recent_; ///< at most span + 1, oldest first; of the first only its end matters
 };
 
 } // namespace placedpar::hydraulics

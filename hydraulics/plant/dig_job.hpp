@@ -15,6 +15,7 @@ struct JoystickMove {
     double seconds;   ///< > 0
     TipPose velocity; ///< per second
     double soil_lbf;  ///< >= 0
+    std::size_t line = 0; ///< in the job's file; 0: none
 };
 
 /// What the operator does.
@@ -38,7 +39,7 @@ public:
     const TipPose& velocity() const { return velocity_; } ///< per second
     /// Returns the index of the move in progress; after the last move, that of the last.
     std::size_t move() const { return move_; }
-    double soil_lbf() const { return job_.moves[move_].soil_lbf; }
+    const JoystickMove& current() const { return job_.moves[move_]; }
     /// Advances by a time in which the joysticks are held as at its beginning.
     void advance(double seconds);
 

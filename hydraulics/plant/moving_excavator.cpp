@@ -141,7 +141,7 @@ private:
     void set_loads() {
         constexpr double full_in_per_s = 5;
         const TipPose& v = reference_.velocity();
-        const double force = reference_.soil_lbf() / std::max(std::hypot(v.reach_in, v.height_in), full_in_per_s);
+        const double force = reference_.current().soil_lbf / std::max(std::hypot(v.reach_in, v.height_in), full_in_per_s);
         JointAngles angles;
         for (std::size_t i = 0; i < all_links.size(); ++i)
             angles[i] = angle_rad(i);
@@ -149,10 +149,11 @@ private:
         for (Link link : all_links) {
             const std::size_t i = index_of(link);
             dynamics_.load_lbf[i] = machine_.links[i].load_lbf - torques[i] / arm(i);
-            if (!(dynamics_.load_lbf[i] > 0))
-                throw UnfitScenario(fmt::format(
-                    "move {}: {:g} lbf of soil lift the {}'s load of {:g} lbf; expected a load above 0",
-                    reference_.move() + 1, reference_.soil_lbf(), name_of(link), machine_.links[i].load_lbf));
+            if (const std::size_t line = reference_.current().line; !(dynamics_.load_lbf[i] > 0))
+                throw UnfitScenario(
+                    fmt::format("move {}{}: {:g} lbf of soil lift the {}'s load of {:g} lbf; expected a load above 0",
+                                reference_.move() + 1, line > 0 ? fmt::format(" (line {})", line) : "",
+                                reference_.current().soil_lbf, name_of(link), machine_.links[i].load_lbf));
         }
     }
 

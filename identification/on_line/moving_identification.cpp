@@ -29,6 +29,12 @@ ValveReading valve_reading(const Record& record, std::size_t i, const PerLink<Li
     return reading;
 }
 
+bool excited(const std::vector<LinkSample>& links) {
+    constexpr double least_slope_psi_per_s = 300; // four times the scatter that medium noise gives; ours
+    return std::ranges::any_of(
+        links, [](const LinkSample& link) { return std::abs(link.inlet_slope_psi_per_s) > least_slope_psi_per_s; });
+}
+
 /// Returns the deviation from a healthy link as a share; 0 within the errors.
 double off(const LinkIdentified& link, const PerLink<double>& healthy) {
     const double share = link.compliance_in3_per_psi / healthy[index_of(link.link)] - 1;
@@ -104,11 +110,12 @@ void MovingIdentification::collect(double time_s) {
     for (LinkSet set : in_use_)
         if (now != before_ || std::ranges::find(sets, set) == sets.end())
             search_of(set).round();
-    // The samples of a set do not overlap, so that their errors are independent.
     for (LinkSet set : sets)
-        if (std::ranges::find(pending_, set, &Pending::set) == pending_.end())
-            if (auto links = watch_->samples(circuit_of(now, set)))
+        if (readings_ >= next_[set])
+            if (auto links = watch_->samples(circuit_of(now, set)); links && excited(*links)) {
                 pending_.push_back({readings_, set, {readings_, time_s, std::move(*links)}});
+                next_[set] = readings_ + ConfigurationWatch::span;
+            }
     in_use_ = sets;
     before_ = now;
 }
@@ -154,8 +161,7 @@ std::vector<LinkIdentified> combined_links(const std::vector<SetAnswer>& sets) {
                                                    name_of_set(set), result.compliance_in3_per_psi,
                                                    result.standard_error, mean.compliance_in3_per_psi)});
         }
-        if (found.standard_error > uncertain_share * found.compliance_in3_per_psi)
-            found.flags.push_back(uncertain_flag(found.compliance_in3_per_psi, found.standard_error));
+        flag_limit(found);
         links.push_back(std::move(found));
     }
     return links;

@@ -26,7 +26,7 @@ struct SetAnswer {
 /// The population is kept from one round to the next. Rounds and weights are those of whole_search.hpp.
 class SetSearch {
 public:
-    static constexpr std::size_t fewest_samples = 8; ///< fewer are not searched
+    static constexpr std::size_t fewest_samples = 10; ///< fewer are not searched
 
     SetSearch(hydraulics::LinkSet set, const WholeWay& way, const hydraulics::FlowConstants& flow, RandomStream random);
 
