@@ -21,8 +21,9 @@ struct ValveInterval {
     Configuration configuration = Configuration::a; ///< at the end
     PerLink<double> junction_psi{};                 ///< at the end
     ValveFlows mean{};                              ///< without relief
-    double misfit = 0;                              ///< sum over the links of (flow into the cylinder - mean.inlet)^2
-    PerLink<double> forward_s{};                    ///< time since the link last moved back
+    double misfit = 0;                              ///< sum over the links of (oil - mean.inlet)^2
+    PerLink<double> oil_in3_per_s{};                ///< flow that moves the piston and expands the hose, smoothed
+    PerLink<double> forward_s{};                    ///< time since oil last left the cylinder
 };
 
 /// Recognises the configuration of the main valve from the readings of all links.
@@ -60,6 +61,7 @@ private:
     ValveInterval next(const ValveInterval& from, const ValveReading& to, bool held) const;
     /// Adds the flows of a step, at the mean of the junctions' pressures before and after it.
     void add_flows(ValveInterval& now, const PerLink<double>& before_psi, const ValveLinks& links, double share) const;
+    bool near(const ValveInterval&, Configuration other) const;
     void reconsider();
     /// Returns the mean of get(interval) over the last `span` intervals.
     template <class Get>
