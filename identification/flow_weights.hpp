@@ -48,8 +48,8 @@ T weighed_error(const hydraulics::Circuit& circuit, std::span<const T> complianc
                 const hydraulics::CircuitTerms& terms, const hydraulics::FlowConstants& flow,
                 const FlowWeights& weights) {
     using std::sqrt;
-    auto missing = hydraulics::missing_flows_in3_per_s<T>(circuit, compliances, terms, flow,
-                                                          hydraulics::InletFlow::as_signed);
+    auto missing =
+        hydraulics::missing_flows_in3_per_s<T>(circuit, compliances, terms, flow, hydraulics::InletFlow::as_signed);
     auto scaled = weights.scaled<T>(missing, circuit.size());
     T squares = scaled[0] * scaled[0];
     for (std::size_t j = 1; j < circuit.size(); ++j)

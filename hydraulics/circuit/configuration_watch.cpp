@@ -11,16 +11,16 @@ namespace {
 
 // Ours, tuned on fifty random jobs.
 constexpr double longest_step_s = 0.0004;
-constexpr double laminar_psi = 20;        ///< at least this, so that the step is stable
-constexpr double least_gain = 4000;       ///< (in^3/s)^2 by which another position must lower the misfit
-constexpr double misfit_left = 0.2;    ///< of the misfit that it may leave
-constexpr double doubt = 0.2;             ///< weight of a gain if no pressure was near a limit
-constexpr double near_share = 0.7;        ///< of a limit
-constexpr double largest_square = 1e4;    ///< of one flow, so that one wild reading decides nothing
-constexpr double back_in3_per_s = -5;     ///< oil that leaves a cylinder faster shows an open outlet
-constexpr double smoothing = 0.3;         ///< of the oil's flow, a reading
-constexpr double outlet_shuts_s = 0.75;   ///< six times the pilot valve's lag
-constexpr double steepest = 1; ///< greatest change of a bypass's flow with that into the link
+constexpr double laminar_psi = 20;      ///< at least this, so that the step is stable
+constexpr double least_gain = 4000;     ///< (in^3/s)^2 by which another position must lower the misfit
+constexpr double misfit_left = 0.2;     ///< of the misfit that it may leave
+constexpr double doubt = 0.2;           ///< weight of a gain if no pressure was near a limit
+constexpr double near_share = 0.7;      ///< of a limit
+constexpr double largest_square = 1e4;  ///< of one flow, so that one wild reading decides nothing
+constexpr double back_in3_per_s = -5;   ///< oil that leaves a cylinder faster shows an open outlet
+constexpr double smoothing = 0.3;       ///< of the oil's flow, a reading
+constexpr double outlet_shuts_s = 0.75; ///< six times the pilot valve's lag
+constexpr double steepest = 1;          ///< greatest change of a bypass's flow with that into the link
 constexpr double least_inlet_in2 = 0.02, least_flow_in3_per_s = 10;
 
 bool same_surplus(Configuration a, Configuration b) {
@@ -164,9 +164,8 @@ LinkSet ConfigurationWatch::driven() const {
             return driven;
     for (Link link : all_links) {
         const std::size_t i = index_of(link);
-        const bool fed = std::ranges::all_of(recent_, [&](const ValveInterval& each) {
-            return each.end.links.inlet_in2[i] > least_inlet_in2;
-        });
+        const bool fed = std::ranges::all_of(
+            recent_, [&](const ValveInterval& each) { return each.end.links.inlet_in2[i] > least_inlet_in2; });
         if (fed && last_.forward_s[i] > outlet_shuts_s + span * period_s_ &&
             mean([&](const ValveInterval& each) { return each.mean.inlet[i]; }) > least_flow_in3_per_s)
             driven.insert(link);
@@ -194,8 +193,8 @@ std::optional<std::vector<LinkSample>> ConfigurationWatch::samples(const Circuit
         const std::size_t i = index_of(junction.link);
         const double link_psi = mean([&](const ValveInterval& each) { return each.end.links.inlet_psi[i]; });
         const double other = comes[i] - inlet[i] - bypass[i]; // into pipes and other links
-        const double beyond = junction.through == Through::junction ? psi[index_of(circuit[junction.next].link)]
-                                                                    : valve_.flow.tank_psi;
+        const double beyond =
+            junction.through == Through::junction ? psi[index_of(circuit[junction.next].link)] : valve_.flow.tank_psi;
         const double through = inlet[i] + other, k = valve_.flow.conductance(1);
         if (!(through > 0 && psi[i] > link_psi &&
               bypass[i] * (psi[i] - link_psi) <= steepest * through * (psi[i] - beyond)))

@@ -12,9 +12,9 @@ namespace placedpar::hydraulics {
 /// The joysticks for a while: the velocity that the operator asks of the bucket's tip (2.1), and the force with which
 /// the soil opposes it.
 struct JoystickMove {
-    double seconds;   ///< > 0
-    TipPose velocity; ///< per second
-    double soil_lbf;  ///< >= 0
+    double seconds;       ///< > 0
+    TipPose velocity;     ///< per second
+    double soil_lbf;      ///< >= 0
     std::size_t line = 0; ///< in the job's file; 0: none
 };
 

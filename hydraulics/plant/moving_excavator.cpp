@@ -96,8 +96,13 @@ public:
 
     MovingState state(double time_s) const {
         const PerLink<double> psi = junctions_psi(state_);
-        MovingState now{time_s,   {}, psi[index_of(Link::bucket)], psi[index_of(Link::swing)],
-                        branch(), dynamics_.configuration,         reference_.pose()};
+        MovingState now{time_s,
+                        {},
+                        psi[index_of(Link::bucket)],
+                        psi[index_of(Link::swing)],
+                        branch(),
+                        dynamics_.configuration,
+                        reference_.pose()};
         const ValveFlows flows = dynamics_.flows(state_);
         for (std::size_t i = 0; i < all_links.size(); ++i)
             now.links[i] = {part(state_, i, inlet_psi),
@@ -141,7 +146,8 @@ private:
     void set_loads() {
         constexpr double full_in_per_s = 5;
         const TipPose& v = reference_.velocity();
-        const double force = reference_.current().soil_lbf / std::max(std::hypot(v.reach_in, v.height_in), full_in_per_s);
+        const double force =
+            reference_.current().soil_lbf / std::max(std::hypot(v.reach_in, v.height_in), full_in_per_s);
         JointAngles angles;
         for (std::size_t i = 0; i < all_links.size(); ++i)
             angles[i] = angle_rad(i);

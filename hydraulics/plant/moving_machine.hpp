@@ -26,9 +26,9 @@ struct MovingExcavator {
     ArmLengths arm{};
     TrackingGains gains{};
     double joystick_lag_s = 0;
-    double bypass_rest_in2 = 0;               ///< of a valve at rest
-    double dead_time_s = 0;                   ///< of the pilot valves; their lag is LinkMechanics::spool_lag_per_s
-    double control_period_s = 0;              ///< also the interval between the states that are shown
+    double bypass_rest_in2 = 0;  ///< of a valve at rest
+    double dead_time_s = 0;      ///< of the pilot valves; their lag is LinkMechanics::spool_lag_per_s
+    double control_period_s = 0; ///< also the interval between the states that are shown
     double integration_step_s = 0;
 };
 

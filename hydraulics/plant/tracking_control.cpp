@@ -79,8 +79,8 @@ PerLink<OrificeAreas> asked_areas(const MovingExcavator& machine, Configuration 
         for (const Junction& junction : circuit)
             targets.push_back({now[index_of(junction.link)].inlet_psi, asked[index_of(junction.link)]});
         limit(circuit, targets, machine);
-        const auto openings =
-            openings_for(circuit, targets, machine.valve.flow, machine.gains.inlet_drop_psi, machine.gains.bypass_drop_psi);
+        const auto openings = openings_for(circuit, targets, machine.valve.flow, machine.gains.inlet_drop_psi,
+                                           machine.gains.bypass_drop_psi);
         for (std::size_t j = 0; j < circuit.size(); ++j)
             areas[index_of(circuit[j].link)] = {openings[j].inlet_in2, openings[j].bypass_in2, 0};
     }

@@ -45,8 +45,8 @@ double off(const LinkIdentified& link, const PerLink<double>& healthy) {
 } // namespace
 
 bool recognisable(const ChannelSet& there) {
-    return std::ranges::all_of(
-        all_links, [&](Link link) { return there.contains(channels_needed(link, AreasFrom::areas)); });
+    return std::ranges::all_of(all_links,
+                               [&](Link link) { return there.contains(channels_needed(link, AreasFrom::areas)); });
 }
 
 MovingIdentification::MovingIdentification(const Parameters& machine, WayFor way, std::uint64_t seed)
@@ -155,11 +155,12 @@ std::vector<LinkIdentified> combined_links(const std::vector<SetAnswer>& sets) {
             const double apart = std::abs(result.compliance_in3_per_psi - mean.compliance_in3_per_psi);
             const double error = std::hypot(result.standard_error, mean.standard_error);
             if (apart > off_errors * error && apart > uncertain_share * mean.compliance_in3_per_psi)
-                found.flags.push_back({FlagKind::inconsistent,
-                                       fmt::format("inconsistent: {} finds {:.5f} in^3/psi (standard error {:.5f}), all "
-                                                   "sets together {:.5f} in^3/psi (cross-check 1)",
-                                                   name_of_set(set), result.compliance_in3_per_psi,
-                                                   result.standard_error, mean.compliance_in3_per_psi)});
+                found.flags.push_back(
+                    {FlagKind::inconsistent,
+                     fmt::format("inconsistent: {} finds {:.5f} in^3/psi (standard error {:.5f}), all "
+                                 "sets together {:.5f} in^3/psi (cross-check 1)",
+                                 name_of_set(set), result.compliance_in3_per_psi, result.standard_error,
+                                 mean.compliance_in3_per_psi)});
         }
         flag_limit(found);
         links.push_back(std::move(found));

@@ -59,11 +59,11 @@ private:
     std::size_t readings_ = 0;
     hydraulics::Configuration before_{};
     std::vector<hydraulics::LinkSet> in_use_;
-    std::vector<Pending> pending_; ///< samples near whose ends the configuration may still change
+    std::vector<Pending> pending_;                    ///< samples near whose ends the configuration may still change
     std::map<hydraulics::LinkSet, std::size_t> next_; ///< reading of the next sample: samples of a set do not overlap
     std::map<hydraulics::LinkSet, SetSearch> searches_;
     Recognition recognition_;
-    char truth_ = '-';             ///< of the last sample
+    char truth_ = '-';              ///< of the last sample
     std::size_t awaited_until_ = 0; ///< reading until which its change counts as recognised soon
 };
 

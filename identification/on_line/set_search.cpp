@@ -12,8 +12,7 @@ namespace placedpar::identification {
 using namespace hydraulics;
 
 SetSearch::SetSearch(LinkSet set, const WholeWay& way, const FlowConstants& flow, RandomStream random)
-    : set_(set), way_(way), flow_(flow),
-      search_(set.size() * way.way.bits, way.way.search, std::move(random)) {}
+    : set_(set), way_(way), flow_(flow), search_(set.size() * way.way.bits, way.way.search, std::move(random)) {}
 
 std::size_t SetSearch::samples() const {
     std::size_t count = 0;
