@@ -18,8 +18,9 @@ void declare_question(Options& command, IdentifyOptions& options) {
     add_links(command, options.links,
               "links to identify, with commas: bucket, boom, stick, swing; default: every link with readings; "
               "with --way thesis: boom");
-    add_configuration(command, options.configuration, "configuration of the main valve during the record")
-        .show_default();
+    add_configuration(command, options.configuration,
+                      "configuration of the main valve during the record; default: recognised sample by sample if the "
+                      "record has pressure, angle and areas of all links, otherwise a");
     add_file(command, "--machine", options.machine, "file with constants that replace those of placedpar parameters");
     command
         .add("--areas-from", options.areas,
@@ -43,9 +44,8 @@ void declare_way(Options& command, IdentifyOptions& options) {
         .add("--way", options.way,
              "service: identifies and judges every movement, as placedpar monitor does; thesis: one search over "
              "the first transient, as in chapter 3; whole: one search for several links over the whole movement, "
-             "which weighs each link's flow error by its scatter")
-        .one_of({"service", "thesis", "whole"})
-        .show_default();
+             "which weighs each link's flow error by its scatter; default: service, with --side outlet whole")
+        .one_of({"service", "thesis", "whole"});
     // With fewer bits the compliance of a sound machine is within about a step of the lower bound.
     add_number(command, "--bits", options.bits, 6, 52, "bits of a compliance; default: 10, with --way whole 12");
     add_number(command, "--elite", options.elite, 0, a_million,

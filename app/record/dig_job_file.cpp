@@ -69,7 +69,7 @@ private:
 
     void read_moves(const toml::node& node) {
         for (const toml::table* table : tables_in(node, "it takes tables of moves", "[[move]]")) {
-            JoystickMove move{0, {}, 0};
+            JoystickMove move{0, {}, 0, table->source().begin.line};
             Handlers handlers = handlers_of(move.velocity);
             handlers["seconds"] = [&](const toml::node& each) { move.seconds = number(each, 0.02, most_s); };
             handlers["soil"] = [&](const toml::node& each) { move.soil_lbf = number(each, 0, 1e6); };

@@ -85,7 +85,9 @@ void RecordReader::read_header(std::vector<Diagnostic>& faults) {
         auto same = [&](const Column& column) {
             return column.sensor == channel->sensor && (!column.sensor || column.link == channel->link);
         };
-        if (!channel)
+        if (cell.text == "configuration")
+            configuration_ = i;
+        else if (!channel)
             faults.push_back(
                 warning_at(header.line, cell.column, fmt::format("column \"{}\" is not used", name),
                            "columns are time and LINK.SENSOR, such as boom.inlet_pressure or bucket.angle"));
@@ -155,6 +157,11 @@ void RecordReader::read_rows(Record& record, std::vector<Diagnostic>& faults) {
     auto lacks = [](const Column& column) {
         return [&column](const TextRow& row) { return is_missing(row.cells[column.index]); };
     };
+    for (const TextRow& row : table_.rows)
+        if (configuration_) {
+            const std::string& cell = row.cells[*configuration_].text;
+            record.configuration += cell.size() == 1 && cell[0] >= 'a' && cell[0] <= 'e' ? cell[0] : '-';
+        }
     for (Column& column : columns_) {
         if (!column.needed && std::ranges::any_of(table_.rows, lacks(column)))
             continue;

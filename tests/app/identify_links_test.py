@@ -99,6 +99,28 @@ class Links(unittest.TestCase):
                         for link, flags in answers:
                             self.assertIn("impossible", flags, (column, value, rows, way))
 
+    def test_the_configurations_of_a_machine_that_digs_are_recognised_and_its_links_identified(self):
+        job = pathlib.Path(__file__).parents[2] / "examples/hydraulics/digging/dig.toml"
+        record = self.record("excavator", "--job", job, "--noise", "low", "--seed", 3)
+        result = self.folder / "result.json"
+        run = placedpar("identify", record, "--json", result)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        found = json.loads(result.read_text(encoding="utf-8"))
+        judged = found["configuration"]
+        self.assertGreater(judged["right"], 0.99 * judged["judged"])
+        self.assertGreater(judged["within_two_samples"], 0.9 * judged["changes"])
+        self.assertGreaterEqual(len({each["set"] for each in found["sets"]}), 4)
+        for link in found["links"]:
+            if not link["flags"]:
+                self.assertLess(abs(link["compliance"] / TRUE[link["link"]] - 1), 0.1, link)
+        self.assertGreaterEqual(len([link for link in found["links"] if not link["flags"]]), 2)
+
+    def test_the_outlet_side_is_refused_by_the_way_that_identifies_inlet_sides(self):
+        run = placedpar("identify", "record.csv", "--side", "outlet", "--way", "service")
+        self.assertEqual((run.returncode, run.stderr),
+                         (1, "placedpar: --side outlet works only with --way thesis or whole; --way service identifies "
+                             "inlet sides\n"))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -294,9 +294,9 @@ class Jobs(unittest.TestCase):
             self.assertRegex(self.refused(f"{self.START}[[move]]\nseconds = {value}\n")[0],
                              r"^job\.toml:3:11: error: it takes a number from 0.02 to 600$")
 
-    def test_a_soil_that_lifts_the_machine_is_refused_with_the_move(self):
+    def test_a_soil_that_lifts_the_machine_is_refused_with_move_and_line(self):
         said = self.refused(self.START + self.LOWER + "soil = 1e6\n")
-        self.assertRegex(said[0], r"^placedpar: --job job\.toml: move 2: 1e\+06 lbf of soil lift the \w+'s load")
+        self.assertRegex(said[0], r"^placedpar: --job job\.toml: move 2 \(line \d+\): 1e\+06 lbf of soil lift the \w+'s load")
 
     def test_any_beginning_of_a_job_is_read_or_refused(self):
         text = DIG.read_text(encoding="utf-8")
