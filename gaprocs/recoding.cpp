@@ -27,7 +27,7 @@ void validate_field(std::size_t number, std::size_t bits, std::size_t problem_bi
                                                 counted(problem_bits, "bit"), most_field_bits));
     if (bits < 1 || bits > problem_bits)
         throw std::invalid_argument(
-            fmt::format("field {} is bred with {}, expected 1 to {}, which it has in the problem", number + 1,
+            fmt::format("field {} is bred with {}, expected 1 to {}, the number of bits that it has in the problem", number + 1,
                         counted(bits, "bit"), problem_bits));
 }
 

@@ -22,28 +22,28 @@ namespace placedpar {
 /// Exchanges the characters 1 ... k; k is uniform in 1 ... L - 1, where L is the number of characters (thesis eq. 1.1
 /// and 1.2). Draws one number.
 struct OnePointCrossover {
-    static constexpr std::string_view name = "one-point", about = "the characters before a cut",
+    static constexpr std::string_view name = "one-point", about = "mates exchange the characters before a cut",
                                       source = "thesis 1.1, eq. 1.1 and 1.2";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind != StringKind::permutation; }
     void operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit = 1) const;
 };
 
-/// Exchanges the characters between two cuts. The string counts as a closed ring, so a cut can be before each
+/// Exchanges mates exchange the characters between two cuts. The string counts as a closed ring, so a cut can be before each
 /// character. Each pair of cuts is equally likely. Draws two numbers.
 struct TwoPointCrossover {
-    static constexpr std::string_view name = "two-point", about = "the characters between two cuts",
+    static constexpr std::string_view name = "two-point", about = "mates exchange the characters between two cuts",
                                       source = "K. De Jong, 1975";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind != StringKind::permutation; }
     void operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit = 1) const;
 };
 
-/// Exchanges each character with probability 1/2 (G. Syswerda, "Uniform crossover in genetic algorithms", 1989). For
+/// Exchanges mates exchange each character with probability 1/2 (G. Syswerda, "Uniform crossover in genetic algorithms", 1989). For
 /// binary strings, draws one number for each 32 bits, and one for the rest of the string. For real vectors, draws one
 /// for each number of the vector.
 struct UniformCrossover {
-    static constexpr std::string_view name = "uniform", about = "each character with probability 1/2",
+    static constexpr std::string_view name = "uniform", about = "mates exchange each character with probability 1/2",
                                       source = "G. Syswerda, 1989";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind != StringKind::permutation; }
@@ -55,7 +55,7 @@ struct UniformCrossover {
 /// number.
 struct DifferenceCrossover {
     static constexpr std::string_view name = "by-difference",
-                                      about = "a cut between different bits; mates differ in two bits or more",
+                                      about = "the cut is between bits in which the mates differ; mates differ in at least two bits",
                                       source = "thesis 6.3";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::binary; }
@@ -70,13 +70,13 @@ struct DifferenceCrossover {
 struct BlendCrossover {
     static constexpr std::string_view
         name = "blend",
-        about = "numbers between the parents' numbers, and up to `alpha` times their distance beyond",
+        about = "offspring get numbers between the parents' numbers, or outside by up to `alpha` times the parents' distance",
         source = "L. Eshelman and J. Schaffer, 1993";
     double alpha = 0.5;
     static constexpr auto numbers() {
         return std::tuple(
             PolicyNumber{"alpha", &BlendCrossover::alpha, 0, 10,
-                         "how far beyond its parents' numbers an offspring's may be, as a multiple of their distance"});
+                         "how far outside the parents' numbers an offspring's number may be, as a multiple of the parents' distance"});
     }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::real; }
     void operator()(Genome& a, Genome& b, const RealVector& reals, RandomStream& random) const;
@@ -87,7 +87,7 @@ struct BlendCrossover {
 /// Draws two numbers, the cuts, as TwoPointCrossover does.
 struct OrderCrossover {
     static constexpr std::string_view name = "order",
-                                      about = "a part of one parent, the rest in the order of the other",
+                                      about = "an offspring copies a part of one parent, and takes the rest in the order of the other parent",
                                       source = "L. Davis, 1985";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::permutation; }

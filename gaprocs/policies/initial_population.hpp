@@ -16,7 +16,7 @@ class RandomStream;
 
 /// The search draws every string at random.
 struct RandomStart {
-    static constexpr std::string_view name = "random", about = "every string is drawn", source = "thesis 1.1";
+    static constexpr std::string_view name = "random", about = "every string is drawn at random", source = "thesis 1.1";
     static constexpr std::tuple<> numbers() { return {}; }
 };
 
@@ -25,7 +25,7 @@ struct RandomStart {
 struct SpreadStart {
     static constexpr std::string_view
         name = "spread",
-        about = "the codes of each field are evenly spread over its range, in an order drawn for each field",
+        about = "the codes of each field are spread evenly over its range, in a random order for each field",
         source = "thesis 6.3, predefined populations; M. McKay et al., 1979";
     static constexpr std::tuple<> numbers() { return {}; }
 };
@@ -45,7 +45,7 @@ public:
             std::vector<Genome> strings = begin_(population, representation, random);
             require(
                 strings.size() <= population && representation.holds(strings),
-                "it begins with more strings than the population has, or with a string that is not one of the problem");
+                "it must return valid strings of the problem, at most as many as the population has");
             return strings;
         });
     }
@@ -59,7 +59,7 @@ class InitialPopulation : public OneOf<InitialPopulation, RandomStart, SpreadSta
 public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "initial-population",
-                                      about = "where a search begins: at random, spread, or with strings of a file";
+                                      about = "strings of the first population: drawn at random, spread evenly, or read from a file";
 
     bool is_spread() const { return std::holds_alternative<SpreadStart>(policy()); }
     /// Returns the user-defined policy, or null if the policy is one of the house's.

@@ -18,7 +18,7 @@ namespace placedpar {
 // numbered from 1, and an exchange follows every `every`-th generation.
 
 struct BroadcastSchedule {
-    static constexpr std::string_view name = "broadcast", about = "every `every` generations to all neighbours at once",
+    static constexpr std::string_view name = "broadcast", about = "every `every` generations emigrants go to all neighbours at once",
                                       source = "thesis 5.3.2; every third generation: 4.3";
     std::size_t every = 3;
     static constexpr auto numbers() {
@@ -31,7 +31,7 @@ struct BroadcastSchedule {
 /// the first again. In a hypercube of two dimensions the neighbours are i xor 1 and i xor 2 (thesis 5.3.2).
 struct SequentialSchedule {
     static constexpr std::string_view name = "sequential",
-                                      about = "every `every` generations to one neighbour, each in turn",
+                                      about = "every `every` generations emigrants go to one neighbour, the next in the list each time",
                                       source = "thesis 5.2.1 and 5.3.2";
     std::size_t every = 3;
     static constexpr auto numbers() {
@@ -44,7 +44,7 @@ struct SequentialSchedule {
 /// each neighbour only the last emigrants. The arrivals depend on the simulated times, and are the same in every run.
 struct AsynchronousSchedule {
     static constexpr std::string_view name = "asynchronous",
-                                      about = "every `every` generations to all neighbours, without waiting for them",
+                                      about = "every `every` generations emigrants go to all neighbours, and no island waits for another",
                                       source = "not in the thesis";
     std::size_t every = 3;
     static constexpr auto numbers() {
@@ -62,7 +62,7 @@ public:
     explicit OwnSchedule(Policy policy) : OwnPolicy(policy), every(policy.every), choose_(policy) {
         tried([&] {
             require(every > 0 && !numbers().empty() && description().numbers.front().name == "every",
-                    "the first number of a schedule is `every`, 1 or more");
+                    "the first number of a schedule must be `every`, and at least 1");
         });
     }
     std::size_t every;

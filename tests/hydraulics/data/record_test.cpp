@@ -97,7 +97,7 @@ TEST_CASE("a wrong header is refused with its place") {
     CHECK(record_faults("time [s],boom.angle [psi]\n0,1\n") ==
           "error 1:10: \"psi\" is not a unit of angle | boom.angle [UNIT] with deg or rad\n");
     CHECK(record_faults("time [s],boom.angle [deg],BO.angle [rad]\n0,1,2\n") ==
-          "error 1:27: column \"BO.angle\" is there twice | the first is column 2 of the table\n");
+          "error 1:27: column \"BO.angle\" occurs twice | the first is column 2 of the table\n");
     std::string text = "time [s],boom.angle [deg],boom.temperature [C],motor.angle [deg]\n";
     for (int i = 0; i < 5; ++i)
         text += fmt::format("{},{},x,y\n", 0.02 * i, i);
