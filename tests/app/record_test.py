@@ -283,8 +283,8 @@ class Jobs(unittest.TestCase):
                 (self.START + "[[move]]\nreach = 5\n", "2:1", "a move lasts some time", "seconds = 2"),
                 (self.START + "[[move]]\nseconds = 2\nreach = -200\n", "2:1", "the arm does not reach", "a shorter or slower move"),
                 ("repeat = 300\n" + self.START + self.LOWER, "3:1", "the job lasts 900 s, expected at most 600", "a smaller repeat"),
-                (self.LOWER, "1:1", "a job has a start and at least one move", "start = {reach = 300"),
-                (self.START, "1:1", "a job has a start and at least one move", "[[move]]"),
+                (self.LOWER, "1:1", "a job needs a start and at least one move", "start = {reach = 300"),
+                (self.START, "1:1", "a job needs a start and at least one move", "[[move]]"),
                 ("start = 3\n" + self.LOWER, "1:9", "it takes a pose", "start = {reach = 300"),
                 (self.START + "[[move]]\nseconds = \n", "3:", "", "a job is written in TOML")):
             message = self.refused(text)
@@ -292,7 +292,7 @@ class Jobs(unittest.TestCase):
             self.assertRegex("\n".join(message), rf"(?m)^hint: .*{re.escape(cure)}", text)
         for value in ("nan", "inf", "-1", '"4"', "1e9", "0", "true"):
             self.assertRegex(self.refused(f"{self.START}[[move]]\nseconds = {value}\n")[0],
-                             r"^job\.toml:3:11: error: it takes a number from 0.02 to 600$")
+                             r"^job\.toml:3:11: error: expected a number from 0.02 to 600$")
 
     def test_a_soil_that_lifts_the_machine_is_refused_with_the_move(self):
         said = self.refused(self.START + self.LOWER + "soil = 1e6\n")
