@@ -86,7 +86,7 @@ private:
                 "connect a workstation or a bus master to the bus: connect sun.bus[0] to " + bus.name + ".slot[1];");
         else
             attached_.reporter.error(adapter.declared,
-                                     fmt::format("which master uses the link adapter \"{}\", \"{}\" or \"{}\"?",
+                                     fmt::format("the master that uses the link adapter \"{}\" is ambiguous: \"{}\" or \"{}\"",
                                                  adapter.name, node(candidates[0]).name, node(candidates[1]).name),
                                      fmt::format("{} (master = \"{}\") ...;", adapter.type, node(candidates[0]).name));
     }

@@ -272,7 +272,7 @@ TEST_CASE("an array at a port that is a single channel is refused at its process
     REQUIRE(read.network);
     CHECK_THROWS_WITH_AS(
         Machine(*read.network, kinds.catalogue, 1).run(),
-        doctest::Contains("process master (ga.master): \"from_host\" is one channel of this kind, and no array"),
+        doctest::Contains("process master (ga.master): \"from_host\" is a single channel of this kind, not an array: connect it without a subscript"),
         UserError);
 }
 
