@@ -108,8 +108,7 @@ std::vector<std::string> searching_processes(const Network& network, const Netli
             continue;
         if (breeds_recoded(process))
             throw UserError(
-                fmt::format("--on {}: \"{}\" is one of a pair, which identify has no settings for; expected "
-                            "ga.traditional, ga.master or ga.island",
+                fmt::format("--on {}: \"{}\" is a coarse or a fine search, for which identify has no settings; expected ga.traditional, ga.master or ga.island",
                             netlist.path.string(), process.name));
         names.push_back(process.name);
     }
@@ -176,8 +175,7 @@ std::size_t whole_population(const Network& network, const NetlistAsked& netlist
         if (searches(process))
             sum += std::get<std::int64_t>(process.parameters.at("population"));
     if (sum != integer(wanted))
-        throw UserError(fmt::format("--on {}: its searches have {} individuals together, but identify has {}: give "
-                                    "identify --population {}, or --set the netlist's",
+        throw UserError(fmt::format("--on {}: the netlist's searches have {} individuals in all, but identify has {}: give identify --population {}, or change the netlist's populations with --set",
                                     netlist.path.string(), sum, wanted, sum));
     return wanted;
 }

@@ -36,7 +36,7 @@ Timeline::Timeline(Tracks& tracks, const TraceWindow& window, TraceWriter& write
 std::string Timeline::why_empty() const {
     if (window_.from == Time{} || *end_ > window_.from)
         return "";
-    return fmt::format("the run ended at {}, before the begin of the trace at {}", to_string(*end_),
+    return fmt::format("the run ended at {}, before the trace was to begin at {}", to_string(*end_),
                        to_string(window_.from));
 }
 
@@ -51,7 +51,7 @@ void Timeline::finish(const RunResult& result) {
 /// Returns whether the trace goes on now; ends it if its window or its limit is exceeded.
 bool Timeline::taking(Time now) {
     if (!end_ && now > window_.until) {
-        shut(window_.until, "end of the part that is traced");
+        shut(window_.until, "the trace ends here by request");
     } else if (!end_ && entries_ >= window_.most_entries) {
         full_at_ = now;
         shut(now, "the trace is full");

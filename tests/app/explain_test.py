@@ -299,7 +299,7 @@ class Explain(unittest.TestCase):
                                          (FIGURE_E2, ("--until", "1ms"), "stopped at the time limit")):
             run, document = explained(netlist, *options)
             why = f"a comparison needs the time at which the work is done, but this run did not complete ({ending})"
-            self.assertIn(f"\nwhat if: no change was tried: {why}\n", run.stdout)
+            self.assertIn(f"\nwhat if: no change of the machine was tried: {why}\n", run.stdout)
             self.assertEqual(document["not_tried"], why)
             run, document = explained(netlist, "--no-what-if", *options)
             self.assertNotIn("what if", run.stdout)
