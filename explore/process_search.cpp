@@ -107,9 +107,9 @@ std::vector<std::string> searching_processes(const Network& network, const Netli
         if (!searches(process))
             continue;
         if (breeds_recoded(process))
-            throw UserError(
-                fmt::format("--on {}: \"{}\" is a coarse or a fine search, for which identify has no settings; expected ga.traditional, ga.master or ga.island",
-                            netlist.path.string(), process.name));
+            throw UserError(fmt::format("--on {}: \"{}\" is a coarse or a fine search, for which identify has no "
+                                        "settings; expected ga.traditional, ga.master or ga.island",
+                                        netlist.path.string(), process.name));
         names.push_back(process.name);
     }
     if (names.empty())
@@ -175,7 +175,8 @@ std::size_t whole_population(const Network& network, const NetlistAsked& netlist
         if (searches(process))
             sum += std::get<std::int64_t>(process.parameters.at("population"));
     if (sum != integer(wanted))
-        throw UserError(fmt::format("--on {}: the netlist's searches have {} individuals in all, but identify has {}: give identify --population {}, or change the netlist's populations with --set",
+        throw UserError(fmt::format("--on {}: the netlist's searches have {} individuals in all, but identify has {}: "
+                                    "give identify --population {}, or change the netlist's populations with --set",
                                     netlist.path.string(), sum, wanted, sum));
     return wanted;
 }

@@ -13,7 +13,8 @@ RecodedProblem::RecodedProblem(const SearchProblem& problem, Recoding recoding)
     : problem_(problem.coded(Coding::natural)), recoding_(std::move(recoding)) {
     recoding_.validate();
     if (auto kind = problem_->representation().kind(); kind != StringKind::binary)
-        throw UserError(fmt::format("only binary strings have fields, but this problem's strings are {}", name_of(kind)));
+        throw UserError(
+            fmt::format("only binary strings have fields, but this problem's strings are {}", name_of(kind)));
     if (recoding_.problem_length() != problem_->bits())
         throw UserError(fmt::format("the fields have {} bits in all, but the problem's string has {}",
                                     recoding_.problem_length(), problem_->bits()));

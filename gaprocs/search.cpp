@@ -52,8 +52,9 @@ Search::Search(std::vector<Genome> population, const SearchSettings& settings, R
                                                 counted(population_.size(), "string"), settings.population));
     for (const Genome& genome : population_)
         if (genome.size() != representation_.bits())
-            throw std::invalid_argument(fmt::format("the population has strings of {} bits and of {}, expected equal lengths", representation_.bits(),
-                                                    counted(genome.size(), "bit")));
+            throw std::invalid_argument(
+                fmt::format("the population has strings of {} bits and of {}, expected equal lengths",
+                            representation_.bits(), counted(genome.size(), "bit")));
 }
 
 void Search::next_generation(std::span<const double> fitness) {
@@ -137,7 +138,8 @@ void Search::require_fitness(std::span<const double> fitness) const {
             fmt::format("{} fitness values were given for a population of {}", fitness.size(), population_.size()));
     for (std::size_t i = 0; i < fitness.size(); ++i)
         if (!std::isfinite(fitness[i]))
-            throw std::invalid_argument(fmt::format("the fitness of individual {} is {}, expected a finite number", i, fitness[i]));
+            throw std::invalid_argument(
+                fmt::format("the fitness of individual {} is {}, expected a finite number", i, fitness[i]));
 }
 
 } // namespace placedpar

@@ -73,11 +73,10 @@ std::shared_ptr<const SearchProblem> SearchProblem::coded(Coding coding) const {
 
 void refuse_coding(Coding coding) {
     if (coding == Coding::real)
-        throw UserError(
-            "the coding \"real\" has no meaning for this problem, which has no real numbers to breed");
-    throw UserError(
-        fmt::format("the coding \"{}\" has no meaning for this problem, which does not divide its binary string into fields",
-                    coding.text()));
+        throw UserError("the coding \"real\" has no meaning for this problem, which has no real numbers to breed");
+    throw UserError(fmt::format(
+        "the coding \"{}\" has no meaning for this problem, which does not divide its binary string into fields",
+        coding.text()));
 }
 
 } // namespace placedpar

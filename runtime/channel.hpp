@@ -404,7 +404,8 @@ private:
 template <class T>
 class Channel final : public AnyChannel {
     static_assert(Protocol<T>,
-                  "a message must have a fixed size, or wire_form() const must return its form on a wire; moving it must not throw; it must not be a pointer, a reference or a view, since processes share no memory");
+                  "a message must have a fixed size, or wire_form() const must return its form on a wire; moving it "
+                  "must not throw; it must not be a pointer, a reference or a view, since processes share no memory");
 
 public:
     using AnyChannel::AnyChannel;

@@ -43,8 +43,8 @@ struct ExplainOptions {
 void require_path_format(const std::filesystem::path& path) {
     require_trace_format(path);
     if (std::string ending = lower_case(path.extension().string()); ending == ".vcd" || ending == ".svg")
-        throw UserError(
-            fmt::format("{}: a timeline with the critical path can be written only as .json, for ui.perfetto.dev", path.string()));
+        throw UserError(fmt::format(
+            "{}: a timeline with the critical path can be written only as .json, for ui.perfetto.dev", path.string()));
 }
 
 /// Returns the changes with the settings of --set; a change replaces a setting of the same name.

@@ -70,7 +70,8 @@ void add_limits(Options& command, ServiceLimits& limits) {
         "a machine is known after samples over this time, and at least 1000 samples");
     add("--newcomer-timeout", limits.newcomer_s, "S", timeouts,
         "time without samples and connections after which a machine that is not yet known is forgotten");
-    add("--history", limits.history, "N", {1, 1e6}, "number of estimates, and of alarms, that the state file keeps for each machine");
+    add("--history", limits.history, "N", {1, 1e6},
+        "number of estimates, and of alarms, that the state file keeps for each machine");
     add("--max-line", limits.line_bytes, "BYTES", {100, 1 << 24}, "longest message");
     add("--max-queue", limits.queue_bytes, "BYTES", {1 << 14, 1 << 30}, "most bytes waiting to be sent to one client");
     add("--hello-timeout", limits.hello_s, "S", timeouts, "longest time from the connection to the hello");

@@ -204,7 +204,8 @@ std::string reason_of(Session& session, const Optimum& optimum, const Overrides&
     auto start = path_of(session, session.space.fixed()), end = path_of(session, best);
     if (start && end)
         return print_paths(*start, *end) + "\n";
-    return session.interruption.requested() ? "" : "the critical paths are not compared, because the runs are too long\n\n";
+    return session.interruption.requested() ? ""
+                                            : "the critical paths are not compared, because the runs are too long\n\n";
 }
 
 /// Returns the settings of the best machine, whichever search found it.
@@ -275,7 +276,8 @@ Action declare_optimise(Options& command, const std::string&) {
              "writes the best machines, or the Pareto front, as comma-separated values");
     add_file(command, "--svg", options->svg, "draws the course of the search, or the Pareto front");
     command.add_flag("--yes", options->yes, "starts any number of runs without asking");
-    command.add_flag("--any-version", options->any_version, "adds runs even if another version of PlacedPar made the results in the file");
+    command.add_flag("--any-version", options->any_version,
+                     "adds runs even if another version of PlacedPar made the results in the file");
     return [options] { return optimise(*options); };
 }
 

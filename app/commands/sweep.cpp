@@ -271,7 +271,8 @@ Action declare_sweep(Options& command, const std::string&) {
     add_file(command, "--results", options->results,
              "file of the results, which is read and extended; default: the study's name with .sqlite, in this folder");
     command.add_flag("--yes", options->yes, "starts any number of runs without asking");
-    command.add_flag("--any-version", options->any_version, "adds runs even if another version of PlacedPar made the results in the file");
+    command.add_flag("--any-version", options->any_version,
+                     "adds runs even if another version of PlacedPar made the results in the file");
     return [options] { return sweep(*options); };
 }
 

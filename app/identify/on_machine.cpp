@@ -86,7 +86,8 @@ std::string print_answer(const SearchAnswers& answers, const Identified& native,
 
 std::string print_time(const RunReport& report, std::span<const SampleAnswers> rows, const SearchAnswers& answers,
                        std::span<const CircuitSample> samples) {
-    return fmt::format("the last answer is ready {:.3f} s after the first sample is sent; the {} cover {:.3f} s; the run ends at {:.3f} s\n",
+    return fmt::format("the last answer is ready {:.3f} s after the first sample is sent; the {} cover {:.3f} s; the "
+                       "run ends at {:.3f} s\n",
                        seconds(answers.ready(rows.back().generation)), counted(samples.size(), "sample"),
                        samples.back().time_s - samples.front().time_s, seconds(report.result.time));
 }

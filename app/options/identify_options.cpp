@@ -28,7 +28,8 @@ void declare_question(Options& command, IdentifyOptions& options) {
         .one_of({"areas", "spool", "servo"});
     command
         .add("--offset", options.offset,
-             "offset by which the readings of the boom's spool are too high, in inches; default: none. With --way thesis the default is auto, which finds the offset in the record's steady motion")
+             "offset by which the readings of the boom's spool are too high, in inches; default: none. With --way "
+             "thesis the default is auto, which finds the offset in the record's steady motion")
         .type("auto|none|INCHES");
     command
         .add("--missing", options.missing,
@@ -41,11 +42,13 @@ void declare_way(Options& command, IdentifyOptions& options) {
     command
         .add("--way", options.way,
              "service: identifies and judges every movement, as placedpar monitor does; thesis: one search over "
-             "the first transient, as in chapter 3; whole: one search for several links over the whole movement, which divides each link's flow error by its scatter")
+             "the first transient, as in chapter 3; whole: one search for several links over the whole movement, which "
+             "divides each link's flow error by its scatter")
         .one_of({"service", "thesis", "whole"})
         .show_default();
     // With fewer bits the compliance of a sound machine is within about a step of the lower bound.
-    add_number(command, "--bits", options.bits, 6, 52, "number of bits that code a compliance; default: 10, with --way whole 12");
+    add_number(command, "--bits", options.bits, 6, 52,
+               "number of bits that code a compliance; default: 10, with --way whole 12");
     add_number(command, "--elite", options.elite, 0, a_million,
                "number of best individuals that survive unchanged; default: depends on --way");
     add_number(command, "--population", options.population, 2, a_million,
@@ -54,7 +57,9 @@ void declare_way(Options& command, IdentifyOptions& options) {
                "generations for each new sample, default: 5; with --way whole for each round, default: 20 to 80");
     add_number(command, "--window", options.window, 1, 1024,
                "number of samples that the fitness sums over; default: 10, with --way whole all");
-    command.add("--bias", options.bias, "bias B of the fitness (equation 3.9 of the thesis), in (in^3/s)^2").type("NUMBER").show_default();
+    command.add("--bias", options.bias, "bias B of the fitness (equation 3.9 of the thesis), in (in^3/s)^2")
+        .type("NUMBER")
+        .show_default();
     add_seed(command, options.seed);
 }
 

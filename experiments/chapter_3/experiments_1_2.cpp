@@ -134,7 +134,8 @@ void add_found(Comparison& comparison, const ThesisExperiment& way, const std::v
 }
 
 Comparison simple_comparison(const std::vector<BoomData>& motions, const Seeds& seeds) {
-    Comparison comparison{.name = fmt::format("{}: what both experiments find", simple.name), .against = "true"};
+    Comparison comparison{.name = fmt::format("{}: the compliance that each experiment finds", simple.name),
+                          .against = "true"};
     BoomData clean = measure(motion_of(simple_clean, by_voltage_in3_per_psi), seeds.front());
     for (const ThesisExperiment& way : thesis_experiments)
         add_found(comparison, way, motions, seeds, {0.12, 0.03});
@@ -148,8 +149,9 @@ Comparison simple_comparison(const std::vector<BoomData>& motions, const Seeds& 
 /// Compares both experiments on the measured machine. The model ignores its hoses, stiction and ripple, and its 10 ms
 /// of dead time, which in experiment 2 act like an a_0 that is too high.
 Comparison measured_comparison(const std::vector<BoomData>& motions, const Seeds& seeds) {
-    Comparison comparison{
-        .name = fmt::format("{}: what both experiments find", measured.name), .against = "true", .judged = true};
+    Comparison comparison{.name = fmt::format("{}: the compliance that each experiment finds", measured.name),
+                          .against = "true",
+                          .judged = true};
     for (const ThesisExperiment& way : thesis_experiments)
         add_found(comparison, way, motions, seeds,
                   way.from == AreasFrom::spool ? Allowed{0.12, 0.03} : Allowed{0.2, 0.1});
@@ -226,12 +228,13 @@ double add_low_spool(Comparison& comparison, const Seeds& seeds) {
 
 /// Compares .005 and .0086 for a single machine.
 Comparison both_comparison(const Seeds& seeds) {
-    Comparison comparison{.name = "simple plant: .005 versus .0086 of one machine, median of 50 records",
+    Comparison comparison{.name = "simple plant: C of .005 and of .0086 found on one machine, medians of 50 records",
                           .against = "thesis",
                           .judged = true};
     double lag_ratio = add_wrong_lag(comparison, seeds), low_in = add_low_spool(comparison, seeds);
-    comparison.notes = fmt::format("c: the {:.0f} % of a_0 and the {:.4f} in of spool were chosen for it\n",
-                                   100 * (lag_ratio - 1), low_in);
+    comparison.notes =
+        fmt::format("c: the errors of a_0 ({:.0f} %) and of the spool ({:.4f} in) were chosen to give these figures\n",
+                    100 * (lag_ratio - 1), low_in);
     return comparison;
 }
 

@@ -70,7 +70,9 @@ Comparison share_comparison(const TwoLinkMotion& motion, const Runs& plain, cons
 
 /// Compares the ways at low noise. An elite keeps the answer only without noise.
 Comparison low_noise_comparison(const TwoLinkMotion& motion, const Seeds& shown) {
-    Comparison comparison{.name = "the same at low noise (2 psi, .003 deg, .1 % of an area)", .against = "known"};
+    Comparison comparison{.name = "two links at low noise (2 psi, .003 deg, .1 % of an area): both within 10 %, while "
+                                  "the motion grows steady",
+                          .against = "known"};
     auto add = [&](const char* row, const IdentificationWay& way) {
         add_shares(comparison, row, search_many(motion, low_noise, way, shown));
     };
@@ -107,10 +109,10 @@ void add_lost(Comparison& comparison, const Runs& plain, double percent, std::op
 /// Compares the generation at which a search loses the answer with the thesis's figure, which is read by eye.
 Comparison single_run_comparison(const Runs& plain) {
     Comparison comparison{
-        .name = fmt::format("without noise and gate, {} records: the generation from which on one of both is off for "
-                            "100 generations",
+        .name = fmt::format("without noise and gate, {} records: the generation from which one of the two compliances "
+                            "is off for 100 generations",
                             plain.size()),
-        .notes = "the thesis's figure is an eye's reading of one run: both \"start to deviate\" at 425\n",
+        .notes = "the thesis's figure was read by eye from one run: both \"start to deviate\" at generation 425\n",
         .judged = true};
     add_lost(comparison, plain, 20, 425);
     add_lost(comparison, plain, 10, {});

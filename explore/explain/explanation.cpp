@@ -159,7 +159,9 @@ bool differs(const Answer& answer, Time whole) {
 }
 
 std::string remark_on_slower(bool any) {
-    return any ? "A run can be slower although a part is faster: messages then arrive in another order, and the users of a shared\nprocessor, link or bus take turns in another order (Graham's anomaly, Braess's paradox); or more processes share\nthe work.\n"
+    return any ? "A run can be slower although a part is faster: messages then arrive in another order, and the users "
+                 "of a shared\nprocessor, link or bus take turns in another order (Graham's anomaly, Braess's "
+                 "paradox); or more processes share\nthe work.\n"
                : "";
 }
 
@@ -188,7 +190,8 @@ std::string print_answers(const Explanation& explanation) {
     if (same > 0)
         out += fmt::format("changes that make a difference of less than 0.1 %: {}\n", same);
     if (explanation.left_out > 0)
-        out += fmt::format("changes that were not tried, because the command was interrupted: {}\n", explanation.left_out);
+        out +=
+            fmt::format("changes that were not tried, because the command was interrupted: {}\n", explanation.left_out);
     return out + remark_on_slower(slower);
 }
 

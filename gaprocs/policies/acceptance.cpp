@@ -90,7 +90,8 @@ Places OwnAcceptance::operator()(const IslandPopulation& island, std::span<const
         auto is_elite = [&](std::size_t place) { return std::ranges::count(elite, place) > 0; };
         require(places.size() == immigrants.size() && are_different(taken, 0, island.strings.size()) &&
                     std::ranges::none_of(taken, is_elite),
-                "for each immigrant it must return nothing, or the index of an individual outside the elite; no two immigrants may have the same index");
+                "for each immigrant it must return nothing, or the index of an individual outside the elite; no two "
+                "immigrants may have the same index");
         return places;
     });
 }

@@ -29,8 +29,8 @@ struct OnePointCrossover {
     void operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit = 1) const;
 };
 
-/// Exchanges mates exchange the characters between two cuts. The string counts as a closed ring, so a cut can be before each
-/// character. Each pair of cuts is equally likely. Draws two numbers.
+/// Exchanges mates exchange the characters between two cuts. The string counts as a closed ring, so a cut can be before
+/// each character. Each pair of cuts is equally likely. Draws two numbers.
 struct TwoPointCrossover {
     static constexpr std::string_view name = "two-point", about = "mates exchange the characters between two cuts",
                                       source = "K. De Jong, 1975";
@@ -39,9 +39,9 @@ struct TwoPointCrossover {
     void operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit = 1) const;
 };
 
-/// Exchanges mates exchange each character with probability 1/2 (G. Syswerda, "Uniform crossover in genetic algorithms", 1989). For
-/// binary strings, draws one number for each 32 bits, and one for the rest of the string. For real vectors, draws one
-/// for each number of the vector.
+/// Exchanges mates exchange each character with probability 1/2 (G. Syswerda, "Uniform crossover in genetic
+/// algorithms", 1989). For binary strings, draws one number for each 32 bits, and one for the rest of the string. For
+/// real vectors, draws one for each number of the vector.
 struct UniformCrossover {
     static constexpr std::string_view name = "uniform", about = "mates exchange each character with probability 1/2",
                                       source = "G. Syswerda, 1989";
@@ -54,9 +54,10 @@ struct UniformCrossover {
 /// the last bit in which the parents differ. Parents that differ in fewer than two bits are not mates. Draws one
 /// number.
 struct DifferenceCrossover {
-    static constexpr std::string_view name = "by-difference",
-                                      about = "the cut is between bits in which the mates differ; mates differ in at least two bits",
-                                      source = "thesis 6.3";
+    static constexpr std::string_view
+        name = "by-difference",
+        about = "the cut is between bits in which the mates differ; mates differ in at least two bits",
+        source = "thesis 6.3";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::binary; }
     /// REQUIRES: the strings differ in two bits or more.
@@ -68,15 +69,15 @@ struct DifferenceCrossover {
 /// algorithms and interval-schemata", 1993: BLX-alpha). A value outside the parameter's range is replaced by the
 /// nearest end of the range. Draws two random numbers for each number of the vector.
 struct BlendCrossover {
-    static constexpr std::string_view
-        name = "blend",
-        about = "offspring get numbers between the parents' numbers, or outside by up to `alpha` times the parents' distance",
-        source = "L. Eshelman and J. Schaffer, 1993";
+    static constexpr std::string_view name = "blend",
+                                      about = "offspring get numbers between the parents' numbers, or outside by up to "
+                                              "`alpha` times the parents' distance",
+                                      source = "L. Eshelman and J. Schaffer, 1993";
     double alpha = 0.5;
     static constexpr auto numbers() {
-        return std::tuple(
-            PolicyNumber{"alpha", &BlendCrossover::alpha, 0, 10,
-                         "how far outside the parents' numbers an offspring's number may be, as a multiple of the parents' distance"});
+        return std::tuple(PolicyNumber{"alpha", &BlendCrossover::alpha, 0, 10,
+                                       "how far outside the parents' numbers an offspring's number may be, as a "
+                                       "multiple of the parents' distance"});
     }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::real; }
     void operator()(Genome& a, Genome& b, const RealVector& reals, RandomStream& random) const;
@@ -86,9 +87,10 @@ struct BlendCrossover {
 /// between two cuts from one parent. The other numbers follow behind these places in the order of the other parent.
 /// Draws two numbers, the cuts, as TwoPointCrossover does.
 struct OrderCrossover {
-    static constexpr std::string_view name = "order",
-                                      about = "an offspring copies a part of one parent, and takes the rest in the order of the other parent",
-                                      source = "L. Davis, 1985";
+    static constexpr std::string_view
+        name = "order",
+        about = "an offspring copies a part of one parent, and takes the rest in the order of the other parent",
+        source = "L. Davis, 1985";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::permutation; }
     void operator()(Genome& a, Genome& b, const Permutation& permutation, RandomStream& random) const;

@@ -43,9 +43,8 @@ public:
                                    RandomStream& random) const {
         return tried([&] {
             std::vector<Genome> strings = begin_(population, representation, random);
-            require(
-                strings.size() <= population && representation.holds(strings),
-                "it must return valid strings of the problem, at most as many as the population has");
+            require(strings.size() <= population && representation.holds(strings),
+                    "it must return valid strings of the problem, at most as many as the population has");
             return strings;
         });
     }
@@ -58,8 +57,9 @@ private:
 class InitialPopulation : public OneOf<InitialPopulation, RandomStart, SpreadStart, OwnStart> {
 public:
     using OneOf::OneOf;
-    static constexpr std::string_view noun = "initial-population",
-                                      about = "strings of the first population: drawn at random, spread evenly, or read from a file";
+    static constexpr std::string_view
+        noun = "initial-population",
+        about = "strings of the first population: drawn at random, spread evenly, or read from a file";
 
     bool is_spread() const { return std::holds_alternative<SpreadStart>(policy()); }
     /// Returns the user-defined policy, or null if the policy is one of the house's.

@@ -57,8 +57,9 @@ std::size_t OwnChoice::operator()(const ErrorsOfBest& bests, RandomStream& rando
 
 void IslandChoice::validate_for(std::size_t islands) const {
     if (auto fixed = std::get_if<FixedChoice>(&policy()); fixed && fixed->island >= islands)
-        throw UserError(fmt::format("the answer is to come from island {}, but the number of islands is {}; expected an island from 0 to {}", fixed->island,
-                                    islands, islands - 1));
+        throw UserError(fmt::format(
+            "the answer is to come from island {}, but the number of islands is {}; expected an island from 0 to {}",
+            fixed->island, islands, islands - 1));
 }
 
 std::size_t IslandChoice::operator()(const ErrorsOfBest& bests, RandomStream& random) const {

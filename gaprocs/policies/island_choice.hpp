@@ -28,7 +28,8 @@ class RandomStream;
 struct PrintedChoice {
     static constexpr std::string_view
         name = "printed",
-        about = "greatest ratio Sw/SA (eq. 5.7) as printed, with squared errors; nearly always chooses the longest window, and never prefers the shortest to it if errors do not depend on the window",
+        about = "greatest ratio Sw/SA (eq. 5.7) as printed, with squared errors; nearly always chooses the longest "
+                "window, and never prefers the shortest to it if errors do not depend on the window",
         source = "thesis eq. 5.1 and 5.3 to 5.7";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
@@ -36,7 +37,8 @@ struct PrintedChoice {
 
 /// Chooses as PrintedChoice does, but with the sums of eq. 5.2 as printed, in which errors of opposite signs cancel.
 struct PlainSumChoice {
-    static constexpr std::string_view name = "plain", about = "greatest ratio Sw/SA, with errors summed with their signs",
+    static constexpr std::string_view name = "plain",
+                                      about = "greatest ratio Sw/SA, with errors summed with their signs",
                                       source = "thesis eq. 5.2 to 5.7, to the letter";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
@@ -45,7 +47,8 @@ struct PlainSumChoice {
 /// Chooses as PrintedChoice does, but with mean errors instead of sums. So the length of a window alone does not
 /// increase its error.
 struct MeansChoice {
-    static constexpr std::string_view name = "means", about = "greatest ratio Sw/SA, with means of squared errors instead of sums",
+    static constexpr std::string_view name = "means",
+                                      about = "greatest ratio Sw/SA, with means of squared errors instead of sums",
                                       source = "an interpretation of thesis eq. 5.3 and 5.4";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
@@ -55,8 +58,8 @@ struct MeansChoice {
 /// the error of each island's best is divided by the error of island i's best. Means and sums give the same choice.
 struct RowChoice {
     static constexpr std::string_view name = "row",
-                                      about =
-                                          "greatest ratio Sw/SA, with each error divided by that of the row's own island; sums and means give the same choice",
+                                      about = "greatest ratio Sw/SA, with each error divided by that of the row's own "
+                                              "island; sums and means give the same choice",
                                       source = "an interpretation of thesis eq. 5.3 and 5.4";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;

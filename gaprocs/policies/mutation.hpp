@@ -42,9 +42,11 @@ struct BitMutation {
 /// bit. This distance has a geometric distribution. Draws one number for each flip, and one for the end of the
 /// population. REQUIRES: all strings have the same length.
 struct DistanceMutation {
-    static constexpr std::string_view name = "distance",
-                                      about = "bits are flipped as with "bit", but a random number is drawn only for the distance to the next flipped bit",
-                                      source = "thesis 1.1, with other random draws";
+    static constexpr std::string_view
+        name = "distance",
+        about = "bits are flipped as with " bit
+                ", but a random number is drawn only for the distance to the next flipped bit",
+        source = "thesis 1.1, with other random draws";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::binary; }
 
@@ -54,7 +56,9 @@ struct DistanceMutation {
 
 /// Adds a normal deviate. A value outside the range is replaced by the nearest end of the range. Draws two numbers.
 struct GaussianMutation {
-    static constexpr std::string_view name = "gaussian", about = "a normal deviate is added; its standard deviation is `deviation` times the width of the parameter's bounds",
+    static constexpr std::string_view name = "gaussian",
+                                      about = "a normal deviate is added; its standard deviation is `deviation` times "
+                                              "the width of the parameter's bounds",
                                       source = "I. Rechenberg, 1973";
     double deviation = 0.1;
     static constexpr auto numbers() {
@@ -70,9 +74,10 @@ struct GaussianMutation {
 /// steps of all orders of magnitude are equally likely (after H. Mühlenbein and D. Schlierkamp-Voosen, "Predictive
 /// models for the breeder genetic algorithm", 1993). Draws two numbers.
 struct BreederMutation {
-    static constexpr std::string_view name = "breeder",
-                                      about = "a step is added or subtracted, of any size from `range` down to `range` * 2^-precision",
-                                      source = "H. Mühlenbein and D. Schlierkamp-Voosen, 1993";
+    static constexpr std::string_view
+        name = "breeder",
+        about = "a step is added or subtracted, of any size from `range` down to `range` * 2^-precision",
+        source = "H. Mühlenbein and D. Schlierkamp-Voosen, 1993";
     double range = 0.1, precision = 24;
     static constexpr auto numbers() {
         return std::tuple(
@@ -97,7 +102,8 @@ struct UniformMutation {
 
 /// Exchanges the contents of the place with another place. Draws one number.
 struct SwapMutation {
-    static constexpr std::string_view name = "swap", about = "two elements of the permutation are exchanged", source = "not in the thesis";
+    static constexpr std::string_view name = "swap", about = "two elements of the permutation are exchanged",
+                                      source = "not in the thesis";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::permutation; }
     void operator()(Genome& genome, std::size_t place, const Representation& representation,
@@ -107,7 +113,8 @@ struct SwapMutation {
 /// Reverses the order of the places from this place to another. If the other place comes first, the reversed part runs
 /// through the end of the string and its beginning. In a closed tour this changes two edges. Draws one number.
 struct InversionMutation {
-    static constexpr std::string_view name = "inversion", about = "the elements between two positions of the permutation are reversed",
+    static constexpr std::string_view name = "inversion",
+                                      about = "the elements between two positions of the permutation are reversed",
                                       source = "the 2-opt step of G. Croes, 1958";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::permutation; }

@@ -26,7 +26,8 @@ const std::vector<Form> forms{
      "problem = \"tour-circle(cities = 12)\"", "not in the thesis",
      "run examples/genetic/own-problem/tin.cfs --set 'problem=\"tour-circle(cities = 12)\"' --set "
      "'master.coding=\"natural\"'"},
-    {"initial-population", "predefined", "strings read from a file, one in each line; if the file has too few, the others are drawn at random",
+    {"initial-population", "predefined",
+     "strings read from a file, one in each line; if the file has too few, the others are drawn at random",
      "initial = \"first.txt\"", "thesis 6.3, predefined populations",
      "run examples/thesis/table-e1/cluster.cfs --set 'master.initial=\"examples/thesis/table-e1/first.txt\"'"},
     {"fitness", "squared-error",
@@ -48,7 +49,8 @@ const std::vector<Form> forms{
     {"elitism", "best", "the `elite` best individuals are copied unchanged, and evaluated again", "elite = 1",
      "K. De Jong, 1975", "run examples/thesis/table-e1/cluster.cfs --set elite=1"},
     {"distributed-fitness", "distributed",
-     "each island has its own window and population; a longer window has a smaller population, so that the work is equal",
+     "each island has its own window and population; a longer window has a smaller population, so that the work is "
+     "equal",
      "island[0] (window = 30, population = 24); island[3] (window = 10, population = 50);",
      "thesis 5.3.1 and Table 5.3", "run examples/genetic/plant-on-transputers/islands.cfs"},
     {"distributed-fitness", "equal", "all islands have the same window and population",
@@ -96,7 +98,8 @@ std::vector<Noun> policy_nouns() {
         noun_of<Coding>({"encoding", "genome"}),
         noun_of<InitialPopulation>({"population"}),
         {"fitness", "how good an individual is, which the problem decides"},
-        {"window", "the samples of a record over which the fitness is summed, and the number of generations for each sample"},
+        {"window",
+         "the samples of a record over which the fitness is summed, and the number of generations for each sample"},
         noun_of<Reproduction>(),
         noun_of_operator<Crossover>({"crossover-rate", "operator"}),
         noun_of_operator<Mutation>({"mutation-rate", "operator"}),
@@ -108,7 +111,8 @@ std::vector<Noun> policy_nouns() {
         {"distributed-fitness", "whether islands have the same window and population", {"population"}},
         noun_of<IslandChoice>({"active-error-analysis", "error-matrix"}),
         {"coarse-fine",
-         "two searches: the coarse search covers a coarse grid, the fine search the surroundings of the coarse search's best point",
+         "two searches: the coarse search covers a coarse grid, the fine search the surroundings of the coarse "
+         "search's best point",
          {"coarse/fine", "pair"}},
         {"farm",
          "how a master divides its population among slaves (thesis, algorithm A); the netlist connects the slaves in a "

@@ -21,9 +21,10 @@ using Parents = std::optional<std::vector<std::size_t>>;
 /// Reproduction by roulette. Individual i is drawn, with replacement, with probability max(f_i, 0) / sum. So
 /// individuals whose fitness is not positive, or not a number, are discarded (thesis 3.1.1, step 4).
 struct RouletteReproduction {
-    static constexpr std::string_view name = "roulette",
-                                      about = "the roulette wheel is spun once for each parent; individuals with fitness <= 0 are discarded",
-                                      source = "thesis 1.1 and 3.1.1, step 4";
+    static constexpr std::string_view
+        name = "roulette",
+        about = "the roulette wheel is spun once for each parent; individuals with fitness <= 0 are discarded",
+        source = "thesis 1.1 and 3.1.1, step 4";
     static constexpr bool needs_positive_fitness = true;
     static constexpr std::tuple<> numbers() { return {}; }
 
@@ -36,9 +37,10 @@ struct RouletteReproduction {
 /// copies by roulette. Individual i becomes a parent floor(e) or ceil(e) times. The parents are then shuffled, since
 /// crossover takes neighbours as mates.
 struct UniversalReproduction {
-    static constexpr std::string_view name = "universal",
-                                      about = "stochastic universal sampling: one spin with evenly spaced pointers chooses all parents",
-                                      source = "J. Baker, 1987";
+    static constexpr std::string_view
+        name = "universal",
+        about = "stochastic universal sampling: one spin with evenly spaced pointers chooses all parents",
+        source = "J. Baker, 1987";
     static constexpr bool needs_positive_fitness = true;
     static constexpr std::tuple<> numbers() { return {}; }
 
@@ -51,7 +53,8 @@ struct UniversalReproduction {
 /// worst individual would have fewer than 0 copies, the function is 1 for the mean and 0 for the worst. Only
 /// differences of fitness matter, so fitness may be negative. Sampled as UniversalReproduction.
 struct ScaledReproduction {
-    static constexpr std::string_view name = "scaled", about = "linear scaling: the best individual gets `best` copies on average",
+    static constexpr std::string_view name = "scaled",
+                                      about = "linear scaling: the best individual gets `best` copies on average",
                                       source = "D. Goldberg, 1989, p. 76";
     static constexpr bool needs_positive_fitness = false;
     double best = 2;
@@ -69,7 +72,8 @@ struct ScaledReproduction {
 /// has `best` copies and the worst 2 - best; in between, copies are linear in the rank. Individuals of equal fitness
 /// share the mean of their ranks. Sampled as UniversalReproduction.
 struct RankingReproduction {
-    static constexpr std::string_view name = "ranking", about = "linear ranking: the best individual gets `best` copies on average",
+    static constexpr std::string_view name = "ranking",
+                                      about = "linear ranking: the best individual gets `best` copies on average",
                                       source = "J. Baker, 1985";
     static constexpr bool needs_positive_fitness = false;
     double best = 2;
@@ -92,7 +96,8 @@ struct TournamentReproduction {
     static constexpr bool needs_positive_fitness = false;
     std::size_t size = 2;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"size", &TournamentReproduction::size, 1, 1e6, "individuals drawn for each parent"});
+        return std::tuple(
+            PolicyNumber{"size", &TournamentReproduction::size, 1, 1e6, "individuals drawn for each parent"});
     }
 
     /// Draws at least `size` numbers for each parent. There are always parents.

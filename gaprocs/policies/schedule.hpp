@@ -18,7 +18,8 @@ namespace placedpar {
 // numbered from 1, and an exchange follows every `every`-th generation.
 
 struct BroadcastSchedule {
-    static constexpr std::string_view name = "broadcast", about = "every `every` generations emigrants go to all neighbours at once",
+    static constexpr std::string_view name = "broadcast",
+                                      about = "every `every` generations emigrants go to all neighbours at once",
                                       source = "thesis 5.3.2; every third generation: 4.3";
     std::size_t every = 3;
     static constexpr auto numbers() {
@@ -30,9 +31,10 @@ struct BroadcastSchedule {
 /// Sends to the first neighbour at the first exchange, then to the second, and so on; after the last neighbour comes
 /// the first again. In a hypercube of two dimensions the neighbours are i xor 1 and i xor 2 (thesis 5.3.2).
 struct SequentialSchedule {
-    static constexpr std::string_view name = "sequential",
-                                      about = "every `every` generations emigrants go to one neighbour, the next in the list each time",
-                                      source = "thesis 5.2.1 and 5.3.2";
+    static constexpr std::string_view
+        name = "sequential",
+        about = "every `every` generations emigrants go to one neighbour, the next in the list each time",
+        source = "thesis 5.2.1 and 5.3.2";
     std::size_t every = 3;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"every", &SequentialSchedule::every, 1, 1e6, "generations"});
@@ -43,9 +45,10 @@ struct SequentialSchedule {
 /// No island waits for another. Emigrants go to all neighbours. An island accepts the emigrants that have arrived; from
 /// each neighbour only the last emigrants. The arrivals depend on the simulated times, and are the same in every run.
 struct AsynchronousSchedule {
-    static constexpr std::string_view name = "asynchronous",
-                                      about = "every `every` generations emigrants go to all neighbours, and no island waits for another",
-                                      source = "not in the thesis";
+    static constexpr std::string_view
+        name = "asynchronous",
+        about = "every `every` generations emigrants go to all neighbours, and no island waits for another",
+        source = "not in the thesis";
     std::size_t every = 3;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"every", &AsynchronousSchedule::every, 1, 1e6, "generations"});

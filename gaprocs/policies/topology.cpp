@@ -100,8 +100,8 @@ Neighbours RingTopology::operator()(std::size_t islands) const {
 
 Neighbours HypercubeTopology::operator()(std::size_t islands) const {
     if (!std::has_single_bit(islands))
-        throw UserError(fmt::format("a hypercube cannot have {} islands, expected a power of two such as {} or {}", islands,
-                                    std::bit_floor(islands), std::bit_ceil(islands)));
+        throw UserError(fmt::format("a hypercube cannot have {} islands, expected a power of two such as {} or {}",
+                                    islands, std::bit_floor(islands), std::bit_ceil(islands)));
     return neighbours_by(islands, [&](std::size_t i, NeighbourList& list) {
         for (std::size_t digit = 1; digit < islands; digit *= 2)
             list.add(i ^ digit);

@@ -24,12 +24,14 @@ using Neighbours = std::vector<std::vector<std::size_t>>;
 /// Connects each island to the next, and the last island to the first. With `ways` = 2 also connects each island to the
 /// one before it.
 struct RingTopology {
-    static constexpr std::string_view name = "ring", about = "each island sends to the next; with ways = 2 also to the preceding island",
+    static constexpr std::string_view name = "ring",
+                                      about =
+                                          "each island sends to the next; with ways = 2 also to the preceding island",
                                       source = "thesis, appendix E";
     std::size_t ways = 1;
     static constexpr auto numbers() {
-        return std::tuple(
-            PolicyNumber{"ways", &RingTopology::ways, 1, 2, "1: sends to the next island; 2: also to the preceding island"});
+        return std::tuple(PolicyNumber{"ways", &RingTopology::ways, 1, 2,
+                                       "1: sends to the next island; 2: also to the preceding island"});
     }
     Neighbours operator()(std::size_t islands) const;
 };
@@ -37,8 +39,10 @@ struct RingTopology {
 /// Connects islands whose numbers differ in one binary digit: i xor 1, i xor 2, i xor 4, ... (thesis 5.3.2 has two
 /// dimensions). The number of islands must be a power of two.
 struct HypercubeTopology {
-    static constexpr std::string_view name = "hypercube", about = "each island sends to the islands whose numbers differ from its own in one binary digit",
-                                      source = "thesis 5.2.1 and 5.3.2";
+    static constexpr std::string_view
+        name = "hypercube",
+        about = "each island sends to the islands whose numbers differ from its own in one binary digit",
+        source = "thesis 5.2.1 and 5.3.2";
     static constexpr std::tuple<> numbers() { return {}; }
     Neighbours operator()(std::size_t islands) const;
 };
@@ -46,10 +50,11 @@ struct HypercubeTopology {
 /// Connects the islands of a rectangle, which is closed in both directions, to the east, south, west and north. Island
 /// i is in row i / columns and column i % columns.
 struct TorusTopology {
-    static constexpr std::string_view name = "torus",
-                                      about =
-                                          "a rectangle closed in both directions: each island sends to its neighbours east, south, west and north",
-                                      source = "not in the thesis";
+    static constexpr std::string_view
+        name = "torus",
+        about =
+            "a rectangle closed in both directions: each island sends to its neighbours east, south, west and north",
+        source = "not in the thesis";
     std::size_t rows = 2;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"rows", &TorusTopology::rows, 1, 1e6,
@@ -60,23 +65,26 @@ struct TorusTopology {
 
 /// Connects island 0 with each other island, in both directions.
 struct StarTopology {
-    static constexpr std::string_view name = "star",
-                                      about = "island 0 exchanges with each other island; these do not exchange with each other",
-                                      source = "not in the thesis";
+    static constexpr std::string_view
+        name = "star",
+        about = "island 0 exchanges with each other island; these do not exchange with each other",
+        source = "not in the thesis";
     static constexpr std::tuple<> numbers() { return {}; }
     Neighbours operator()(std::size_t islands) const;
 };
 
 /// Connects each island to all others. Island i has the neighbours i + 1, i + 2, ..., then 0, 1, ... up to i - 1.
 struct CompleteTopology {
-    static constexpr std::string_view name = "complete", about = "each island sends to all others, beginning with the next",
+    static constexpr std::string_view name = "complete",
+                                      about = "each island sends to all others, beginning with the next",
                                       source = "thesis 5.3.2, broadcasting";
     static constexpr std::tuple<> numbers() { return {}; }
     Neighbours operator()(std::size_t islands) const;
 };
 
 struct NoTopology {
-    static constexpr std::string_view name = "none", about = "islands exchange nothing", source = "a control for comparisons, not in the thesis";
+    static constexpr std::string_view name = "none", about = "islands exchange nothing",
+                                      source = "a control for comparisons, not in the thesis";
     static constexpr std::tuple<> numbers() { return {}; }
     Neighbours operator()(std::size_t islands) const { return Neighbours(islands); }
 };
@@ -84,8 +92,10 @@ struct NoTopology {
 /// Connects islands by a list. The list is not part of the policy's text, because a netlist's connections are its list.
 /// An island may only send or only receive, but must do at least one of them.
 struct GivenTopology {
-    static constexpr std::string_view name = "given", about = "each island sends to the neighbours in a list; in a netlist, to the islands connected to it",
-                                      source = "the netlist's connections";
+    static constexpr std::string_view
+        name = "given",
+        about = "each island sends to the neighbours in a list; in a netlist, to the islands connected to it",
+        source = "the netlist's connections";
     static constexpr std::tuple<> numbers() { return {}; }
     Neighbours neighbours;
     /// Throws UserError if the list is for another number of islands. Throws it also if a neighbour does not exist, is

@@ -155,7 +155,9 @@ ProcessKind analyst_kind(const ProblemRegistry& problems, SearchObserver* observ
     using namespace description;
     return {
         .name = "ga.analyst",
-        .about = "Active error analysis (thesis 5.3.2) of islands with different windows. After each exchange it chooses the island whose best individual is the answer of all islands, and keeps this answer until the next exchange. The islands do not change.",
+        .about = "Active error analysis (thesis 5.3.2) of islands with different windows. After each exchange it "
+                 "chooses the island whose best individual is the answer of all islands, and keeps this answer until "
+                 "the next exchange. The islands do not change.",
         .ports = {from_host(), input<EstimateMessage>("from_islands", "estimate", "an array: one end for each island")},
         .parameters = {policy<IslandChoice>("choice", "row",
                                             "how the island is chosen; islands are in the order of from_islands"),

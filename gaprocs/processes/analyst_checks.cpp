@@ -52,7 +52,8 @@ private:
     }
 
     void check_steps() {
-        const char* why = "an analyst compares the best individuals of the same generation; only islands that exchange in step report these";
+        const char* why = "an analyst compares the best individuals of the same generation; only islands that exchange "
+                          "in step report these";
         if (!schedule_of(instance(first_island())).in_step())
             return refuse("", "islands with an asynchronous schedule are not all in the same generation", why);
         Archipelago archipelago(network_);
@@ -78,8 +79,9 @@ private:
         auto host = [&](std::size_t process) { return other_end(network_, process, "from_host")->process; };
         for (const Peer& each : reporters_)
             if (host(each.process) != host(analyst_))
-                return refuse("from_host", fmt::format("\"{}\" does not get its samples from the same process as \"{}\"",
-                                                       name(analyst_), name(each.process)));
+                return refuse("from_host",
+                              fmt::format("\"{}\" does not get its samples from the same process as \"{}\"",
+                                          name(analyst_), name(each.process)));
     }
 
     void check_choice() {
@@ -110,8 +112,8 @@ private:
         if (last > 0 && run->samples_at(last) >= longest_window())
             return;
         std::string why = last == 0
-                              ? fmt::format("the first exchange is due after {} generations, but the run has only {}", every,
-                                            run->generations())
+                              ? fmt::format("the first exchange is due after {} generations, but the run has only {}",
+                                            every, run->generations())
                               : fmt::format("the last exchange comes after {} samples, but the longest window needs {}",
                                             run->samples_at(last), longest_window());
         complaints_.push_back({analyst_, "", fmt::format("\"{}\" gives no answer: {}", name(analyst_), why), "", true});

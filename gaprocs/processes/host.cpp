@@ -212,8 +212,9 @@ ProcessKind host_kind(const ProblemRegistry& problems) {
                                                   "an array: one end for each master whose estimates come back")),
                   optional(input<HostMessage>("from_sensors", "host message",
                                               "samples that ga.sensors reads, in place of the record's")),
-                  optional(output<Finding>("to_alarm", "finding",
-                                           "the fittest estimate after each sample, sent when all estimates have arrived"))},
+                  optional(
+                      output<Finding>("to_alarm", "finding",
+                                      "the fittest estimate after each sample, sent when all estimates have arrived"))},
         .parameters =
             {problem(),
              integer("samples", {.unit = "samples", .by_default = 0, .least = 0, .most = 1e9},

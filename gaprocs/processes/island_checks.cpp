@@ -85,9 +85,10 @@ private:
         if (!expected.does_not_fit.empty())
             refuse("topology", expected.does_not_fit);
         else if (!std::ranges::is_permutation(expected.neighbours[number_], self().neighbours))
-            refuse("topology", fmt::format("\"{}\" is connected to {}, expected {} in the topology \"{}\" of {} islands",
-                                           process_.name, names(self().neighbours), names(expected.neighbours[number_]),
-                                           Topology::named(topology).text(), archipelago_.islands().size()));
+            refuse("topology",
+                   fmt::format("\"{}\" is connected to {}, expected {} in the topology \"{}\" of {} islands",
+                               process_.name, names(self().neighbours), names(expected.neighbours[number_]),
+                               Topology::named(topology).text(), archipelago_.islands().size()));
     }
 
     /// Refuses an island without connections among connected islands, which is probably a mistake. If no island is
@@ -151,7 +152,8 @@ private:
                    fmt::format("\"trials\" is {} per sample for \"{}\", but {} for \"{}\"",
                                counted(static_cast<std::size_t>(integer(process_, "trials")), "generation"),
                                process_.name, integer(first, "trials"), first.name),
-                   "islands that exchange must make the same generations: give them equal \"trials\" and equal numbers of samples");
+                   "islands that exchange must make the same generations: give them equal \"trials\" and equal numbers "
+                   "of samples");
         auto ours = samples_sent_to(network_, index_, problems_),
              theirs =
                  samples_sent_to(network_, static_cast<std::size_t>(&first - network_.processes.data()), problems_);
@@ -159,7 +161,8 @@ private:
             refuse("",
                    fmt::format("\"{}\" and \"{}\" are sent different numbers of samples: {} and {}", process_.name,
                                first.name, *ours, *theirs),
-                   "islands that exchange must make the same generations: give them equal \"trials\" and equal numbers of samples");
+                   "islands that exchange must make the same generations: give them equal \"trials\" and equal numbers "
+                   "of samples");
     }
 
     void check_room() {
@@ -210,7 +213,8 @@ private:
     void warn_of_one_way() {
         if (auto lost = one_way(archipelago_.neighbours()))
             warn(lost->from, "",
-                 fmt::format("no individual from \"{}\" ever reaches \"{}\"", names({lost->from}), names({lost->never_to})),
+                 fmt::format("no individual from \"{}\" ever reaches \"{}\"", names({lost->from}),
+                             names({lost->never_to})),
                  "to close a ring, connect the last island to the first");
     }
 
@@ -219,10 +223,11 @@ private:
     void warn_of_islands_alone() {
         for (std::size_t island = 0; island < archipelago_.islands().size(); ++island)
             if (Topology::named(text(instance(island), "topology")).is_given())
-                return warn(island, "",
-                            fmt::format("none of the {} islands is connected to another, so they exchange nothing",
-                                        archipelago_.islands().size()),
-                            "connect to_neighbours[0] of each island; for searches without exchange, set topology = \"none\"");
+                return warn(
+                    island, "",
+                    fmt::format("none of the {} islands is connected to another, so they exchange nothing",
+                                archipelago_.islands().size()),
+                    "connect to_neighbours[0] of each island; for searches without exchange, set topology = \"none\"");
     }
 
     /// Warns if the run ends before the first exchange. Among islands in step, only the first warns.
@@ -234,7 +239,8 @@ private:
             (schedule.in_step() && part.front() != number_))
             return;
         warn(number_, process_.given.contains("exchange_every") ? "exchange_every" : "schedule",
-             fmt::format("\"{}\" never exchanges individuals: the first exchange is due after {} generations, but the run has only {}",
+             fmt::format("\"{}\" never exchanges individuals: the first exchange is due after {} generations, but the "
+                         "run has only {}",
                          process_.name, schedule.every(), run->generations()));
     }
 

@@ -75,8 +75,8 @@ private:
         };
         if (ours != theirs)
             refuse(parameter,
-                   fmt::format("{} is {} for \"{}\", but {} for \"{}\"", parameter, text(ours), self().name, text(theirs),
-                               coarse.name),
+                   fmt::format("{} is {} for \"{}\", but {} for \"{}\"", parameter, text(ours), self().name,
+                               text(theirs), coarse.name),
                    "a coarse and a fine search must make the same generations, over the same window");
     }
 

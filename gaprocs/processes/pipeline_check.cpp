@@ -49,15 +49,16 @@ private:
         std::size_t master = tasks.process;
         if (!results || results->process != master)
             refuse(results ? results->port : tasks.port,
-                   fmt::format("\"{}.{}\" receives tasks from \"{}\", but does not return the results to it", name(process_),
-                               tasks.port, name(master)),
+                   fmt::format("\"{}.{}\" receives tasks from \"{}\", but does not return the results to it",
+                               name(process_), tasks.port, name(master)),
                    fmt::format("from_masters[...] and to_masters[...] of one master have the same subscript"));
         if (ends_of(n_, master, "to_slaves").size() > 1)
             refuse(tasks.port, fmt::format("\"{}\" has other slaves besides those that it shares", name(master)),
                    "a master's to_slaves leads to one ga.pipeline and nothing else");
         if (text(master, "split") == "demand")
             refuse(tasks.port,
-                   fmt::format("\"{}\" deals out individuals on demand: masters that share slaves would alternate at every individual, and then all breed at the same time",
+                   fmt::format("\"{}\" deals out individuals on demand: masters that share slaves would alternate at "
+                               "every individual, and then all breed at the same time",
                                name(master)),
                    "split = \"individuals\" or \"evaluations\"");
     }

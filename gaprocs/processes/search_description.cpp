@@ -48,8 +48,10 @@ void check_initial(const std::string& text) {
 }
 
 ParameterDescription initial() {
-    auto description = policy<InitialPopulation>("initial", InitialPopulation().text(),
-                                                 "the first population: a policy, or a file with a string in each line; if the file has too few, the other strings are drawn at random");
+    auto description =
+        policy<InitialPopulation>("initial", InitialPopulation().text(),
+                                  "the first population: a policy, or a file with a string in each line; if the file "
+                                  "has too few, the other strings are drawn at random");
     description.check = check_initial;
     return description;
 }
@@ -76,7 +78,8 @@ Parameters operator_parameters() {
             "how parents are chosen (usual: roulette, as in the thesis; ranking for a problem without a record)"),
         usual_policy<Crossover>("crossover_operator", "what two mates exchange (usual: one-point, as in the thesis; "
                                                       "blend for real numbers, order for permutations)"),
-        usual_policy<Mutation>("mutation_operator", "how a bit, number or element is mutated (usual: bit, as in the thesis; gaussian for real numbers, inversion for permutations)"),
+        usual_policy<Mutation>("mutation_operator", "how a bit, number or element is mutated (usual: bit, as in the "
+                                                    "thesis; gaussian for real numbers, inversion for permutations)"),
         policy<Coding>("coding", Coding().text(),
                        "how a field of the string codes a number (thesis: natural); slaves get it from their master"),
         initial(),
@@ -126,8 +129,10 @@ ParameterDescription fitness_bytes() {
 Parameters search_parameters() {
     return population_parameters() + operator_parameters() + workload_parameters() +
            Parameters{
-               description::integer("string_bytes", {.unit = "bytes", .by_default = 0, .least = 0, .most = 65536},
-                                    "size of an individual's string in a message; 0: the length of the problem's string in whole bytes, with 8 bytes for each real number or element of a permutation"),
+               description::integer(
+                   "string_bytes", {.unit = "bytes", .by_default = 0, .least = 0, .most = 65536},
+                   "size of an individual's string in a message; 0: the length of the problem's string in whole bytes, "
+                   "with 8 bytes for each real number or element of a permutation"),
                fitness_bytes(),
                bytes_in_message("measurement_bytes", 148, "size of a window's measurements in a message (appendix E)")};
 }
@@ -135,14 +140,16 @@ Parameters search_parameters() {
 std::vector<MeasurementDescription> search_measurements() {
     std::vector<MeasurementDescription> all{
         {"T_exe", "ms",
-         "mean time of a generation with a full window; this time and the other times are absent if no generation had one"},
+         "mean time of a generation with a full window; this time and the other times are absent if no generation had "
+         "one"},
         {"T_sr", "ms", "time from the first send to the last receive of a generation"},
         {"P_time2", "ms", "time of the process's own share of the error evaluations"},
         {"C_time2", "ms", "communication time of a generation with new measurements and nothing to evaluate"},
         {"S_time2", "ms", "the genetic operators"},
         {"generations", "", "generations evaluated"},
         {"generations_per_second", "1/s",
-         "generations of this process's own population in a second, with all costs of a generation and of a new sample; absent if generations take no time"},
+         "generations of this process's own population in a second, with all costs of a generation and of a new "
+         "sample; absent if generations take no time"},
         {"populations", "", "a hash over all populations in order: equal in two runs if all generations are equal"},
     };
     for (MeasurementDescription& each : individual_measurements("the last generation's best individual"))
@@ -172,23 +179,28 @@ PortDescription to_host() {
 Parameters farm_parameters() {
     using namespace description;
     return {
-        deciding("farm", integer("slaves", {.by_default = 1, .least = 1, .most = 4096},
-                                 "number of slaves, if any are connected; it must equal the number of connected slaves")),
+        deciding("farm",
+                 integer("slaves", {.by_default = 1, .least = 1, .most = 4096},
+                         "number of slaves, if any are connected; it must equal the number of connected slaves")),
         deciding("farm",
                  text("split", {.by_default = "individuals", .choices = {"individuals", "demand", "evaluations"}},
-                      "how evaluations are dealt out: a share of whole individuals to each slave; individuals one by one, each to an idle evaluator (demand); or single error evaluations")),
+                      "how evaluations are dealt out: a share of whole individuals to each slave; individuals one by "
+                      "one, each to an idle evaluator (demand); or single error evaluations")),
         deciding("farm", real("own_share", {.by_default = 1, .least = 0, .most = 1},
-                              "the master's own share as a fraction of a slave's share; 0: the master evaluates nothing; no effect with the split demand, where it evaluates whenever it is idle")),
+                              "the master's own share as a fraction of a slave's share; 0: the master evaluates "
+                              "nothing; no effect with the split demand, where it evaluates whenever it is idle")),
         deciding("farm",
                  text("measurements", {.by_default = "sample", .choices = {"sample", "generation"}},
                       "when the slaves are sent the measurements: with each new sample, or in every generation")),
         deciding("farm", integer("tasks_under_way", {.unit = "tasks", .by_default = 1, .least = 1, .most = 1024},
-                                 "with the split demand: largest number of unanswered tasks of a slave; with 2, a slave already has its next task when it finishes one")),
+                                 "with the split demand: largest number of unanswered tasks of a slave; with 2, a "
+                                 "slave already has its next task when it finishes one")),
         deciding("farm", text("sending", {.by_default = "in turn", .choices = {"in turn", "at once"}},
                               "how the master sends tasks: one after another, or at once by a process for each "
                               "channel, so that all links are busy")),
         deciding("farm", text("results", {.by_default = "chain", .choices = {"chain", "ready"}},
-                              "order of the results: the farthest slave of the chain first, and one chain after another; or each result when it is ready, as always with the split demand")),
+                              "order of the results: the farthest slave of the chain first, and one chain after "
+                              "another; or each result when it is ready, as always with the split demand")),
         integer("rehearsals", {.unit = "rounds", .by_default = 100, .least = 0, .most = 1e6},
                 "rounds of communication without evaluations, which measure C_time2 after the work and do not count in "
                 "its totals; 0: no measurement"),
@@ -201,8 +213,8 @@ PortDescription to_slaves() {
 }
 
 PortDescription from_slaves() {
-    return description::optional(
-        description::input<Fitnesses>("from_slaves", "fitnesses", "from a slave; or an array with one end for each slave"));
+    return description::optional(description::input<Fitnesses>(
+        "from_slaves", "fitnesses", "from a slave; or an array with one end for each slave"));
 }
 
 } // namespace placedpar::search_description

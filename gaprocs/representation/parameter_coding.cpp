@@ -19,8 +19,9 @@ void validate(const ParameterField& field, std::size_t number) {
             fmt::format("parameter {}: the range is {} to {}, expected a lower and a higher number", number, field.low,
                         field.high));
     if (!std::isfinite(field.high - field.low))
-        throw std::invalid_argument(fmt::format("parameter {}: the width of the range {} to {} is beyond the range of a double",
-                                                number, field.low, field.high));
+        throw std::invalid_argument(
+            fmt::format("parameter {}: the width of the range {} to {} is beyond the range of a double", number,
+                        field.low, field.high));
 }
 
 } // namespace

@@ -124,15 +124,17 @@ void check_times(Record& record, const TextTable& table, const TimeColumn& time,
     }
     if (!has_errors(faults) && jitters(record)) {
         if (auto worst_s = resample(record))
-            faults.push_back(warning_at(time.place.line, time.place.column,
-                                        fmt::format("the times differ by up to {:.3g} {} from whole periods of {:.4g} {}",
-                                                    *worst_s / time.unit.factor, time.unit.name,
-                                                    record.period_s / time.unit.factor, time.unit.name),
-                                        "readings at whole periods are interpolated linearly between neighbouring samples"));
+            faults.push_back(
+                warning_at(time.place.line, time.place.column,
+                           fmt::format("the times differ by up to {:.3g} {} from whole periods of {:.4g} {}",
+                                       *worst_s / time.unit.factor, time.unit.name, record.period_s / time.unit.factor,
+                                       time.unit.name),
+                           "readings at whole periods are interpolated linearly between neighbouring samples"));
         else
-            faults.push_back(error_at(time.place.line, time.place.column,
-                                      "the sampling period changes: the times differ from whole periods by more than half a period",
-                                      "a separate record for each sampling rate"));
+            faults.push_back(
+                error_at(time.place.line, time.place.column,
+                         "the sampling period changes: the times differ from whole periods by more than half a period",
+                         "a separate record for each sampling rate"));
     }
     if (double number = record.period_s / time.unit.factor; !goes_on && !within(record.period_s, ordinary_period_s))
         faults.push_back(

@@ -26,8 +26,9 @@ std::vector<double> junction_pressures(const Circuit& circuit, std::span<const F
         if (circuit[j].through != Through::nowhere)
             psi[j] = std::max(psi[j], beyond_psi(circuit, j, psi, constants) + bypass_drop_psi);
         if (psi[j] > constants.relief_psi)
-            throw UnfitScenario(fmt::format("the {} needs {:.0f} psi at its junction, but the relief valve opens at {} psi",
-                                            name_of(circuit[j].link), psi[j], constants.relief_psi));
+            throw UnfitScenario(
+                fmt::format("the {} needs {:.0f} psi at its junction, but the relief valve opens at {} psi",
+                            name_of(circuit[j].link), psi[j], constants.relief_psi));
     }
     return psi;
 }

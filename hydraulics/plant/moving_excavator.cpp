@@ -183,9 +183,10 @@ private:
             const std::size_t i = index_of(link);
             dynamics_.load_lbf[i] = machine_.links[i].load_lbf - torques[i] / arm(i);
             if (!(dynamics_.load_lbf[i] > 0))
-                throw UnfitScenario(fmt::format(
-                    "move {}: the soil's force of {:g} lbf takes away all of the {}'s load of {:g} lbf; expected a load above 0",
-                    reference_.move() + 1, reference_.soil_lbf(), name_of(link), machine_.links[i].load_lbf));
+                throw UnfitScenario(fmt::format("move {}: the soil's force of {:g} lbf takes away all of the {}'s load "
+                                                "of {:g} lbf; expected a load above 0",
+                                                reference_.move() + 1, reference_.soil_lbf(), name_of(link),
+                                                machine_.links[i].load_lbf));
         }
     }
 

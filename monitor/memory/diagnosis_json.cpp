@@ -69,8 +69,8 @@ bool are_of(std::size_t links, const std::vector<SetSample>& samples) {
 
 void require_whole(LinkSet links, const PopulationSet::State& set, const DiagnosisSettings& settings) {
     if (set.population.size() != settings.search.population)
-        throw std::runtime_error(
-            fmt::format("a population has {} individuals, expected {}", set.population.size(), settings.search.population));
+        throw std::runtime_error(fmt::format("a population has {} individuals, expected {}", set.population.size(),
+                                             settings.search.population));
     const std::size_t bits = links.size() * settings.bits;
     require_together(std::ranges::all_of(set.population, [&](const Genome& each) { return each.size() == bits; }) &&
                          set.estimates.size() == links.size() && set.window.size() <= settings.search.window.length &&

@@ -89,8 +89,9 @@ void Dispatcher::require_place(Client& client, const Hello& hello) {
         if (client.leaving || others.size() < most)
             return;
         if (Client* other = giving_way(others, peer, client.keeps_place))
-            evict(*other, client.keeps_place ? "this connection is closed to make room for a client of a known machine"
-                                             : "this connection is closed to make room for a peer with fewer connections");
+            evict(*other, client.keeps_place
+                              ? "this connection is closed to make room for a client of a known machine"
+                              : "this connection is closed to make room for a peer with fewer connections");
         else
             evict(client, fmt::format("the monitor already has {} clients", most),
                   fmt::format("a connection at a later time; {} allows more clients", option));

@@ -97,7 +97,8 @@ std::vector<Complaint> require_can_give_up(const Network& network, std::size_t p
                  .about = port.port,
                  .message =
                      fmt::format("the channel \"{}\" {}, so its process cannot give up a packet", channel.name, reason),
-                 .hint = "a time-out needs a channel between processes on one processor, or a channel placed alone on a link"});
+                 .hint = "a time-out needs a channel between processes on one processor, or a channel placed alone on "
+                         "a link"});
     }
     return complaints;
 }

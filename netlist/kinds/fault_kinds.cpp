@@ -18,8 +18,10 @@ using description::integer;
 constexpr double longest = 9e15; ///< in ns; a little less than the largest virtual time
 
 AttributeDescription direction() {
-    return {.value = description::text("direction", {.by_default = "both", .choices = {"both", "out", "in"}},
-                                       "out: the direction away from the link that the fault names, or, for a connection, away from the end that connect names first; in: the opposite direction")};
+    return {.value =
+                description::text("direction", {.by_default = "both", .choices = {"both", "out", "in"}},
+                                  "out: the direction away from the link that the fault names, or, for a connection, "
+                                  "away from the end that connect names first; in: the opposite direction")};
 }
 
 AttributeDescription factor() {

@@ -37,7 +37,8 @@ inline ParameterDescription packet_cycles(std::string about = "workload: computa
 /// Returns the parameter `words`, for CodeShape::words_outside.
 inline ParameterDescription packet_words() {
     return integer("words", {.unit = "words", .by_default = 0, .least = 0, .most = 1e9},
-                   "workload: accesses to external memory for each packet; each takes memorycycles in place of one of the cycles in `cycles`");
+                   "workload: accesses to external memory for each packet; each takes memorycycles in place of one of "
+                   "the cycles in `cycles`");
 }
 
 } // namespace description

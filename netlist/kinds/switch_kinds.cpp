@@ -51,7 +51,8 @@ std::vector<Complaint> check_place_of_logic(const Network& network, std::size_t 
     for (std::size_t i = 0; i < process; ++i)
         if (network.processes[i].node == self.node)
             return {{process, "",
-                     fmt::format("two processes are placed on the switch \"{}\" as its logic, expected one", network.nodes[self.node].name),
+                     fmt::format("two processes are placed on the switch \"{}\" as its logic, expected one",
+                                 network.nodes[self.node].name),
                      ""}};
     return {};
 }

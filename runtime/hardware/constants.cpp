@@ -100,7 +100,8 @@ std::vector<Constant> of_instructions() {
             row("disc, diss", disable),
             row("dist", disable_timeout),
             row("altend", alt_end),
-            row("a communication that can be given up", attempt, ours, "the usual cost of a communication, and startp, tin and endp"),
+            row("a communication that can be given up", attempt, ours,
+                "the usual cost of a communication, and startp, tin and endp"),
             row("reset of a channel", reset, ours, "resetch")};
 }
 
@@ -124,7 +125,8 @@ std::vector<Constant> of_buses() {
     const auto& [word, byte, arbitration, time_out] = VmeTiming{};
     using enum Provenance;
     return {
-        {group, "transfer of a word (D32, ordinary memory)", in_ns(word), "ns", published, "textbook figure: 12.9 Mbyte/s"},
+        {group, "transfer of a word (D32, ordinary memory)", in_ns(word), "ns", published,
+         "textbook figure: 12.9 Mbyte/s"},
         {group, "an access to a register", in_ns(byte), "ns", ours, "as fast as ordinary memory"},
         {group, "arbitration", in_ns(arbitration), "ns", ours, "time from a request or a release to the grant"},
         {group, "time to a bus error", in_us(time_out), "us", published, "a common default value of bus timers"},
@@ -139,7 +141,8 @@ std::vector<Constant> of_hosts() {
     return {
         {group, "a byte, in addition to the bus", in_cycles(byte), "cycles", ours, of_sgi},
         {group, "a word read, in addition to the bus", in_cycles(read), "cycles", ours, "SGI's table: about 1 Mbyte/s"},
-        {group, "a word written, in addition to the bus", in_cycles(write), "cycles", ours, "SGI's table: about 3 Mbyte/s"},
+        {group, "a word written, in addition to the bus", in_cycles(write), "cycles", ours,
+         "SGI's table: about 3 Mbyte/s"},
         {group, "time from an interrupt to the process", in_cycles(interrupt), "cycles", ours, "0.1 ms of a Sun 3/280"},
         {group, "most polls of the status without success", static_cast<double>(most_polls), "times", ours,
          "afterwards the process waits for an interrupt"},
@@ -160,7 +163,8 @@ std::vector<Constant> of_bus_masters() {
          "afterwards the process waits for an interrupt"},
         {group, "conversion of a word's byte order", in_cycles(bus_programs::conversion), "cycles", ours,
          "if the netlist gives none"},
-        {group, "buffer of one direction", MemoryLane::buffer_bytes, "bytes", ours, "longer messages are sent in parts"},
+        {group, "buffer of one direction", MemoryLane::buffer_bytes, "bytes", ours,
+         "longer messages are sent in parts"},
     };
 }
 

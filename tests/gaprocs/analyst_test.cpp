@@ -170,10 +170,12 @@ TEST_CASE("an analyst is refused at its place if it cannot compare its islands")
         CHECK_MESSAGE(refusal.find(marked) != std::string::npos, marked);
     };
     says(with_analyst(netlist, "choice = \"fixed(4)\""),
-         "the answer is to come from island 4, but the number of islands is 4; expected an island from 0 to 3", "choice = \"fixed(4)\"");
+         "the answer is to come from island 4, but the number of islands is 4; expected an island from 0 to 3",
+         "choice = \"fixed(4)\"");
     says(with_analyst(netlist, "choice = \"best\""), "\"best\"", "choice = \"best\"");
     netlist.settings.schedule = AsynchronousSchedule{1};
-    says(with_analyst(netlist, ""), "islands with an asynchronous schedule are not all in the same generation", "process analyst");
+    says(with_analyst(netlist, ""), "islands with an asynchronous schedule are not all in the same generation",
+         "process analyst");
     netlist.settings.schedule = Schedule();
     netlist.settings.topology = NoTopology{};
     says(with_analyst(netlist, ""), "\"island[0]\" and \"island[1]\" do not exchange with each other",
@@ -201,8 +203,8 @@ TEST_CASE("an analyst that would never answer is a warning at its place") {
     CHECK(said(16) == "");
     CHECK(said(11) == "");
     std::string never = said(17), early = said(9, "host (problem = \"line\", samples = 9)");
-    CHECK(
-        never.find("warning: \"analyst\" gives no answer: the first exchange is due after 17 generations, but the run has only 16") != std::string::npos);
+    CHECK(never.find("warning: \"analyst\" gives no answer: the first exchange is due after 17 generations, but the "
+                     "run has only 16") != std::string::npos);
     CHECK(early.find("warning: \"analyst\" gives no answer: the last exchange comes after 9 samples, but the longest "
                      "window needs 10") != std::string::npos);
     CHECK(early.find("process analyst;") != std::string::npos);

@@ -113,7 +113,8 @@ TEST_CASE("an island without neighbours is refused if other islands have neighbo
 
 TEST_CASE("a topology in several parts is a warning, once") {
     auto text = said_of(4, all(""), {{0, 0, 1, 0}, {1, 0, 0, 0}, {2, 0, 3, 0}, {3, 0, 2, 0}});
-    CHECK(text == "islands.cfs:2:9: warning: the islands form 2 groups that exchange nothing with each other: island[0], island[1]; island[2], island[3]\n"
+    CHECK(text == "islands.cfs:2:9: warning: the islands form 2 groups that exchange nothing with each other: "
+                  "island[0], island[1]; island[2], island[3]\n"
                   "    process island[n];\n"
                   "            ^\n");
 }
@@ -129,10 +130,11 @@ TEST_CASE("a one-way chain is a warning, once: the last island's individuals nev
 }
 
 TEST_CASE("islands without connections are a warning, once, unless they have topology = \"none\"") {
-    auto said = "islands.cfs:2:9: warning: none of the 3 islands is connected to another, so they exchange nothing\n"
-                "    process island[n];\n"
-                "            ^\n"
-                "hint: connect to_neighbours[0] of each island; for searches without exchange, set topology = \"none\"\n";
+    auto said =
+        "islands.cfs:2:9: warning: none of the 3 islands is connected to another, so they exchange nothing\n"
+        "    process island[n];\n"
+        "            ^\n"
+        "hint: connect to_neighbours[0] of each island; for searches without exchange, set topology = \"none\"\n";
     CHECK(said_of(3, all(""), {}) == said);
     CHECK(said_of(3, all(", topology = \"none\""), {}).empty());
     CHECK(said_of(1, all(""), {}).empty());
@@ -142,7 +144,8 @@ TEST_CASE("islands that never exchange because the run ends before are a warning
     // There are 12 samples. The first generation needs 5 of them, and each sample has 5 generations: 40 in all.
     CHECK(said_of(3, all(", exchange_every = 40"), ring(3)).empty());
     CHECK(said_of(3, all(", exchange_every = 41"), ring(3)) ==
-          "islands.cfs:4:44: warning: \"island[0]\" never exchanges individuals: the first exchange is due after 41 generations, but the run has only 40\n"
+          "islands.cfs:4:44: warning: \"island[0]\" never exchanges individuals: the first exchange is due after 41 "
+          "generations, but the run has only 40\n"
           "    island (problem = \"line\", population = 12, exchange_every = 41);\n"
           "                                               ^\n");
     check_says(said_of(3, all(", schedule = \"sequential(41)\""), ring(3)), "islands.cfs:4:44: warning: \"island[0]\"");
@@ -169,7 +172,8 @@ TEST_CASE("connections of another topology than the parameter says are refused")
     check_says(said_of(12, all(", topology = \"hypercube\""), ring(12)),
                "islands.cfs:4:44: error: a hypercube cannot have 12 islands, expected a power of two such as 8 or 16");
     check_says(said_of(4, all(", topology = \"hypercube\""), ring(4)),
-               "islands.cfs:4:44: error: \"island[0]\" is connected to island[1], expected island[1], island[2] in the topology \"hypercube\" of 4 islands");
+               "islands.cfs:4:44: error: \"island[0]\" is connected to island[1], expected island[1], island[2] in the "
+               "topology \"hypercube\" of 4 islands");
     check_says(said_of(3, all(", topology = \"none\""), ring(3)), "but to no island in the topology");
     check_says(said_of(3, all(", topology = \"cube\""), ring(3)), "it is one of ring(ways = 1)");
     check_says(said_of(10, all(", topology = \"torus(3)\""), ring(10)), "expected rows that divide 10: 1, 2, 5, 10");

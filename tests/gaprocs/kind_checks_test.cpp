@@ -147,7 +147,8 @@ TEST_CASE("results that do not return on the way of the tasks are refused") {
     lines.at("from next") = "connect slave[0].to_master to slave[0].from_slaves;";
     Kinds kinds;
     auto text = render(read_netlist_text(netlist(lines), kinds.catalogue, {}, "farm.cfs").diagnostics);
-    says(text, "farm.cfs:3:1: error: \"master.to_slaves\" leads to the slave \"slave[0]\", but the results at \"master.from_slaves\" come from \"slave[1].to_master\"");
+    says(text, "farm.cfs:3:1: error: \"master.to_slaves\" leads to the slave \"slave[0]\", but the results at "
+               "\"master.from_slaves\" come from \"slave[1].to_master\"");
     says(text, "hint: connect slave[0].to_master to master.from_slaves;");
 }
 
@@ -165,7 +166,9 @@ TEST_CASE("the old names of ports are refused with a hint to the new names") {
 TEST_CASE("a number of slaves that differs from the chain's, or exceeds the work, is refused") {
     for (int slaves : {1, 3})
         says(refusal("master", fmt::format("master (problem = \"line\",\nslaves = {});", slaves)),
-             fmt::format("farm.cfs:6:1: error: slaves = {}, but the number of slaves connected to \"master.to_slaves\" is 2", slaves));
+             fmt::format(
+                 "farm.cfs:6:1: error: slaves = {}, but the number of slaves connected to \"master.to_slaves\" is 2",
+                 slaves));
     says(refusal("master", "master (problem = \"line\", slaves = 2, population = 2);"),
          "farm.cfs:5:27: error: slaves = 2, but a population of 2 has work for 1 slave at the most");
     CHECK(refusal("master", "master (problem = \"line\", slaves = 2, population = 3);").empty());
@@ -196,8 +199,8 @@ TEST_CASE("a host need not send more samples than the window holds") {
 
 TEST_CASE("a problem whose errors depend on earlier samples refuses the split into single evaluations") {
     auto text = refusal("master", "master (problem = \"along\", slaves = 2,\nsplit = \"evaluations\");");
-    says(text,
-         "farm.cfs:6:1: error: single evaluations of \"along\" cannot be dealt out: its error at a sample depends on the earlier samples in the window");
+    says(text, "farm.cfs:6:1: error: single evaluations of \"along\" cannot be dealt out: its error at a sample "
+               "depends on the earlier samples in the window");
     says(text, "hint: split = \"individuals\" deals out whole individuals");
     for (const char* split : {"individuals", "demand"})
         CHECK(refusal("master", fmt::format("master (problem = \"along\", slaves = 2, split = \"{}\");", split))
@@ -211,8 +214,10 @@ TEST_CASE("a slave that is reached twice is refused") {
     lines.at("from slaves") = "connect slave[0].to_master[0] to master.from_slaves[0];\n"
                               "connect slave[0].to_master[1] to master.from_slaves[1];";
     auto text = refusal_of(lines);
-    says(text, "farm.cfs:11:1: error: \"master.to_slaves[1]\" leads to the slave \"slave[0]\", but \"master.to_slaves[0]\" leads to the same slave");
-    says(text, "farm.cfs:10:1: error: \"slave[0].from_master\" is a single channel, not an array: a slave is connected to one master or preceding slave");
+    says(text, "farm.cfs:11:1: error: \"master.to_slaves[1]\" leads to the slave \"slave[0]\", but "
+               "\"master.to_slaves[0]\" leads to the same slave");
+    says(text, "farm.cfs:10:1: error: \"slave[0].from_master\" is a single channel, not an array: a slave is connected "
+               "to one master or preceding slave");
     says(text, "hint: connect ... slave[0].from_master;");
 }
 
@@ -222,7 +227,8 @@ TEST_CASE("slaves in a circle, which no master reaches, are refused once") {
     lines.at("to slaves") = "connect slave[1].to_slaves to slave[0].from_master;";
     lines.at("from slaves") = "connect slave[0].to_master to slave[1].from_slaves;";
     auto text = refusal_of(lines);
-    says(text, "farm.cfs:9:1: error: the slaves \"slave[1]\", \"slave[0]\" are connected in a circle, so no master's tasks reach them\n    connect slave[1].to_slaves");
+    says(text, "farm.cfs:9:1: error: the slaves \"slave[1]\", \"slave[0]\" are connected in a circle, so no master's "
+               "tasks reach them\n    connect slave[1].to_slaves");
     CHECK(text.find("circle", text.find("circle") + 1) == std::string::npos);
 }
 
@@ -233,7 +239,8 @@ TEST_CASE("crossed, missing or unnumbered connections in a tree are refused") {
     auto crossed = lines;
     crossed.at("from slaves") = "connect slave[0].to_master to master.from_slaves[1];";
     crossed.at("from next") = "connect slave[1].to_master to master.from_slaves[0];";
-    says(refusal_of(crossed), "farm.cfs:2:1: error: \"master.to_slaves[0]\" leads to the slave \"slave[0]\", but the results at \"master.from_slaves[0]\" come from \"slave[1].to_master\"");
+    says(refusal_of(crossed), "farm.cfs:2:1: error: \"master.to_slaves[0]\" leads to the slave \"slave[0]\", but the "
+                              "results at \"master.from_slaves[0]\" come from \"slave[1].to_master\"");
 
     auto elsewhere = lines;
     elsewhere.at("from next") = "connect slave[1].to_master to slave[1].from_slaves;";
@@ -254,7 +261,8 @@ TEST_CASE("crossed, missing or unnumbered connections in a tree are refused") {
 TEST_CASE("a number of slaves that differs from the tree's is refused") {
     auto lines = star_statements();
     lines.at("master") = "master (problem = \"line\", slaves = 3);";
-    says(refusal_of(lines), "farm.cfs:5:27: error: slaves = 3, but the number of slaves connected to \"master.to_slaves\" is 2");
+    says(refusal_of(lines),
+         "farm.cfs:5:27: error: slaves = 3, but the number of slaves connected to \"master.to_slaves\" is 2");
 }
 
 TEST_CASE("several tasks under way are refused with a split other than demand") {
@@ -270,17 +278,18 @@ TEST_CASE("an array at a port that is a single channel is refused at its process
     text.replace(text.find(end), end.size(), "to master.from_host[0];");
     auto read = read_netlist_text(text, kinds.catalogue, {}, "farm.cfs");
     REQUIRE(read.network);
-    CHECK_THROWS_WITH_AS(
-        Machine(*read.network, kinds.catalogue, 1).run(),
-        doctest::Contains("process master (ga.master): \"from_host\" is a single channel of this kind, not an array: connect it without a subscript"),
-        UserError);
+    CHECK_THROWS_WITH_AS(Machine(*read.network, kinds.catalogue, 1).run(),
+                         doctest::Contains("process master (ga.master): \"from_host\" is a single channel of this "
+                                           "kind, not an array: connect it without a subscript"),
+                         UserError);
 }
 
 TEST_CASE("settings that contradict each other are refused at the parameter") {
     auto master = [](const char* settings) {
         return refusal("master", fmt::format("master (problem = \"line\", slaves = 2, {});", settings));
     };
-    says(master("window = 13"), "farm.cfs:5:39: error: the window holds 13 samples, but the record of \"line\" has only 12");
+    says(master("window = 13"),
+         "farm.cfs:5:39: error: the window holds 13 samples, but the record of \"line\" has only 12");
     says(master("first_window = 4, window = 3"),
          "farm.cfs:5:39: error: the first generation waits for 4 samples, but the window holds 3");
     says(master("first_window = 11"), "the first generation waits for 11 samples, but the window holds 10");
@@ -419,7 +428,8 @@ TEST_CASE("an error that is found only during the run names the process, its kin
     CHECK_THROWS_WITH_AS(Machine(*read.network, others, 1).run(), doctest::Contains("farm.cfs:1:"), UserError);
     CHECK_THROWS_WITH_AS(
         Machine(*read.network, others, 1).run(),
-        doctest::Contains("process master (ga.master): the window holds 10 samples, but the record has only 9"), UserError);
+        doctest::Contains("process master (ga.master): the window holds 10 samples, but the record has only 9"),
+        UserError);
 }
 
 TEST_CASE("netlists that run differently have different hashes; a policy that is left out is the usual one") {

@@ -179,7 +179,8 @@ TEST_CASE("a pair whose objective is never a number ends and reports no objectiv
 TEST_CASE("bits and fields that cannot be bred are refused at their place") {
     PairNetlist wrong;
     wrong.bits_of_coarse = "9";
-    check_pair_refused(wrong, ":4:", "field 1 is bred with 9 bits, expected 1 to 8, the number of bits that it has in the problem");
+    check_pair_refused(
+        wrong, ":4:", "field 1 is bred with 9 bits, expected 1 to 8, the number of bits that it has in the problem");
     wrong.bits_of_coarse = "4 4";
     check_pair_refused(wrong, ":4:", "the problem's string has 1 field, but bits are given for 2");
     for (const char* text : {"", "4.5", "0", "64", "four", "4,4"}) {

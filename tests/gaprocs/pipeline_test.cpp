@@ -135,6 +135,7 @@ TEST_CASE("masters that cannot share slaves are refused") {
     CHECK(refusal_of(text, "connect pipeline.to_masters[0] to master[0].from_slaves;\n",
                      "connect pipeline.to_masters[1] to master[0].from_slaves;\n")
               .find("pipeline.to_masters") != std::string::npos);
-    CHECK(refusal_of(text, "slaves = 2", "slaves = 3").find("slaves = 3, but the number of slaves connected to \"master[0].to_slaves\" is 2") !=
+    CHECK(refusal_of(text, "slaves = 2", "slaves = 3")
+              .find("slaves = 3, but the number of slaves connected to \"master[0].to_slaves\" is 2") !=
           std::string::npos);
 }

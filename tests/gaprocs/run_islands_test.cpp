@@ -345,8 +345,8 @@ TEST_CASE("islands that exchange begin together, and other islands do not wait f
 TEST_CASE("impossible islands are refused with what would be right") {
     IslandsSettings settings = small_islands(3);
     settings.islands[2].window.trials = 4;
-    CHECK(refusal(settings) ==
-          "island 0 makes 5 generations per sample, but island 2 makes 4; expected equal numbers, because islands exchange in the same generations");
+    CHECK(refusal(settings) == "island 0 makes 5 generations per sample, but island 2 makes 4; expected equal numbers, "
+                               "because islands exchange in the same generations");
     settings = small_islands(3);
     settings.islands[1].population = 5;
     settings.emigration = BestEmigration{6};

@@ -169,7 +169,8 @@ TEST_CASE("given neighbours may be one-way, and a list that does not fit is refu
 }
 
 TEST_CASE("a number of islands that does not fit the topology is refused with the numbers that fit") {
-    CHECK(refusal(HypercubeTopology{}, 12) == "a hypercube cannot have 12 islands, expected a power of two such as 8 or 16");
+    CHECK(refusal(HypercubeTopology{}, 12) ==
+          "a hypercube cannot have 12 islands, expected a power of two such as 8 or 16");
     CHECK(refusal(TorusTopology{3}, 10) ==
           "a torus of 10 islands cannot have 3 rows, expected a divisor of 10: 1, 2, 5, 10");
     for (const PolicyDescription& way : Topology::descriptions())

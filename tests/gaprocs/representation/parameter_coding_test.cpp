@@ -60,5 +60,6 @@ TEST_CASE("impossible codings are refused with the number of the parameter") {
             "parameter 0: the range is 0 to inf, expected a lower and a higher number");
     refused({{std::numeric_limits<double>::quiet_NaN(), 1, 10}},
             "parameter 0: the range is nan to 1, expected a lower and a higher number");
-    refused({{-1.5e308, 1.5e308, 10}}, "parameter 0: the width of the range -1.5e+308 to 1.5e+308 is beyond the range of a double");
+    refused({{-1.5e308, 1.5e308, 10}},
+            "parameter 0: the width of the range -1.5e+308 to 1.5e+308 is beyond the range of a double");
 }

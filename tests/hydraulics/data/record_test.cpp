@@ -129,7 +129,8 @@ TEST_CASE("a wrong reading is refused with its place") {
 
 TEST_CASE("wrong times are refused with their place") {
     CHECK(record_faults(boom_columns + rows(0, 4)) == "error 0:0: 4 samples, expected at least 5\n");
-    constexpr const char* rowless = "error 0:0: 0 samples, expected at least 5 | write a line for each instant below the header; lines end in LF or in CR LF\n";
+    constexpr const char* rowless = "error 0:0: 0 samples, expected at least 5 | write a line for each instant below "
+                                    "the header; lines end in LF or in CR LF\n";
     CHECK(record_faults(boom_columns) == rowless);
     CHECK(record_faults("time [s],boom.angle [deg]0.00,20.0,0.02,20.1") == rowless); // the line ends were lost
     CHECK(record_faults("time [s],boom.angle [deg]0.00,20.0,boom.spool [in]") == rowless);
@@ -141,12 +142,13 @@ TEST_CASE("wrong times are refused with their place") {
     CHECK(record_faults(boom_columns + rows(0, 6) + row(0.06) + rows(6, 9)) ==
           "error 8:1: the time is 0.04 s before the time on line 7 | rows must be in order of time\n"
           "warning 9:1: 2 samples are missing before this one | windows and slopes do not extend across the gap\n");
-    CHECK(
-        record_faults(boom_columns + rows(0, 6) + row(0.127) + rows(7, 12)) ==
-        "error 8:1: the time is 0.027 s after the time on line 7 | a whole number of sampling periods of 0.02 s (the median step), "
-        "within 25 %\n"
-        "error 9:1: the time is 0.013 s after the time on line 8 | a whole number of sampling periods of 0.02 s (the median step), "
-        "within 25 %\n");
+    CHECK(record_faults(boom_columns + rows(0, 6) + row(0.127) + rows(7, 12)) ==
+          "error 8:1: the time is 0.027 s after the time on line 7 | a whole number of sampling periods of 0.02 s (the "
+          "median step), "
+          "within 25 %\n"
+          "error 9:1: the time is 0.013 s after the time on line 8 | a whole number of sampling periods of 0.02 s (the "
+          "median step), "
+          "within 25 %\n");
     std::string backwards = boom_columns;
     for (int i = 9; i >= 0; --i)
         backwards += row(0.02 * i);
@@ -164,12 +166,12 @@ TEST_CASE("suspicious channels give warnings") {
     std::string text = "time [s],boom.inlet_pressure [psi],boom.spool [mm],boom.servo [V],bucket.angle [deg]\n";
     for (int i = 0; i < 6; ++i)
         text += fmt::format("{},{},{},{},7\n", 0.02 * i, 110 + i, 0.13 + 0.01 * i, 340 + i);
-    CHECK(
-        record_faults(text) ==
-        "warning 1:10: boom.inlet_pressure reaches 115 psi, which is unusual | it would be ordinary in bar\n"
-        "warning 1:36: boom.spool reaches 0.18 mm, which is unusual | it would be ordinary in in, cm\n"
-        "warning 1:52: boom.servo reaches 345 V, which is unusual | it would be ordinary in mV\n"
-        "warning 1:67: bucket.angle is 7 deg in every sample | the sensor may not be connected, or the link was not moved\n");
+    CHECK(record_faults(text) ==
+          "warning 1:10: boom.inlet_pressure reaches 115 psi, which is unusual | it would be ordinary in bar\n"
+          "warning 1:36: boom.spool reaches 0.18 mm, which is unusual | it would be ordinary in in, cm\n"
+          "warning 1:52: boom.servo reaches 345 V, which is unusual | it would be ordinary in mV\n"
+          "warning 1:67: bucket.angle is 7 deg in every sample | the sensor may not be connected, or the link was not "
+          "moved\n");
 }
 
 TEST_CASE("pressures below vacuum and a frozen pressure give warnings") {
@@ -181,10 +183,11 @@ TEST_CASE("pressures below vacuum and a frozen pressure give warnings") {
                             : i < 9 ? 104.0
                                     : 99.5 + i,
                             7 + i);
-    CHECK(
-        record_faults(text) ==
-        "warning 3:6: boom.inlet_pressure is -1.5 bar, below vacuum (1 of 12 samples) | no pressure is below vacuum: check the sign of the sensor's readings\n"
-        "warning 6:6: boom.inlet_pressure stays at 104 bar up to line 10, and then jumps by 4.5 bar | the sensor or the logger may have stopped for a time: leave these rows out\n");
+    CHECK(record_faults(text) ==
+          "warning 3:6: boom.inlet_pressure is -1.5 bar, below vacuum (1 of 12 samples) | no pressure is below vacuum: "
+          "check the sign of the sensor's readings\n"
+          "warning 6:6: boom.inlet_pressure stays at 104 bar up to line 10, and then jumps by 4.5 bar | the sensor or "
+          "the logger may have stopped for a time: leave these rows out\n");
 }
 
 TEST_CASE("a pressure that starts smoothly from rest is not frozen, and neither is one that moves a little") {
@@ -216,7 +219,9 @@ TEST_CASE("jittering times are resampled to whole periods, but not across a gap"
               doctest::Approx(time_ms < 110 ? time_ms / 4 : 300 - time_ms / 4));
     }
     CHECK(record_faults(text) ==
-          "warning 1:1: the times differ by up to 1 ms from whole periods of 20 ms | readings at whole periods are interpolated linearly between neighbouring samples\nwarning 8:1: 3 samples are missing before this one | windows and slopes do not extend across the gap\n");
+          "warning 1:1: the times differ by up to 1 ms from whole periods of 20 ms | readings at whole periods are "
+          "interpolated linearly between neighbouring samples\nwarning 8:1: 3 samples are missing before this one | "
+          "windows and slopes do not extend across the gap\n");
 }
 
 TEST_CASE("a record whose clock changes its rate is refused") {

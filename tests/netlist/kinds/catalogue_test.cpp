@@ -14,7 +14,8 @@ using namespace placedpar;
 TEST_CASE("a second kind of the same name is refused") {
     Catalogue catalogue;
     add_csp_kinds(catalogue);
-    CHECK_THROWS_WITH_AS(add_csp_kinds(catalogue), "the process kind \"csp.producer\" is in the catalogue already; use another name",
+    CHECK_THROWS_WITH_AS(add_csp_kinds(catalogue),
+                         "the process kind \"csp.producer\" is in the catalogue already; use another name",
                          std::logic_error);
     CHECK_THROWS_WITH_AS(catalogue.add_device({.name = "edge", .noun = "an edge", .about = ""}),
                          "the device kind \"edge\" is in the catalogue already; use another name", std::logic_error);
