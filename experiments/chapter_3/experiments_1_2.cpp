@@ -98,16 +98,16 @@ void add_errors(Comparison& comparison, const ThesisExperiment& way, const BoomD
     auto identified = identify_boom(data, model, rising_way(), seed);
     auto generations = watch_search(data, identified.samples, rising_way(), seed);
     auto add = [&](const char* row, double value) { comparison.add(plain_cell(row, way.name, "in^3/s", value, 2)); };
-    add("Error, mean of the population, first", generations.front().mean_error_in3_per_s);
+    add("Error, population mean, generation 1", generations.front().mean_error_in3_per_s);
     add("  last generation", generations.back().mean_error_in3_per_s);
-    add("Error of the best individual, first", generations.front().best_error_in3_per_s);
+    add("Error, best individual, generation 1", generations.front().best_error_in3_per_s);
     add("  of the last generation", generations.back().best_error_in3_per_s);
 }
 
 /// Tests the thesis's "decreasing monotonically" without noise, for the best of all codes in every window.
 void add_clean_errors(Comparison& comparison, const ThesisExperiment& way, const BoomData& clean) {
     auto least = least_errors(clean, samples_while_rising(clean, model_of(clean, way.from)), rising_way());
-    comparison.add(plain_cell("Error without noise, best code, first", way.name, "in^3/s", least.front(), 2));
+    comparison.add(plain_cell("noise-free Error, best code, window 1", way.name, "in^3/s", least.front(), 2));
     comparison.add(plain_cell("  last window", way.name, "in^3/s", least.back(), 2));
     comparison.add(judged_cell("  how often it rises", way.name, "", 0, static_cast<double>(rises(least)), 0, 0));
 }

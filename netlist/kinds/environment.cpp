@@ -31,7 +31,8 @@ void note(const Process& self, const Measurement& measurement, ReplayLog& histor
 } // namespace
 
 void ProcessEnvironment::throw_no_parameter(std::string_view parameter) const {
-    throw std::logic_error(fmt::format("process {} has no parameter {} of that type", process_, parameter));
+    throw std::logic_error(
+        fmt::format("process {} has no parameter {} of the type that its code asks for", process_, parameter));
 }
 
 void ProcessEnvironment::throw_other_protocol(const AnyChannel& channel) const {
