@@ -51,7 +51,7 @@ void Timeline::finish(const RunResult& result) {
 /// Returns whether the trace goes on now; ends it if its window or its limit is exceeded.
 bool Timeline::taking(Time now) {
     if (!end_ && now > window_.until) {
-        shut(window_.until, "the trace ends here by request");
+        shut(window_.until, "end of the part that is traced");
     } else if (!end_ && entries_ >= window_.most_entries) {
         full_at_ = now;
         shut(now, "the trace is full");

@@ -28,7 +28,7 @@ constexpr std::string_view databook_scheduler = "databook (3rd ed., 1992), 1.3";
 
 std::vector<Constant> of_links() {
     constexpr std::string_view group = "links";
-    constexpr std::string_view rates = "fitted to measured rates; published: 5 to 6 bit times (D. Jeffery, 1989)";
+    constexpr std::string_view rates = "measured data rates; published: 5 to 6 bit times (D. Jeffery, 1989)";
     using enum Provenance;
     return {
         {group, "speed, if the netlist states none", in_mega(LinkTiming::usual_speed), "Mbit/s", published,
@@ -38,7 +38,7 @@ std::vector<Constant> of_links() {
         {group, "time from a byte to its acknowledge", LinkTiming::acknowledge_tenths / 10.0, "bits", fitted, rates},
         {group, "time from an acknowledge to the next byte", LinkTiming::restart_tenths / 10.0, "bits", fitted, rates},
         {group, "in addition, at any speed", in_ns(LinkTiming::restart_logic), "ns", fitted,
-         "fitted to measured rates, also at 5 and 10 Mbit/s in both directions"},
+         "measured data rates, also at 5 and 10 Mbit/s in both directions"},
         {group, "a metre of wire", in_ns(LinkTiming::metre_of_wire), "ns", published,
          "a common figure for transmission lines"},
         {group, "a switch, one way", Crossbar::crossing_delay / 100.0, "bits", published, "C004 manual"},

@@ -293,7 +293,7 @@ class BadInput(InFolder):
                 (["slaves=0..65535", "linkspeed=1..65536", "population=1..65536", "master.trials=1..65536"],
                  "the study has too many runs to count: all combinations of 4 settings with several values (65536 of slaves,"),
                 (["slaves=0..3", "--seeds", 2 ** 62], "(4 of slaves), each run with 4611686018427387904 seeds, are more than"),
-                (["--seed", 2 ** 64 - 1, "--seeds", 2], "2 seeds from 18446744073709551615 on exceed the greatest seed")):
+                (["--seed", 2 ** 64 - 1, "--seeds", 2], "2 seeds from 18446744073709551615 on are too many: the greatest seed")):
             with self.subTest(arguments):
                 self.assertIn(message, self.sweep(FIGURE_E2, *arguments, "--yes", code=1))
         self.assertEqual(os.listdir(self.folder), [])

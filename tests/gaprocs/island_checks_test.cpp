@@ -155,7 +155,7 @@ TEST_CASE("islands that never exchange because the run ends before are a warning
         return said_of(3, and_of_the_last(every, "problem = \"line\", first_window = 10, " + other), ring(3));
     };
     CHECK(last("exchange_every = 15", "exchange_every = 15").empty());
-    check_says(last("exchange_every = 16", "exchange_every = 16"), "every 16 generations, and the run has 15");
+    check_says(last("exchange_every = 16", "exchange_every = 16"), "after 16 generations, but the run has only 15");
     std::string by_mail = last("schedule = \"asynchronous(16)\"", "schedule = \"asynchronous(16)\"");
     check_says(by_mail, "warning: \"island[2]\" never exchanges");
     CHECK(by_mail.find("\"island[0]\"") == std::string::npos);
@@ -176,7 +176,7 @@ TEST_CASE("connections of another topology than the parameter says are refused")
                "topology \"hypercube\" of 4 islands");
     check_says(said_of(3, all(", topology = \"none\""), ring(3)), "but to no island in the topology");
     check_says(said_of(3, all(", topology = \"cube\""), ring(3)), "it is one of ring(ways = 1)");
-    check_says(said_of(10, all(", topology = \"torus(3)\""), ring(10)), "expected rows that divide 10: 1, 2, 5, 10");
+    check_says(said_of(10, all(", topology = \"torus(3)\""), ring(10)), "expected a divisor of 10: 1, 2, 5, 10");
 }
 
 TEST_CASE("more emigrants than individuals, than a message holds or than can be accepted are refused") {

@@ -357,7 +357,7 @@ TEST_CASE("parameters that need a record are refused for a problem without one")
 
 TEST_CASE("a reproduction that an objective does not allow is refused at its parameter") {
     says(refusal_of_sphere("", ", reproduction = \"roulette\""),
-         "farm.cfs:5:41: error: reproduction by roulette discards individuals of fitness <= 0");
+         "farm.cfs:5:41: error: reproduction by roulette discards individuals with fitness <= 0");
     CHECK(refusal_of_sphere("", ", reproduction = \"tournament\"").empty());
 }
 
@@ -374,7 +374,7 @@ TEST_CASE("operators and codings that do not fit the strings are refused at thei
     auto line = [](const char* given) {
         return refusal("master", fmt::format("master (problem = \"line\", slaves = 2, {});", given));
     };
-    says(line("coding = \"real\""), "farm.cfs:5:39: error: this problem has no real numbers to be bred");
+    says(line("coding = \"real\""), "farm.cfs:5:39: error: the coding \"real\" has no meaning for this problem");
     says(line("coding = \"grey\""), "did you mean \"gray\"?");
     says(line("coding = \"gray(65)\""), "dont_care = 65 is out of range");
     says(line("mutation_operator = \"swap\""), "does not fit binary strings: expected bit");

@@ -33,7 +33,7 @@ TEST_CASE("a device is described by its attributes, with the model's values as d
     CHECK(contains(module,
                    "clock                        int     default 20000000       1 .. 1000000000              Hz"));
     CHECK(contains(module, "noprofile, pagesize\n"));
-    CHECK(contains(print_kind(catalogue, "T414"), "a byte is acknowledged when it has come in"));
+    CHECK(contains(print_kind(catalogue, "T414"), "each byte is acknowledged when it has arrived"));
     CHECK(contains(print_kind(catalogue, "t800"), "memory                       int     default 4096 "));
     CHECK(print_kind(catalogue, "C004") ==
           "C004\nA crossbar switch: its crosspoints connect its links to each other. If "

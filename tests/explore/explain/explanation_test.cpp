@@ -72,7 +72,7 @@ TEST_CASE("a run that took no time has no shares") {
 }
 
 TEST_CASE("the report says why a path was not kept, and what to do") {
-    CHECK(says(half_busy(), "critical path: not kept: it has more than"));
+    CHECK(says(half_busy(), "critical path: too long to keep: it has more than"));
     CHECK(says(half_busy(), "--until"));
 }
 

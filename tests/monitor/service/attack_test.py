@@ -203,7 +203,7 @@ class Files(ServiceTest):
         self.assertEqual(client.ask(**boom(20))["kept"], False)
         time.sleep(1.5)
         self.assertEqual(self.state.read_text(), "somebody else's")
-        self.assertIn("another file is in its place", service.said() + json.dumps(
+        self.assertIn("another file has taken its name", service.said() + json.dumps(
             self.client(service, "digger", role="watch").receive()))
         self.state.unlink()
         client.receive_type("estimates")

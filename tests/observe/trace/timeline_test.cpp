@@ -186,7 +186,7 @@ TEST_CASE("at a deadlock, at the limit of time and at the end of the window the 
                 wait_for(3us);
         });
         CHECK(traced.run().lines == Lines{"p: delayed 2000 to 3000, timer", "p: delayed 3000 to the end, timer",
-                                          "2000 to 5000: the trace ends here by request"});
+                                          "2000 to 5000: end of the part that is traced"});
     }
 }
 
