@@ -44,8 +44,8 @@ struct BitMutation {
 struct DistanceMutation {
     static constexpr std::string_view
         name = "distance",
-        about = "bits are flipped as with " bit
-                ", but a random number is drawn only for the distance to the next flipped bit",
+        about =
+            "bits are flipped as with bit, but a random number is drawn only for the distance to the next flipped bit",
         source = "thesis 1.1, with other random draws";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::binary; }
