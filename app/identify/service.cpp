@@ -145,8 +145,8 @@ std::string print_beginning(const Identifying& identifying, const IdentifyOption
 }
 
 [[noreturn]] void refuse_rest(const Identifying& identifying) {
-    throw UnfitRecord(fmt::format("no movement in {}: in a movement, a valve opens long enough while the "
-                                  "pressure lets oil flow into the cylinder",
+    throw UnfitRecord(fmt::format("no movement in {}: expected a valve that opens for long enough while the pressure "
+                                  "lets oil flow into the cylinder",
                                   counted(identifying.diagnosis().samples(), "sample")));
 }
 

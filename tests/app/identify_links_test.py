@@ -62,8 +62,8 @@ class Links(unittest.TestCase):
             self.assertEqual(sorted(link["link"] for link, _ in answers), sorted(links.split(",")))
             for link, _ in answers:
                 self.assertAlmostEqual(link["compliance"] / TRUE[link["link"]], 1, delta=0.1, msg=(configuration, link))
-            self.assertRegex(printed, r"least possible standard error with the noise of these samples \(Cramer-Rao limit\): \w+ [\d.]+ %")
-            self.assertRegex(printed, r"cost: \d+ individuals, evaluated at 1\d\d samples; \d+ s on one T800 of 20 MHz, \d+ s on 16 T800s")
+            self.assertRegex(printed, r"least possible standard error with the noise of these samples \(Cramer-Rao bound\): \w+ [\d.]+ %")
+            self.assertRegex(printed, r"cost: \d+ individuals, each evaluated at 1\d\d samples; this takes \d+ s on one T800 of 20 MHz, \d+ s on 16 T800s")
 
     def test_too_few_generations_over_the_whole_movement_are_flagged_and_strict_exits_with_3(self):
         links = CONFIGURATIONS["e"]
