@@ -43,9 +43,10 @@ std::string print_recognition(const Recognition& found) {
             text += fmt::format("{}{} in {}", text.empty() ? "configuration recognised: " : ", ", name_of(each),
                                 counted(samples, "sample"));
     if (found.judged > 0)
-        text += fmt::format("\nright by the record's column: {:.2f} % of {}; {} of {} within two samples",
-                            100 * static_cast<double>(found.right) / static_cast<double>(found.judged),
-                            counted(found.judged, "sample"), found.soon, counted(found.changes, "change"));
+        text +=
+            fmt::format("\nagrees with the record's column in {:.2f} % of {}; {} of {} recognised within two samples",
+                        100 * static_cast<double>(found.right) / static_cast<double>(found.judged),
+                        counted(found.judged, "sample"), found.soon, counted(found.changes, "change"));
     return text + "\n";
 }
 
@@ -72,13 +73,14 @@ std::string print_sets(const std::vector<SetAnswer>& sets) {
 }
 
 std::string print_links(const std::vector<LinkIdentified>& links, LinkSet wanted) {
-    std::string text = "\nall sets together:\n" + compliance_heading() + "\n", flags;
+    std::string text = "\nall sets combined:\n" + compliance_heading() + "\n", flags;
     for (Link link : all_links) {
         const auto found = std::ranges::find(links, link, &LinkIdentified::link);
         if (!wanted.contains(link))
             continue;
         if (found == links.end()) {
-            text += fmt::format("! {}: no answer: it moves too little or its sets are all doubtful\n", name_of(link));
+            text += fmt::format("! {}: no answer: the link moves too little, or all its sets are doubtful\n",
+                                name_of(link));
             continue;
         }
         text += print_compliance_of(*found) + "\n";

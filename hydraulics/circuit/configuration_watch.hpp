@@ -15,7 +15,7 @@ struct ValveReading {
     PerLink<double> piston_in3; ///< piston_in3_per_rad times the joint's angle
 };
 
-/// What happened from one reading to the next.
+/// The state and the flows of the main valve between two successive readings.
 struct ValveInterval {
     ValveReading end{};
     Configuration configuration = Configuration::a; ///< at the end
@@ -31,20 +31,20 @@ struct ValveInterval {
 /// The junctions' pressures follow by integration from the areas and the cylinders' pressures, and the configuration
 /// from them by the rule of 2.4, as in the machine. Where a pressure just reaches a limit, the noise of the readings
 /// decides, and the rule may stay in the wrong state for seconds. Therefore the flows into the cylinders are compared
-/// with what moves the pistons and expands the hoses. If another position of the cross-over valves, taken within the
-/// last `reach` intervals, explains these flows much better, it replaces the present one.
+/// with the flows that move the pistons and expand the hoses. Another position of the cross-over valves replaces the
+/// present one if it explains these flows much better and a change to it lies within the last `reach` intervals.
 class ConfigurationWatch {
 public:
     static constexpr std::size_t reach = 4; ///< intervals
     static constexpr std::size_t span = 8;  ///< intervals of a sample: long, so that noise hardly changes its slopes
 
-    /// `compliance_in3_per_psi` are those of healthy links. A deviation of a third to either side does no harm.
+    /// `compliance_in3_per_psi`: compliances of healthy links. True compliances may differ from them by up to a third.
     ConfigurationWatch(const MainValve&, const CrossOverLimits&, const PerLink<double>& compliance_in3_per_psi,
                        double period_s);
 
     /// Takes the next reading, one period after the last.
     void take(const ValveReading&);
-    /// Forgets the intervals after a gap in the readings. The configuration stays.
+    /// Forgets the recent intervals, but keeps the configuration. Call it after a gap in the readings.
     void restart();
 
     Configuration configuration() const { return last_.configuration; }

@@ -158,7 +158,7 @@ std::vector<LinkIdentified> combined_links(const std::vector<SetAnswer>& sets) {
                 found.flags.push_back(
                     {FlagKind::inconsistent,
                      fmt::format("inconsistent: {} finds {:.5f} in^3/psi (standard error {:.5f}), all "
-                                 "sets together {:.5f} in^3/psi (cross-check 1)",
+                                 "sets combined {:.5f} in^3/psi (cross-check 1)",
                                  name_of_set(set), result.compliance_in3_per_psi, result.standard_error,
                                  mean.compliance_in3_per_psi)});
         }
@@ -177,12 +177,12 @@ std::string locate_faults(const std::vector<LinkIdentified>& links, const PerLin
                 wrong.push_back(&link);
         const bool shared = wrong.size() == 2 && off(*wrong[0], healthy) * off(*wrong[1], healthy) > 0;
         for (const LinkIdentified* link : wrong)
-            text += fmt::format("{}: {:+.0f} % off the constants of the machine in all sets: check {}\n",
+            text += fmt::format("{}: {:+.0f} % in all sets against the constants of the machine: check {}\n",
                                 name_of(link->link), 100 * off(*link, healthy),
-                                shared ? "what both links of its branch share, the pump and the supply of the valves"
-                                       : "its own hose, cylinder and oil");
+                                shared ? "the pump and the supply of the valves, which both links of the branch share"
+                                       : "the link's hose, cylinder and oil");
     }
-    return text.empty() ? "no link without a flag is off the constants of the machine\n" : text;
+    return text.empty() ? "every link without a flag agrees with the constants of the machine\n" : text;
 }
 
 } // namespace placedpar::identification

@@ -12,7 +12,7 @@ namespace placedpar::identification {
 /// Returns whether configurations can be recognised from a record: all links have inlet pressure, angle and areas.
 bool recognisable(const hydraulics::ChannelSet& there);
 
-/// How often the recognised configuration was that of the record's column.
+/// How often the recognised configuration agreed with the column of configurations in the record.
 struct Recognition {
     std::array<std::size_t, hydraulics::all_configurations.size()> samples{}; ///< of each recognised configuration
     std::size_t judged = 0, right = 0;
@@ -59,20 +59,20 @@ private:
     std::size_t readings_ = 0;
     hydraulics::Configuration before_{};
     std::vector<hydraulics::LinkSet> in_use_;
-    std::vector<Pending> pending_;                    ///< samples near whose ends the configuration may still change
+    std::vector<Pending> pending_; ///< samples whose last readings may still get another configuration
     std::map<hydraulics::LinkSet, std::size_t> next_; ///< reading of the next sample: samples of a set do not overlap
     std::map<hydraulics::LinkSet, SetSearch> searches_;
     Recognition recognition_;
-    char truth_ = '-';              ///< of the last sample
-    std::size_t awaited_until_ = 0; ///< reading until which its change counts as recognised soon
+    char truth_ = '-';              ///< the column's configuration at the last sample
+    std::size_t awaited_until_ = 0; ///< last reading at which recognising the change counts as soon
 };
 
 /// Returns the answer for each link: the mean over its sets, weighed by their errors. A link is flagged if its sets
 /// disagree (cross-check 1 of 3.3) or the mean is uncertain. Links without an answer of any set are left out.
 std::vector<LinkIdentified> combined_links(const std::vector<SetAnswer>& sets);
 
-/// Says in a sentence a line where a fault is (cross-check 2 of 3.3): in the links whose compliance is off in all sets,
-/// or in what the two links of a branch share.
+/// Returns the text of cross-check 2 (3.3), one line for each fault. A fault is in a link whose compliance is wrong in
+/// all sets, or in what both links of a branch share.
 std::string locate_faults(const std::vector<LinkIdentified>& links, const hydraulics::PerLink<double>& healthy);
 
 } // namespace placedpar::identification

@@ -13,7 +13,7 @@
 
 namespace placedpar::identification {
 
-/// What one population set found.
+/// The answer of one population set.
 struct SetAnswer {
     hydraulics::LinkSet set;
     std::string configurations; ///< in which the set was searched, such as "ad"
@@ -30,11 +30,11 @@ public:
 
     SetSearch(hydraulics::LinkSet set, const WholeWay& way, const hydraulics::FlowConstants& flow, RandomStream random);
 
-    /// Adds a sample in the order of the circuit of this configuration. Of more than 1,024, the first are forgotten.
+    /// Adds a sample in the order of the circuit of this configuration. Keeps the last 1,024 samples.
     void add(hydraulics::Configuration, hydraulics::CircuitSample sample);
     /// Makes the generations of a round if there are enough samples, and new ones since the last round.
     void round();
-    /// Makes up for rounds that lack, and returns the answer; nullopt if there are too few samples.
+    /// Makes the rounds that are still missing and returns the answer, or nullopt if there are too few samples.
     std::optional<SetAnswer> answer();
 
 private:
