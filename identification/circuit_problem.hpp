@@ -12,12 +12,12 @@
 
 namespace placedpar {
 
-/// The search problem of finding all compliances of a circuit together (thesis 3.1 and 3.2). The string has `bits` bits
-/// for each junction, in the circuit's order, which code a compliance from 0 to 0.1 in^3/psi. A sample holds the values
-/// of the junctions' LinkSamples, one junction after the other.
+/// The search for all compliances of a circuit together (thesis 3.1 and 3.2). The string codes one compliance for each
+/// junction, in the circuit's order: `bits` bits for a value from 0 to 0.1 in^3/psi. A sample holds the values of the
+/// junctions' LinkSamples, one junction after the other.
 class CircuitProblem {
 public:
-    /// The upper end of the range of search; thesis 3.1.1: 0.1 > C > 0.0.
+    /// The upper end of the searched range; thesis 3.1.1: 0.1 > C > 0.0.
     static constexpr double largest_in3_per_psi = 0.1;
     /// The number of bits for one compliance; thesis 3.2 has 20 bits for two compliances.
     static constexpr std::size_t usual_bits = 10;
@@ -27,7 +27,8 @@ public:
     using CompliancesOf = boost::container::static_vector<T, hydraulics::all_links.size()>;
     using Compliances = CompliancesOf<double>;
 
-    /// Throws std::invalid_argument if the circuit has no junction or more than 4, and what ParameterCoding throws.
+    /// Throws std::invalid_argument if the circuit has no junction or more than 4. Also throws what ParameterCoding
+    /// throws.
     CircuitProblem(hydraulics::Circuit circuit, hydraulics::FlowConstants flow, std::size_t bits = usual_bits)
         : CircuitProblem(circuit, flow, bits, hydraulics::printed_inlet_flow(circuit.size())) {}
     CircuitProblem(hydraulics::Circuit circuit, hydraulics::FlowConstants flow, std::size_t bits,
@@ -38,7 +39,7 @@ public:
     const hydraulics::Circuit& circuit() const { return circuit_; }
     hydraulics::InletFlow inlet_flow() const { return form_; }
     const ParameterCoding& coding() const { return coding_; }
-    /// Returns the field of the string that codes a compliance; all have the same range.
+    /// Returns the first junction's field of the string. The fields of all junctions have the same range.
     const ParameterField& field() const { return coding_.field(0); }
 
     template <BinaryString G>
@@ -49,9 +50,9 @@ public:
     CompliancesOf<Lanes<width>> parameters_of_several(const StringsInLanes<width, gray>& strings) const {
         return compliances_of<Lanes<width>>(strings);
     }
-    /// Returns the terms of a sample that error_of() needs.
+    /// Returns the terms of the equations that depend only on the sample, for error_of().
     hydraulics::CircuitTerms prepared(std::span<const double> sample) const;
-    /// Returns the error of one set of compliances; if T is an array type, of several sets.
+    /// Returns the error of a set of compliances; if T is `Lanes`, the errors of several sets.
     template <typename T>
     T error_of(std::span<const T> compliances, const hydraulics::CircuitTerms& prepared) const {
         return hydraulics::circuit_error_in3_per_s<T>(circuit_, compliances, prepared, flow_, form_);

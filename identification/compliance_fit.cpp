@@ -84,8 +84,8 @@ ComplianceFit fit_at(const PerLinkVector& compliance, const Eigen::VectorXd& mis
     return fit;
 }
 
-/// Returns the fitness of every string. The index of a string is the string as a number, whose leftmost bits are the
-/// code of the first junction. Unlike in a search, the fitness is not rounded.
+/// Returns the fitness of every string. The index of a string is the string read as a number. Its leftmost bits are the
+/// first junction's code. Unlike in a search, the fitness is not rounded.
 std::vector<double> fitness_of_all(const Circuit& circuit, std::span<const CircuitSample> window,
                                    const FlowConstants& flow, InletFlow form, std::size_t bits, double largest,
                                    double bias) {
@@ -123,7 +123,8 @@ std::optional<ComplianceFit> fit(const Circuit& circuit, std::span<const Circuit
             return std::nullopt;
         if (step.cwiseAbs().maxCoeff() < settled)
             return fit_at(compliance, missing, normal);
-        // Far from the solution a full step may reach another branch of the square root, so the step is halved.
+        // Far from the solution a full step may reach another branch of the square root. So the step is halved until
+        // the missing flows are not greater than before.
         Eigen::VectorXd then = residuals(compliance - step);
         while (then.squaredNorm() > missing.squaredNorm() && step.cwiseAbs().maxCoeff() >= settled) {
             step /= 2;

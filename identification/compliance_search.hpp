@@ -11,12 +11,13 @@
 
 namespace placedpar::identification {
 
-/// States which compliances of a record to identify, and how to interpret its readings.
+/// States which compliances to identify from a record, and how to interpret the record's readings.
 struct Question {
     hydraulics::Configuration configuration = hydraulics::Configuration::a;
     hydraulics::LinkSet links = {hydraulics::Link::boom};
     std::optional<double> spool_offset_in; ///< offset that is subtracted from the readings of the boom's spool
-    std::optional<hydraulics::AreasFrom> areas_from = {}; ///< nullopt: the first source that the record has
+    std::optional<hydraulics::AreasFrom> areas_from = {}; ///< nullopt: the first of areas, spool and servo that the
+                                                          ///< record has
     hydraulics::Side side = hydraulics::Side::inlet;
 };
 
@@ -31,8 +32,9 @@ struct ComplianceSearch {
 /// Returns the resolution of the spool's sensor.
 double spool_sensor_step_in(const hydraulics::Parameters& machine);
 
-/// Throws UserError if the links do not belong to one coupled group of the configuration, or if the question is about
-/// an outlet side other than the boom's. Throws UnfitRecord if the record lacks a channel.
+/// Throws UserError if the links do not belong to one coupled group of the configuration. For the outlet side, also
+/// throws UserError if a link other than the boom is asked for, or if areas_from is AreasFrom::areas. Throws
+/// UnfitRecord if the record lacks a needed channel.
 ComplianceSearch prepare(const hydraulics::Record& record, const hydraulics::Parameters& machine,
                          const Question& question, const IdentificationWay& way);
 

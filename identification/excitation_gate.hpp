@@ -4,15 +4,16 @@
 
 namespace placedpar::identification {
 
-/// Stops the search while a link's pressure moves too slowly over the window: then the samples contain no information,
-/// and a search would follow the noise. A sufficient flow into the compliance also opens the gate, so that a soft hose,
-/// whose pressure rises slowly, still passes.
+/// Stops the search while a link's pressure changes too slowly over the window. The search would then follow the noise.
+/// The gate opens at a sufficient slope of the pressure, or at a sufficient flow into the compliance. The second
+/// condition admits a soft hose, whose pressure rises slowly.
 struct ExcitationGate {
-    double slope_psi_per_s = 800; ///< least rms slope; ours: with up to medium noise, 9 of 10 estimates are within 10 %
+    double slope_psi_per_s = 800; ///< least rms slope; ours: with up to medium noise, 9 of 10 estimates are right to 10
+                                  ///< %
 
-    /// The thesis's compliance, at which the limits on slope and on flow are equal.
+    /// The thesis's compliance. At this compliance both conditions are met at the same slope.
     static constexpr double thesis_in3_per_psi = 0.0086;
-    /// The required share of the slope while no compliance has been found: 150 psi/s, as in UsableSamples.
+    /// While no compliance has been found, this share of `slope_psi_per_s` suffices: 150 psi/s, as in UsableSamples.
     static constexpr double first_share = 150. / 800;
 
     /// Returns whether the search may run, given the rms slope over a window and the latest compliance.

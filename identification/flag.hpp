@@ -11,28 +11,28 @@ namespace placedpar::identification {
 enum class FlagKind : unsigned char {
     lower_bound,   ///< the answer is at the search's lower bound
     upper_bound,   ///< the answer is at the search's upper bound
-    no_excitation, ///< the pressure hardly moves
-    misfit,        ///< the circuit's equations miss the flow by more than the bias allows
+    no_excitation, ///< the pressure hardly changes
+    misfit,        ///< the rms error of the circuit's equations exceeds the root of the bias
     still_valve,   ///< the valve reading never changes
     unsettled,     ///< the best individuals of the last generations disagree
     inconsistent,  ///< the population sets disagree: cross-check 1 of thesis 3.3
     halves,        ///< the two halves of the samples disagree
-    uncertain,     ///< the standard error is too large a share of the answer
-    offset,        ///< a spool offset was found, which may be a leak
+    uncertain,     ///< the relative standard error is too large
+    offset,        ///< the calibration found a spool offset, which may really be a leak
     vacuum,        ///< a pressure is below vacuum
-    frozen,        ///< the pressure's sensor freezes and then jumps
+    frozen,        ///< the pressure's reading stays constant, then jumps
     falls,         ///< the piston retracts while oil flows in
-    unconfirmed,   ///< least squares finds another compliance, or an uncertain one
+    unconfirmed,   ///< least squares finds another compliance, or one with a large standard error
     impossible,    ///< physically impossible readings, such as single outliers
     leak_or_offset ///< a leak or an offset; the record does not tell which
 };
 
-/// Returns the name used in machine-readable results: "lower_bound".
+/// Returns the name used in machine-readable results, such as "lower_bound".
 std::string_view name_of(FlagKind);
 
 struct Flag {
     FlagKind kind;
-    std::string text; ///< a sentence that includes the numbers
+    std::string text; ///< a sentence for the user, with the figures
 };
 
 /// The result of least squares on a set of samples.
@@ -45,12 +45,12 @@ struct LeastSquares {
 };
 
 /// The relative standard error above which a compliance is flagged. The value is ours: with a standard error of 10 %,
-/// one answer in three is wrong by more than the thesis's 10 %.
+/// one answer in three is wrong by more than 10 %.
 inline constexpr double uncertain_share = 0.1;
 
-/// These functions return whether an answer is at an end of the search's range; `step` is the resolution of the search.
-/// A spool offset can make the data fit best at a compliance that is negative or beyond the range. The search then
-/// stays at the end of its range.
+/// These functions return whether an answer is within two or three steps of an end of the search's range. A step is the
+/// difference between neighbouring codes. A spool offset can make the data fit best at a compliance that is negative or
+/// beyond the range. The search then stays at the end of its range.
 bool at_lower_bound(double compliance_in3_per_psi, double step_in3_per_psi);
 bool at_upper_bound(double compliance_in3_per_psi, double step_in3_per_psi);
 

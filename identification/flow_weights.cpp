@@ -8,11 +8,11 @@ namespace {
 
 using Square = PerJunction<PerJunction<double>>;
 
-/// The least scatter of each flow, about the resolution of the readings. Without this limit, records without noise
-/// would give some directions unlimited weight.
+/// The scatter that is added to each flow: about the resolution of the readings. Without it, some combinations of flows
+/// would get unlimited weight in records without noise.
 constexpr double least_scatter_in3_per_s = 0.1;
-/// With few samples, the scatter in some direction looks too small. Therefore shrinkage * mean * junctions / samples^2
-/// is added to the scatter of each flow, where `mean` is the mean scatter of the flows.
+/// With few samples, the scatter of some combination of flows looks too small. Therefore shrinkage * mean * junctions /
+/// samples^2 is added to the scatter of each flow, where `mean` is the mean scatter of the flows.
 constexpr double shrinkage = 10;
 
 Square covariance_at(const Circuit& circuit, std::span<const CircuitSample> samples, const FlowConstants& flow,
@@ -46,7 +46,6 @@ void factorise(Square& matrix, std::size_t size) {
         }
 }
 
-/// Returns the inverse of a lower triangular matrix.
 Square inverse(const Square& lower, std::size_t size) {
     Square inverse{};
     for (std::size_t j = 0; j < size; ++j) {

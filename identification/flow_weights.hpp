@@ -11,12 +11,13 @@
 
 namespace placedpar::identification {
 
-/// Scales the missing flows of a circuit by their own scatter. Two junctions share the flow through a bypass, so an
-/// error in the bypass area appears in two missing flows with opposite signs. The sum of absolute values in equation
-/// 3.11 counts this error twice; the weights remove this effect. The weights are ours: the thesis weighs all flows
-/// alike.
+/// Scales the missing flows of a circuit so that they become uncorrelated. Two junctions share the flow through a
+/// bypass, so an error in the bypass area appears in two missing flows with opposite signs. The sum of absolute values
+/// in equation 3.11 counts this error twice; the weights remove this effect. The weights are ours: the thesis weighs
+/// all flows alike.
 struct FlowWeights {
-    /// The inverse of the Cholesky factor of the scatter. Row j has entries for the junctions up to j.
+    /// The inverse of the Cholesky factor of the scatter (mean products of the missing flows), times a constant. Row j
+    /// has entries for the junctions up to j.
     hydraulics::PerJunction<hydraulics::PerJunction<double>> rows{};
 
     /// Returns the scaled flows of the first `junctions` junctions. T is double or Lanes.
@@ -32,14 +33,32 @@ struct FlowWeights {
     }
 };
 
-/// Returns weights computed from the scatter of the missing flows at these compliances. The scaled flows are
-/// uncorrelated, and the sum of their mean squares is `mean_square`. REQUIRES: samples of this circuit, at least one; a
-/// compliance for each junction.
+/// Returns the weights for the scatter of the missing flows at these compliances. The mean squares of the scaled flows
+/// add up to `mean_square`. REQUIRES: samples of this circuit, at least one; a compliance for each junction.
 FlowWeights weights_at(const hydraulics::Circuit& circuit, std::span<const hydraulics::CircuitSample> samples,
                        const hydraulics::FlowConstants& flow, std::span<const double> compliance_in3_per_psi,
                        double mean_square);
 
-/// A CircuitProblem whose error is the root of the sum of squares of the scaled flows.
+/// The mean square of the weighed error at the best individual, as a share of the bias of equation 3.9. Fitness then
+/// selects equally well at each level of noise.
+inline constexpr double share_of_bias = 0.25;
+
+/// Returns the root of the sum of squares of the scaled flows.
+template <typename T>
+T weighed_error(const hydraulics::Circuit& circuit, std::span<const T> compliances,
+                const hydraulics::CircuitTerms& terms, const hydraulics::FlowConstants& flow,
+                const FlowWeights& weights) {
+    using std::sqrt;
+    auto missing =
+        hydraulics::missing_flows_in3_per_s<T>(circuit, compliances, terms, flow, hydraulics::InletFlow::as_signed);
+    auto scaled = weights.scaled<T>(missing, circuit.size());
+    T squares = scaled[0] * scaled[0];
+    for (std::size_t j = 1; j < circuit.size(); ++j)
+        squares += scaled[j] * scaled[j];
+    return sqrt(squares);
+}
+
+/// A CircuitProblem whose error is weighed_error().
 class WeighedCircuit : public CircuitProblem {
 public:
     WeighedCircuit(const CircuitProblem& problem, const hydraulics::FlowConstants& flow, const FlowWeights& weights)
@@ -47,14 +66,7 @@ public:
 
     template <typename T>
     T error_of(std::span<const T> compliances, const hydraulics::CircuitTerms& terms) const {
-        using std::sqrt;
-        auto missing = hydraulics::missing_flows_in3_per_s<T>(circuit(), compliances, terms, flow_,
-                                                              hydraulics::InletFlow::as_signed);
-        auto scaled = weights_.scaled<T>(missing, circuit().size());
-        T squares = scaled[0] * scaled[0];
-        for (std::size_t j = 1; j < circuit().size(); ++j)
-            squares += scaled[j] * scaled[j];
-        return sqrt(squares);
+        return weighed_error<T>(circuit(), compliances, terms, flow_, weights_);
     }
     template <typename T>
     T error_of(std::span<const T> compliances, std::span<const double> sample) const {

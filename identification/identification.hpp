@@ -18,10 +18,12 @@ namespace placedpar::identification {
 struct LinkIdentified {
     hydraulics::Link link;
     double compliance_in3_per_psi = 0;
-    double standard_error = 0; ///< standard error of least squares on the last window
-    /// Least squares over all samples; identify() sets it only for several links.
+    double standard_error = 0; ///< standard error of least squares: on the last window in identify(), on all samples in
+                               ///< identify_whole()
+    /// Least squares over all samples. identify() computes it only for several links.
     std::optional<LeastSquares> of_all_samples = {};
-    /// The best of all codes on the last window; nullopt if the string is longer than exhaustive_bits.
+    /// The compliance in the best of all strings on the last window; nullopt if not computed, as for strings longer
+    /// than exhaustive_bits.
     std::optional<double> optimum = {};
     std::optional<double> codes_from_optimum = {}; ///< distance of the answer from `optimum`, in codes
     std::vector<Flag> flags = {};                  ///< empty if nothing is unusual
@@ -39,8 +41,8 @@ struct Identified {
 };
 
 /// Identifies the compliances of a circuit from its samples, without simulated transputers. The search draws from the
-/// random stream (seed, "master"), as the process "master" of a netlist does, so this function and the netlist give the
-/// same answer. Throws UnfitRecord, with the reason, if there are too few samples for the first generation.
+/// random stream (seed, "master"), as the process "master" of a netlist does. Therefore this function and the netlist
+/// give the same answer. Throws UnfitRecord, with the reason, if there are too few samples for the first generation.
 Identified identify(const CircuitProblem& problem, const hydraulics::FlowConstants& flow,
                     std::span<const hydraulics::CircuitSample> samples, const IdentificationWay& way,
                     std::uint64_t seed);

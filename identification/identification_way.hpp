@@ -11,11 +11,11 @@
 
 namespace placedpar::identification {
 
-/// The settings of a search as in chapter 3, over one transient of a record. To identify all movements of a record,
-/// with an engineer's improvements, use the diagnosis (on_line/record_diagnosis.hpp).
+/// The settings of a search as in chapter 3, over one transient of a record. To identify every movement of a record, by
+/// an improved method, use the diagnosis (on_line/record_diagnosis.hpp).
 struct IdentificationWay {
     SearchSettings search;
-    std::size_t bits = CircuitProblem::usual_bits; ///< bits of one compliance
+    std::size_t bits = CircuitProblem::usual_bits; ///< bits per compliance
     Coding coding = Coding::natural;
     hydraulics::UsableSamples usable;
     std::optional<ExcitationGate> gate; ///< nullopt: no gate, as in the thesis

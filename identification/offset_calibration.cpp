@@ -15,7 +15,7 @@ using namespace hydraulics;
 
 namespace {
 
-/// A sample of steady motion: its flow is known, its spool is uncertain.
+/// A sample of steady motion. Its flow is trusted; its spool reading may be wrong.
 struct SteadySample {
     double inlet_psi, piston_flow_in3_per_s, spool_in;
 };
@@ -75,7 +75,8 @@ std::vector<SteadySample> steadiest_motion(const Record& record, const LinkCalib
     return motion;
 }
 
-/// Returns the standard error of the mean of the offsets that single samples would give, to first order.
+/// Returns the standard error of the offset. Each sample alone gives an offset, by one Newton step from `offset_in`.
+/// The result is the standard error of the mean of these offsets.
 double standard_error(std::span<const SteadySample> samples, double offset_in, const FlowConstants& flow) {
     constexpr double step_in = 1e-4;
     double sum = 0, squares = 0;

@@ -27,9 +27,9 @@ struct SpoolOffset {
 
 /// Finds the offset of the boom's spool from the record's steadiest motion. Subtracting the offset from the readings
 /// makes the pump's mean flow equal to the cylinder's flow plus the flow to the tank (equations 3.1 to 3.3, without
-/// dP/dt). The boom must move alone, with its areas computed from the spool. Returns nullopt if there is no steady
-/// motion, or if no offset within 0.08 in balances the flow. An error of k or Q has the same effect as an offset: an
-/// error of 1 % shifts the result by 0.0011 to 0.0016 in.
+/// dP/dt). REQUIRES: the boom moves alone, and the areas of its valve are computed from the spool. Returns nullopt if
+/// there is no steady motion, or if no offset within 0.08 in balances the flow. An error of 1 % in the orifice constant
+/// k or the pump's flow Q shifts the result by 0.0011 to 0.0016 in.
 std::optional<SpoolOffset> calibrate_spool_offset(const hydraulics::Record& record,
                                                   const hydraulics::LinkCalibrations& calibrations,
                                                   const hydraulics::FlowConstants& flow,

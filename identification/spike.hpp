@@ -12,8 +12,8 @@ namespace placedpar::identification {
 double greatest_excursion(hydraulics::Sensor sensor, double period_s);
 
 /// Returns whether the middle reading, alone or with one neighbour, stands out from the others. No machine moves like
-/// that, so the logger or the line is at fault. A reading that continues the two readings before it or the two after it
-/// is accepted, since a log may be spliced there. REQUIRES: five readings.
+/// that, so the logger or the signal line is at fault. A reading on the straight line through the two readings before
+/// it, or the two after it, is accepted, since two logs may be joined there. REQUIRES: five readings.
 bool is_spike(std::span<const double> five, double greatest_excursion);
 
 } // namespace placedpar::identification

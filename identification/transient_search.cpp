@@ -17,7 +17,7 @@ using namespace hydraulics;
 
 namespace {
 
-/// Returns whether a link's pressure moves too slowly, given the latest compliance.
+/// Returns whether the gate stays shut for at least one link, given the latest compliances.
 bool is_unexcited(std::span<const CircuitSample> window, std::span<const double> compliance_in3_per_psi,
                   const ExcitationGate& gate) {
     for (std::size_t j = 0; j < compliance_in3_per_psi.size(); ++j)
@@ -34,15 +34,6 @@ std::size_t longest_stretch(std::span<const CircuitSample> samples) {
         longest = std::max(longest, length);
     }
     return longest;
-}
-
-void require_samples(std::span<const CircuitSample> samples, const IdentificationWay& way) {
-    std::size_t needed = samples_for_first_generation(way), found = longest_stretch(samples);
-    if (found < needed)
-        throw UnfitRecord(fmt::format(
-            "{} usable samples{}, expected at least {}: the transient after the valve opens, in which the "
-            "pressure rises faster than {} psi/s, is too short or missing",
-            found, found < samples.size() ? " without a gap" : "", needed, way.usable.first_slope_psi_per_s));
 }
 
 /// Returns the previous estimate with the time of this sample.
@@ -64,6 +55,15 @@ TransientEstimate next_estimate(const CircuitSample& sample, const SearchProblem
 }
 
 } // namespace
+
+void require_samples(std::span<const CircuitSample> samples, const IdentificationWay& way) {
+    std::size_t needed = samples_for_first_generation(way), found = longest_stretch(samples);
+    if (found < needed)
+        throw UnfitRecord(fmt::format(
+            "{} usable samples{}, expected at least {}: the transient after the valve opens, in which the "
+            "pressure rises faster than {} psi/s, is too short or missing",
+            found, found < samples.size() ? " without a gap" : "", needed, way.usable.first_slope_psi_per_s));
+}
 
 SearchRun search_transient(const CircuitProblem& circuit_problem, std::span<const CircuitSample> samples,
                            const IdentificationWay& way, RandomStream random) {

@@ -22,11 +22,7 @@ using namespace hydraulics;
 
 namespace {
 
-/// The mean square of the weighed error of the best individual, as a share of the bias. With a fixed share, the fitness
-/// selects equally well at each level of noise.
-constexpr double share_of_bias = 0.25;
-
-/// The length of the thesis's window. The excitation is judged on this number of samples.
+/// The length of the thesis's window. The excitation is judged on this number of samples at the beginning.
 constexpr std::size_t transient_samples = 10;
 
 std::vector<Sample> values_of(std::span<const CircuitSample> samples) {
@@ -69,7 +65,7 @@ SearchRun search_whole(const ComplianceSearch& prepared, std::span<const Circuit
     return run;
 }
 
-/// Stores the results of weighed least squares beside each answer.
+/// Stores the results of weighed least squares with each answer.
 void compare_with_weighed_fit(Identified& result, std::span<const CircuitSample> samples, const FlowConstants& flow) {
     std::vector<double> found;
     for (const LinkIdentified& link : result.links)
@@ -81,19 +77,6 @@ void compare_with_weighed_fit(Identified& result, std::span<const CircuitSample>
             fit ? LeastSquares{fit->compliance_in3_per_psi[j], fit->standard_error[j]} : LeastSquares{};
         link.standard_error = link.of_all_samples->standard_error;
     }
-}
-
-/// Flags a link whose answer may be wrong by more than 10 %, counting three standard errors. Noise in the readings also
-/// shifts the answer, which two standard errors would not cover.
-void flag_limit(LinkIdentified& link) {
-    constexpr double share = 0.1, errors = 3;
-    const double least = link.of_all_samples->compliance_in3_per_psi;
-    const double off = std::abs(link.compliance_in3_per_psi - least) + errors * link.standard_error;
-    if (std::isfinite(link.standard_error) && off > share * least && !link.flagged(FlagKind::unconfirmed))
-        link.flags.push_back(
-            {FlagKind::uncertain, fmt::format("uncertain: the noise allows a standard error of {:.1f} %, so the answer "
-                                              "may be wrong by more than {:.0f} % (three standard errors)",
-                                              100 * link.standard_error / link.compliance_in3_per_psi, 100 * share)});
 }
 
 } // namespace
@@ -110,6 +93,17 @@ WholeWay whole_way(std::size_t links, Side side) {
     if (side == Side::inlet)
         whole.way.usable.count = exact_fitness_terms;
     return whole;
+}
+
+void flag_limit(LinkIdentified& link) {
+    constexpr double share = 0.1, errors = 3;
+    const double least = link.of_all_samples->compliance_in3_per_psi;
+    const double off = std::abs(link.compliance_in3_per_psi - least) + errors * link.standard_error;
+    if (std::isfinite(link.standard_error) && off > share * least && !link.flagged(FlagKind::unconfirmed))
+        link.flags.push_back(
+            {FlagKind::uncertain, fmt::format("uncertain: the noise allows a standard error of {:.1f} %, so the answer "
+                                              "may be wrong by more than {:.0f} % (three standard errors)",
+                                              100 * link.standard_error / link.compliance_in3_per_psi, 100 * share)});
 }
 
 Identified identify_whole(const ComplianceSearch& prepared, const WholeWay& whole, std::uint64_t seed) {

@@ -24,20 +24,26 @@ struct WholeWay {
 /// answer.
 WholeWay whole_way(std::size_t links, hydraulics::Side side = hydraulics::Side::inlet);
 
-/// Identifies the compliances from all samples together. LinkIdentified::standard_error and of_all_samples are results
-/// of weighed least squares: the least error that the record's noise allows (the Cramer-Rao bound). Uses at most
-/// exact_fitness_terms samples (1,024). Throws UnfitRecord if there are fewer samples than the first generation needs.
+/// Flags a link whose answer may differ by more than 10 % from LinkIdentified::of_all_samples, counting three standard
+/// errors. Noise in the readings also shifts the answer, which two standard errors would not cover.
+void flag_limit(LinkIdentified& link);
+
+/// Identifies the compliances from all samples together. LinkIdentified::standard_error and of_all_samples come from
+/// weighed least squares; the standard error is the least that the record's noise allows (the Cramer-Rao bound). Uses
+/// at most the first 1,024 samples (exact_fitness_terms). Throws UnfitRecord if there are fewer samples than the first
+/// generation needs.
 Identified identify_whole(const ComplianceSearch& prepared, const WholeWay& whole, std::uint64_t seed);
 
 /// The work of a search, and its time on T800s of 20 MHz.
 struct SearchCost {
-    /// The numbers of evaluated individuals and of errors; an error is of one individual at one sample.
+    /// The number of individuals evaluated, and of errors computed. Each error is the error of one individual at one
+    /// sample.
     double individuals, errors;
     double seconds, seconds_on_16; ///< on one T800, and on the 16 of Figure E.2 without communication
 };
 
-/// Returns the cost by Table E.1: 1,440 cycles for an error of one junction, 1,750 for the operators on 10 bits. All of
-/// the 16 T800s evaluate, and four masters each breed a quarter of the population.
+/// Returns the cost by Table E.1: 1,440 cycles for the error of one junction at one sample, and 1,750 cycles for the
+/// genetic operators on 10 bits. All 16 T800s evaluate, and four masters each breed a quarter of the population.
 SearchCost cost_of(const WholeWay& whole, const CircuitProblem& problem, std::uint64_t generations,
                    std::size_t samples);
 

@@ -149,8 +149,8 @@ private:
         return cost;
     }
 
-    /// Returns the cost of a wire from the new node along the vector `way`. Between two places of equal cost, a host
-    /// gets the left or upper one, any other node the right or lower one.
+    /// Returns the cost of a wire from the new node along the vector `way`. Between two places of equal cost, a host or
+    /// an edge gets the left or upper place, any other node the right or lower place.
     double cost_of(std::size_t node, Point way) const {
         bool leads = n_.nodes[node].kind->drawing.in_first_row || n_.nodes[node].kind->links == LinkRole::edge;
         double towards = leads ? -1 : 1;
@@ -235,7 +235,7 @@ private:
         return group;
     }
 
-    /// Puts the groups into rows about as long as the longest group.
+    /// Puts the groups into rows about as wide as the widest group.
     void set_beside(std::vector<Group>& groups) {
         double longest = 4, bottom = 0;
         for (Group& group : groups)

@@ -8,8 +8,8 @@
 namespace placedpar::picture {
 
 /// Returns the place of each node, in cells. Any two nodes are at least one cell apart, horizontally or vertically.
-/// Blocks (blocks.hpp) are placed one after the other: first the block of the most nodes, then always the block with
-/// the most wires to placed blocks. Each block is placed so that these wires are short and cross nothing.
+/// Blocks (blocks.hpp) are placed one after the other: first the block with the most nodes, then always the block with
+/// the most wires to placed blocks. Each block is placed so that these wires are short and, if possible, cross nothing.
 std::vector<Point> arrange(const Network&, const Wiring&);
 
 } // namespace placedpar::picture

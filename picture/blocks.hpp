@@ -8,16 +8,16 @@
 
 namespace placedpar::picture {
 
-/// Nodes that are drawn as one figure: an array, or single nodes that are wired into a line or a ring.
+/// Nodes that are drawn as one figure: an array, or single nodes that are wired into a line, a ring or a tree.
 struct Block {
     std::vector<std::size_t> nodes;
     std::vector<Shape> shapes; ///< possible shapes, at least one; the best is first
 };
 
 /// Divides the nodes into blocks, so that each node is in one block. Subscripts and wires determine the shapes of a
-/// block. Two dimensions make a grid; one dimension makes a line, or a ring if it is closed. A hypercube is drawn as a
-/// cube or a torus, cube-connected cycles with a circle at each corner. Nodes that are all wired to one other node make
-/// a circle around that node.
+/// block. Two dimensions make a grid; one dimension makes a line, or a ring if a wire joins its ends. A hypercube is
+/// drawn as a cube or a torus, cube-connected cycles with a circle at each corner. Nodes that are all wired to one
+/// other node make a circle around that node.
 std::vector<Block> blocks_of(const Network&, const Wiring&);
 
 } // namespace placedpar::picture

@@ -87,7 +87,7 @@ private:
         return counts;
     }
 
-    /// Sets the sizes of the boxes. All nodes of an array get the size of the largest.
+    /// All nodes of an array get the size of the largest.
     void find_sizes() {
         std::map<std::string_view, Size> largest;
         for (std::size_t i = 0; i < nodes_.size(); ++i) {

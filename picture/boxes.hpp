@@ -20,7 +20,7 @@ inline constexpr double name_size = 13, fact_size = 10, process_size = 11, kind_
 /// The heights, in pixels, of the heading of a node's box and of the line for a process.
 inline constexpr double heading_height = 40, process_height = 16;
 
-/// Returns the greatest width, in pixels, that the text can have in the fonts of viewers.
+/// Returns an estimate of the text's width, in pixels, for the widest font that a viewer may use.
 double width_of(const std::string& text, double size, bool bold = false);
 
 struct ProcessLine {

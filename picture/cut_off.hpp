@@ -18,7 +18,7 @@ struct CutOff {
 };
 
 /// Returns the edges at which the given ends of the panel's axes cut off the series. Ignores points beyond the ends of
-/// the other axis, and points so near to the edge that the difference is invisible.
+/// the other axis, and points so little beyond the edge that the difference is invisible.
 std::vector<CutOff> cut_offs(const Series& series, const Panel& panel);
 
 /// Returns a text such as " ↑ to 164 ← to -47"; empty if the series is drawn completely.

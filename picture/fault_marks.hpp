@@ -13,8 +13,8 @@ namespace placedpar::picture {
 /// A mark for a fault, at the wire or the node that it affects.
 struct FaultMark {
     std::optional<std::size_t> wire, node; ///< one of the two is set
-    std::string text;                      ///< "silent from 20 ms"
-    std::string statement;                 ///< "t[0].link[1] silent (from = 20ms)"
+    std::string text;                      ///< such as "silent from 20 ms"
+    std::string statement;                 ///< such as "t[0].link[1] silent (from = 20ms)"
     Box box;                               ///< box of the text
 };
 

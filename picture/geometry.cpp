@@ -19,7 +19,7 @@ bool overlap(const Box& a, const Box& b) {
 
 namespace {
 
-/// The part of a line that lies between two parallel lines: 0 is the line's start, and 1 its end.
+/// The part of a line that lies between two parallel borders; 0 is the line's start, and 1 its end.
 struct Part {
     double from = 0, to = 1;
 

@@ -31,7 +31,7 @@ struct Box {
 Box grown(const Box&, double by);
 /// Returns whether the boxes overlap. Boxes that share only a border do not.
 bool overlap(const Box&, const Box&);
-/// Returns whether part of the line from a to b lies within the box.
+/// Returns whether part of the line from `a` to `b` lies within the box.
 bool crosses(const Box&, Point a, Point b);
 /// Returns the point at which the line from a point inside the box to a point outside leaves the box.
 Point way_out(const Box&, Point inside, Point outside);

@@ -30,7 +30,7 @@ std::filesystem::path find_gnuplot() {
     return path;
 }
 
-/// Returns an unnamed file that contains the script. Writing to a pipe could fail if gnuplot has already ended with an
+/// Returns an unnamed file that contains the script. A pipe could not be written if gnuplot had already ended with an
 /// error.
 std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_of(const std::string& script) {
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), std::fclose);

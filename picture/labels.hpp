@@ -11,7 +11,8 @@
 
 namespace placedpar::picture {
 
-/// Finds room for small labels. They overlap no box and no other label, and, if possible, no other wire.
+/// Finds room for small labels. A label overlaps no box and no other label. If possible, it overlaps no wire but its
+/// own.
 class LabelRoom {
 public:
     explicit LabelRoom(const std::vector<Box>& boxes);

@@ -18,7 +18,8 @@ namespace placedpar::picture {
 
 namespace {
 
-/// Distances of wires in a lane between two rows or columns, in pixels.
+/// In a lane between two rows or columns: the least distance of a wire from the boxes, and the distance between wires,
+/// in pixels.
 constexpr double lane_start = 10, lane_gap = 6;
 constexpr double most_sagitta = 0.05; ///< greatest distance between a chord and the arc that it replaces, in cells
 constexpr double apart = 3;           ///< distance between blocks, in cells
@@ -217,8 +218,8 @@ private:
 
     double below(std::size_t node, double lane) const { return row(node).last + lane; }
 
-    /// Returns a path that leads down from a, below its row to the lane to the right of its column, along this lane,
-    /// and below the row of b.
+    /// Returns a path that leads down from node `a`, below the row of `a` to the lane to the right of its column, along
+    /// this lane, and below the row of `b`.
     Path through_lanes(std::size_t a, std::size_t b) const {
         double flat = lane(column(a).number, column(b).number), steep = lane(row(a).number, row(b).number);
         Point from = box(a).centre, to = box(b).centre;

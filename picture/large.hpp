@@ -9,7 +9,7 @@
 
 namespace placedpar::picture {
 
-/// The number of nodes from which draw_large() draws a network.
+/// Networks of at least this many nodes are drawn by draw_large().
 inline constexpr std::size_t large_network = 200;
 
 /// Draws a large network of n nodes in O(n log n) time. Every array has the shape of its block (blocks.hpp). Single

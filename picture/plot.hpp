@@ -50,7 +50,8 @@ struct Band {
     int colour; ///< one of the eight colours
 };
 
-/// A grey horizontal line over the whole width. Neighbouring lines of a panel have different dashes.
+/// A horizontal line over the whole width, grey unless it has a colour. Neighbouring lines of a panel have different
+/// dashes.
 struct GuideLine {
     std::string name;
     double y;

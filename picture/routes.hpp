@@ -29,9 +29,9 @@ inline constexpr double digit_width = 6.5, arrow_width = 9;
 /// Returns the width of the text, in pixels. The text leaves out a direction without channels.
 double width_of_count(std::size_t onward, std::size_t back);
 
-/// A drawn wire and its labels. If there is no room for a label, it is left out.
+/// A drawn wire and its labels. A label for which there is no room is left out.
 struct DrawnWire {
-    std::vector<Path> spans; ///< in order from the wire's a to its b
+    std::vector<Path> spans; ///< in order from the wire's end `a` to its end `b`
     std::vector<LinkLabel> links;
     std::optional<ChannelCount> channels;
 };

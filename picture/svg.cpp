@@ -313,7 +313,7 @@ private:
                               class_of(*node.kind));
         add_wires_to_legend();
         if (!marks_.empty())
-            add_to_legend(40, line_across("struck"), "fails in the run, as it says there");
+            add_to_legend(40, line_across("struck"), "fails during the run, as its label states");
         if (std::ranges::any_of(n_.processes, &ProcessInstance::high_priority) ||
             std::ranges::any_of(n_.nodes, [](const Node& node) { return node.name.ends_with(" !"); }))
             add_to_legend(12, SvgPen().text({2, 4}, "process", "!"), "process of high priority");
@@ -357,7 +357,7 @@ private:
     const Network& n_;
     View view_;
     Picture picture_;
-    /// For each wire, whether channels lead from its a to its b, and from b to a.
+    /// For each wire, whether channels lead from its end `a` to its end `b`, and from `b` to `a`.
     std::vector<std::pair<bool, bool>> directions_;
     std::vector<std::string> carried_; ///< for each wire: names of its channels; "" if there are none
     std::vector<FaultMark> marks_;

@@ -49,13 +49,13 @@ public:
     SvgPen& group(const SvgAttributes&, const SvgPen& contents, std::string_view tooltip = "");
     SvgPen& add(const SvgPen& other);
 
-    /// Returns everything that was drawn as a document on white paper. `arrow_heads` are the markers at the ends of
-    /// paths.
+    /// Returns an SVG document with everything that was drawn, on white paper. `arrow_heads` are the markers at the
+    /// ends of paths.
     std::string document(const Box& paper, const std::string& style, const std::string& arrow_heads = "",
                          const std::string& title = "") const;
 
 private:
-    /// Returns the tooltip of an element, which may have several lines.
+    /// Returns the element for a tooltip. The text may have several lines.
     static std::string title_of(std::string_view text);
     SvgPen& element(const char* tag, const SvgAttributes&, const SvgAttributes& more, const std::string& contents = "");
 

@@ -17,7 +17,7 @@ struct Span {
     std::string from_label, to_label; ///< labels at the ends of the span: numbers of links
 };
 
-/// Returns the spans of all wires. The spans of a wire are in order from its a to its b.
+/// Returns the spans of all wires. The spans of a wire are in order from its end `a` to its end `b`.
 std::vector<Span> spans_of(const Network&);
 
 /// The neighbours of each node, which are the nodes to which wires lead.
@@ -26,7 +26,7 @@ public:
     explicit Wiring(const Network&);
 
     bool linked(std::size_t a, std::size_t b) const { return pairs_.contains({a, b}); }
-    /// Returns the node's neighbours, each once for every wire to it.
+    /// Returns the node's neighbours, with one entry for each wire.
     const std::vector<std::size_t>& neighbours(std::size_t node) const { return neighbours_[node]; }
 
 private:

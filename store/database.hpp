@@ -79,7 +79,7 @@ public:
         reset();
         return found;
     }
-    /// Stops reading rows. Until then SQLite cannot restart its write-ahead log at the beginning.
+    /// Stops reading rows. Until then SQLite cannot reuse the beginning of its write-ahead log.
     void reset();
 
     /// These functions return a column of the present row, counted from 0. The row is valid until the next step().

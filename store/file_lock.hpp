@@ -6,7 +6,8 @@
 namespace placedpar::store {
 
 /// An exclusive lock on an existing file. All names of the file, including symbolic and hard links, refer to the same
-/// lock. The system releases the lock when the program ends, even by a crash. SQLite's own locks are independent of it.
+/// lock. The system releases the lock when the program ends, even by a crash. SQLite's own locks are independent of
+/// this lock.
 class FileLock {
 public:
     /// Throws UserError if another program holds the lock, or if the file cannot be opened for reading and writing.

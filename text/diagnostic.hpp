@@ -34,7 +34,8 @@ bool has_errors(const std::vector<Diagnostic>& diagnostics);
 
 /// Formats the diagnostic as compilers do: `path:line:column: error: message`, the source line, a caret under the
 /// column, then `hint: ...`, and the second places as notes. The result ends with a newline. Tabs are kept, also in the
-/// caret's line; other control characters are shown as `\x1b`. A long line is cut to the part around the caret.
+/// caret's line; other control characters are shown as escapes such as `\x1b`. A long line is cut to the part around
+/// the caret.
 std::string render(const Diagnostic& diagnostic);
 std::string render(const SecondPlace& other); ///< the note alone
 std::string render(const std::vector<Diagnostic>& diagnostics);

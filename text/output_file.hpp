@@ -23,7 +23,8 @@ public:
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
-    /// Keeps an error for finish() to report, so that write() can be called where nothing may throw.
+    /// Appends the text. An error is kept for finish() to report, so that write() can be called where nothing may
+    /// throw.
     void write(std::string_view) noexcept;
     /// Throws UserError if the file could not be written completely. It is not an error if the reader of standard
     /// output stops reading.
@@ -41,23 +42,23 @@ private:
     int error_ = 0;
 };
 
-/// Writes a whole file. Throws UserError, which names the file and the reason.
+/// Throws UserError, which names the file and the reason.
 void write_whole(const std::filesystem::path&, std::string_view content);
 
-/// Throws UserError if an OutputFile of this path would certainly fail, so that a long run is not lost: a folder is
-/// missing, the file must not be written, or standard output goes to the same file. If the path is "-", reserves
-/// standard output for the file.
+/// Throws UserError if an OutputFile of this path would certainly fail: a folder is missing, the file must not be
+/// written, or standard output goes to the same file. Call it before a long run, so that the run is not lost. If the
+/// path is "-", reserves standard output for the file.
 void require_writable(const std::filesystem::path&);
 
 /// Throws UserError if one of the outputs is also the input or another output. An empty path stands for no file.
 /// Standard input and standard output, both "-", are different.
 void require_apart(std::span<const std::filesystem::path> outputs, const std::filesystem::path& input);
 
-/// Writes to standard output immediately; if a file takes standard output, writes as print_error() does. Throws
-/// UserError if the text could not be written completely. All output of commands uses this function, so that a report
-/// lost to a full disk does not look like success. If the reader has gone, as with `head`, the command continues and
-/// writes its files. Control characters in names and messages are made visible and cannot control the terminal:
-/// escaped_but_paint(). REQUIRES: SIGPIPE is ignored.
+/// Writes to standard output immediately; if standard output receives a file, writes to standard error as print_error()
+/// does. Throws UserError if the text could not be written completely. All output of commands uses this function, so
+/// that a report lost to a full disk does not look like success. If the reader has gone, as with `head`, the command
+/// continues and writes its files. Control characters in names and messages are made visible and cannot control the
+/// terminal: escaped_but_paint(). REQUIRES: SIGPIPE is ignored.
 void print_out(std::string_view text);
 
 /// Writes the terminal control sequence `control` and then the text, escaped as in print_out(), to standard error. If

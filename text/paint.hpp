@@ -11,13 +11,13 @@ enum class Paint { error, warning, note, place, caret, heading, success, failure
 
 enum class PaintedStream { errors, output };
 
-/// Turns colours on the stream on or off; they are off until the first call. Only the main program calls this function,
-/// once at its start.
+/// Turns the colours of a stream on or off; they are off until the first call. Only the main program calls this
+/// function, once at its start.
 void set_painted(PaintedStream, bool painted);
 
-/// Returns the text between marks of the colour if its stream is painted, otherwise the text alone. Final newlines, and
-/// blanks at the start, stay outside the marks. Only escaped_but_paint() turns marks into colours, so text from outside
-/// cannot set any.
+/// If the stream of this part is painted, returns the text between marks that stand for the colour. Otherwise returns
+/// the text alone. Final newlines, and blanks at the start, stay outside the marks. Only escaped_but_paint() turns
+/// marks into colours, so text from outside cannot set colours.
 std::string painted(Paint, std::string_view text);
 
 /// Returns the text as escaped() does, but keeps newlines and turns the marks of painted() into colours. The result is

@@ -16,8 +16,7 @@ inline constexpr std::size_t most_errors = 20;
 /// The number of errors at which reading stops. Errors beyond most_errors are only counted.
 inline constexpr std::size_t most_counted_errors = 1000;
 inline constexpr std::size_t most_warnings = 200;
-/// The number of errors at places that already have an error, after which reading stops. A line in a loop causes such
-/// errors.
+/// Reading also stops after this many errors at places that already have an error. A line in a loop causes such errors.
 inline constexpr std::size_t most_repeated = 50;
 
 /// Thrown to stop reading after too many errors, or when a limit is exceeded. The last diagnostic gives the reason. The
@@ -34,10 +33,10 @@ public:
     /// Reports the last error, and throws GiveUp.
     [[noreturn]] void give_up(const Location& location, std::string message, std::vector<SecondPlace> others = {});
     void warning(const Location& location, std::string message, std::string hint = "");
-    /// Adds the note "included here", with the place `at`, to each later diagnostic in this file.
+    /// Adds the note "included here", with the place `at`, to each later diagnostic in `file`.
     void add_included(const std::shared_ptr<const SourceFile>& file, const Location& at) { included_[file] = at; }
-    /// Records that an option gave the name another value. Each later diagnostic in a line that uses the name refers to
-    /// the option, since the value may be the cause.
+    /// Records that an option at `at` gave `name` another value. Each later diagnostic in a line that uses the name
+    /// refers to the option, since the value may be the cause.
     void add_option(const std::string& name, const Location& at) { options_[name] = at; }
     /// Forgets all earlier reports and keeps only this error.
     void replace_all(const Location& location, std::string message, std::string hint);

@@ -59,8 +59,8 @@ TemporaryFile::~TemporaryFile() {
         std::remove(name_.c_str());
 }
 
-/// If there is already a file at the destination, gives the new file another name first: a link cannot replace a file,
-/// but a renaming can.
+/// If there is already a file at the destination, gives the new file a temporary name and renames it: link() cannot
+/// replace a file, but rename() can.
 bool TemporaryFile::take_place() {
     if (name_.empty() && give_name(file_, destination_))
         return true;

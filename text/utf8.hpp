@@ -28,7 +28,7 @@ std::string as_markup(std::string_view text);
 std::string as_json(std::string_view json);
 
 /// Returns the text in a form that is safe for a terminal: control characters, and bytes that are not UTF-8, are
-/// written as `\x1b`. Tabs stay.
+/// written as escapes such as `\x1b`. Tabs stay.
 std::string escaped(std::string_view text);
 
 } // namespace placedpar

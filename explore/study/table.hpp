@@ -32,6 +32,8 @@ struct StudyRow {
     int decimals = 2;
     std::vector<StudyExpression> known = {}; ///< expressions of the settings
     std::vector<StudyTolerance> tolerances = {};
+    std::vector<StudyExpression> at_least = {}, at_most = {}; ///< bounds of the figure: expressions of the settings
+    bool interval = false; ///< whether rows below this row give the 95 % interval of its figures
     std::vector<Origin> origins = {};
     std::optional<Judge> judge = {}; ///< empty: the judge that the table's `against` names
     Overrides relative_to = {};      ///< each measure is divided by the measure of the run that differs only in these

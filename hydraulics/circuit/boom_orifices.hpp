@@ -16,8 +16,9 @@ inline constexpr double boom_outlet_knee_in = 0.248;
 /// From this position on the bypass is shut.
 inline constexpr double boom_bypass_shut_in = 0.376;
 
-/// Returns the spool-orifice functions A.3 to A.9 as printed. Where two branches meet, they differ by up to 7e-4 in^2,
-/// because the print is rounded. The functions hold for raising only. REQUIRES: spool_in >= 0.
+/// Returns the areas by the spool-orifice functions A.3 to A.9 as printed. Where two branches of a function meet, their
+/// values differ by up to 7e-4 in^2, because the printed coefficients are rounded. The functions hold for raising only.
+/// REQUIRES: spool_in >= 0.
 OrificeAreas boom_orifices(double spool_in);
 
 /// Returns the number of knees below the spool position. Within each interval between knees the functions are smooth.

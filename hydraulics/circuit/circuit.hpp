@@ -28,8 +28,8 @@ enum class Through : unsigned char {
     nowhere   ///< a check valve blocks the flow
 };
 
-/// A junction of the main valve, from which the inlet orifice of one link and the bypass around it branch off. Flow
-/// arrives from pumps and from the bypasses that lead to this junction.
+/// A junction of the main valve, from which the inlet orifice of one link and the bypass around this link branch off.
+/// Flow arrives from pumps and from the bypasses that lead to this junction.
 struct Junction {
     Link link;
     int pumps; ///< 0 to 2 pumps, each of constant flow
@@ -51,7 +51,7 @@ std::vector<LinkSet> coupled_groups(Configuration);
 Circuit circuit_of(Configuration, LinkSet active);
 Circuit boom_circuit();
 /// Returns the drain side of a link as a circuit (equation 3.4): a junction without a pump, at the pressure of the
-/// cylinder. The piston supplies its flow, and the outlet orifice takes the place of the bypass to the tank.
+/// cylinder. The piston supplies the junction's flow, and the outlet orifice takes the place of the bypass to the tank.
 Circuit drain_circuit(Link);
 
 /// Returns the thesis's name of the compliance at a junction: "C_BOi" on the inlet side, "C_BOo" on the outlet side.

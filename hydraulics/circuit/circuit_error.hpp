@@ -22,7 +22,7 @@ inline InletFlow printed_inlet_flow(std::size_t links) {
     return links == 1 ? InletFlow::absolute : InletFlow::as_signed;
 }
 
-/// The terms of a LinkSample in the equations below. Values that do not depend on a compliance are computed in advance.
+/// The terms of the equations below that depend only on a LinkSample. They are computed once for all trial compliances.
 struct LinkTerms {
     double inlet_psi;
     double inlet_slope_psi_per_s;
@@ -62,7 +62,7 @@ T junction_psi(const LinkTerms& link, const T& inlet) {
     return resisted_drop(link.inlet_resistance, inlet) + link.inlet_psi;
 }
 
-/// Returns the flow of the junction's pumps that the cylinder does not take.
+/// Returns the flow from the junction's pumps minus the flow into the cylinder, absolute or signed as `form` states.
 template <typename T>
 T flow_left(const Junction& junction, const T& inlet, const FlowConstants& flow, InletFlow form) {
     using std::abs;
@@ -72,8 +72,8 @@ T flow_left(const Junction& junction, const T& inlet, const FlowConstants& flow,
 
 /// Returns the imbalance of flow at each junction of a circuit, in in^3/s. The imbalance is the inflow minus the flow
 /// into the cylinder and the flow through the bypass. Pressures at the junctions are not measured but estimated from
-/// the flows into the cylinders (3.6). If the estimate at the next junction is higher, nothing flows through the
-/// bypass.
+/// the flows into the cylinders (3.6). If the estimated pressure at the next junction is higher, nothing flows through
+/// the bypass.
 ///
 /// T is double, or a class that holds several doubles (orifice.hpp). `compliance_in3_per_psi` and `terms` have one
 /// entry for each junction, in the circuit's order. REQUIRES: there are at most 4 junctions, and inlet_in2 > 0 in each
@@ -105,7 +105,7 @@ PerJunction<T> missing_flows_in3_per_s(const Circuit& circuit, std::span<const T
     return missing_flows_in3_per_s<T>(circuit, compliance_in3_per_psi, terms_of(samples, flow), flow, form);
 }
 
-/// Returns the imbalance of flow, in in^3/s, at a junction that forms a circuit by itself.
+/// Returns the imbalance of flow, in in^3/s, at the only junction of a circuit.
 template <typename T>
 T missing_flow_in3_per_s(const Junction& junction, const T& compliance_in3_per_psi, const LinkTerms& link,
                          const FlowConstants& flow, InletFlow form) {
@@ -116,8 +116,8 @@ T missing_flow_in3_per_s(const Junction& junction, const T& compliance_in3_per_p
 }
 
 /// Returns the sum of the absolute values of the missing flows. With one junction this is the error of equations 3.5 to
-/// 3.8, with two in series the error of 3.10 and 3.11; for other circuits these equations are extended in the same way.
-/// REQUIRES: the same as missing_flows_in3_per_s().
+/// 3.8, with two in series the error of 3.10 and 3.11; other circuits extend these equations. REQUIRES: the same as
+/// missing_flows_in3_per_s().
 template <typename T>
 T circuit_error_in3_per_s(const Circuit& circuit, std::span<const T> compliance_in3_per_psi, const CircuitTerms& terms,
                           const FlowConstants& flow, InletFlow form) {

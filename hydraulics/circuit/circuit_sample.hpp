@@ -25,8 +25,8 @@ struct CircuitSample {
 
 /// Returns a sample for every instant of the record at which the slopes are known: two samples precede it and two
 /// follow it without a gap. Slopes are those of lines fitted to 5 samples (line_fit.hpp). Throws UnfitRecord, which
-/// names the missing channel and the channels present, if a link of the circuit lacks its pressure, its angle or the
-/// source of its areas.
+/// names the missing channel and the channels present, if the record lacks the pressure, the angle or the source of the
+/// areas of a link of the circuit.
 std::vector<CircuitSample> circuit_samples(const Record& record, const Circuit& circuit,
                                            const LinkCalibrations& calibrations);
 
@@ -40,16 +40,16 @@ double excitation_psi_per_s(std::span<const CircuitSample> samples, std::size_t 
 
 /// States which samples identification may use (ours; the thesis says "during the transient period").
 struct UsableSamples {
-    double open_by_psi = 25;            ///< margin by which all links must be open at the first sample
-    double first_slope_psi_per_s = 150; ///< least rise of every pressure at the first sample
+    double open_by_psi = 25;            ///< margin of all_open() at the first sample
+    double first_slope_psi_per_s = 150; ///< least slope of every pressure at the first sample
     std::size_t skipped = 0;            ///< number of usable samples to leave out at the beginning
     std::size_t count = 20;             ///< greatest number of samples; 20 samples last 0.4 s (thesis 4.4)
     bool rising = false;                ///< whether to stop at the first falling pressure (thesis 3.1.3)
 };
 
-/// Returns `count` samples, from the first sample that the rule accepts. Later samples are left out if an inlet is shut
-/// or the pumps cannot reach a cylinder's pressure, since equation 3.6 does not hold there. Returns fewer samples if
-/// the record ends, or if `rising` is set and a pressure falls.
+/// Returns up to `count` samples, from the first sample that the rule accepts. Later samples are left out if an inlet
+/// is shut or the pumps cannot reach a cylinder's pressure, since equation 3.6 does not hold there. Returns fewer
+/// samples if the record ends, or if `rising` is set and a pressure falls.
 std::vector<CircuitSample> usable_samples(std::span<const CircuitSample> samples, const Circuit& circuit,
                                           const FlowConstants& flow, const UsableSamples& rule = {});
 

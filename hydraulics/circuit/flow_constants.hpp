@@ -5,13 +5,13 @@ namespace placedpar::hydraulics {
 class Parameters; // hydraulics/data/parameters.hpp
 
 /// The constants that all orifices of the excavator share. The flow through an orifice is k a sqrt(pressure drop); each
-/// pump has a constant flow. Units throughout this room are inch, psi (gauge), lbf and s; each name includes its unit.
+/// pump has a constant flow. The units in hydraulics/ are inch, psi (gauge), lbf and s; each name includes its unit.
 ///
 /// k, Q and P_e belong together (excavator.csv): use a complete set, not values from several sets.
 struct FlowConstants {
     double orifice_in3_per_s_in2_sqrt_psi; ///< k = Cd sqrt(2 / density)
     double pump_in3_per_s;                 ///< Q, the flow of one pump
-    double tank_psi;                       ///< P_e; any value from 0 to 40 is possible
+    double tank_psi;                       ///< P_e; Table 2.6 allows any value from 0 to 40
     double relief_psi;                     ///< pressure at which a pump's relief valve opens
 
     /// Returns k a of an orifice, in in^3/s per root psi.
@@ -24,11 +24,11 @@ FlowConstants flow_constants(const Parameters& parameters);
 /// Returns the constants of Parameters::excavator().
 FlowConstants flow_constants();
 
-/// Returns the excavator's own constants, the best fit of Table 2.6. The rms residual is 0.61e-4 in of spool position,
-/// which is about the rounding error of the table.
+/// Returns the constants of the best fit to Table 2.6. The rms residual is 0.61e-4 in of spool position, which is about
+/// the rounding error of the table.
 const FlowConstants& fitted_flow_constants();
-/// Returns round numbers that fit nearly as well: the rms residual is 0.67e-4 in. The relief pressure is the same as in
-/// fitted_flow_constants().
+/// Returns round numbers that fit Table 2.6 nearly as well: the rms residual is 0.67e-4 in. The relief pressure is the
+/// same as in fitted_flow_constants().
 const FlowConstants& rounded_flow_constants();
 
 } // namespace placedpar::hydraulics

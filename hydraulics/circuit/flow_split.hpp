@@ -26,8 +26,8 @@ struct FlowSplit {
 };
 
 /// Computes, in closed form, how `flow_in3_per_s` splits between two outlets, and the pressure before them. Neither
-/// outlet flows backwards. At the relief pressure the rest of the flow passes the relief valve. REQUIRES: conductances
-/// not below 0, flow > 0.
+/// outlet lets flow back. At the relief pressure, the rest of the flow passes through the relief valve. REQUIRES:
+/// conductances not below 0, flow > 0.
 FlowSplit split_flow(const Outlet& inlet, const Outlet& bypass, double flow_in3_per_s, double relief_psi);
 
 /// Solves equations 3.1 to 3.3 for P, Q_i and Q_e. The equations have no solution if the bypass takes the whole flow at

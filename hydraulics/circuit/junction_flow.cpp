@@ -60,7 +60,7 @@ private:
 
     double pumped(std::size_t junction) const { return circuit_[junction].pumps * constants_.pump_in3_per_s; }
 
-    /// Solves the upstream junctions for the pressure `psi` at this junction, and returns the flow into it.
+    /// Solves the upstream junctions for the pressure `psi` at this junction, and returns the flow into this junction.
     double inflow(std::size_t junction, double psi) const {
         double sum = pumped(junction);
         for (std::size_t i = 0; i < junction; ++i)
@@ -78,7 +78,7 @@ private:
                 {constants_.conductance(bypass_in2), next_psi}};
     }
 
-    /// Solves the junction and all junctions upstream of it, with `next_psi` beyond its bypass.
+    /// Solves the junction and all junctions upstream of it, with the pressure `next_psi` beyond the junction's bypass.
     void solve(std::size_t junction, double next_psi) const {
         Outlets outlets = outlets_of(junction, next_psi);
         if (fed_by_pumps_alone(junction)) {
@@ -115,8 +115,8 @@ private:
         flows_[junction] = {psi, in, by, relieving ? rest : 0};
     }
 
-    /// Solves for u, where pressure = lowest + u^2, because flows are smooth in u where they begin. At the greatest u,
-    /// either the lowest outlet alone takes the whole inflow, or the relief pressure is reached.
+    /// Solves for u, where pressure = `lowest` + u^2, because the outflows are smooth functions of u at u = 0. At the
+    /// greatest u, either the lowest outlet alone takes the whole inflow, or the relief pressure is reached.
     double balanced_psi(std::size_t junction, const Outlets& outlets, double most) const {
         double lowest = outlets.lowest_psi(), highest = constants_.relief_psi;
         if (lowest >= highest)
@@ -134,8 +134,8 @@ private:
         return psi_at(below + (above - below) / 2);
     }
 
-    /// Adds the flow left over by rounding to the outlet whose pressure drop, flow^2 / conductance^2, it changes least:
-    /// the outlet with the greater conductance^2 / flow. An outlet without flow gets nothing. If neither outlet has
+    /// Adds the flow left over by rounding to one outlet: the one with the greater conductance^2 / flow, since its
+    /// pressure drop, flow^2 / conductance^2, changes less. An outlet without flow gets nothing. If neither outlet has
     /// flow, the rest is too small to affect the pressure and goes to the outlet with the lowest pressure.
     static void give_rest(const Outlets& outlets, double rest, double& in, double& by) {
         double a = outlets.inlet.conductance, b = outlets.bypass.conductance;

@@ -17,8 +17,9 @@ inline double leakage_in3_per_s(double leak_in3_per_s_psi, double inlet_psi, dou
 
 /// Returns the apparent growth of the compliance, in in^3/psi, in a model that leaves out the leak.
 ///
-/// The flow is Q_i = C_i dP_i/dt + A_i dX/dt + Q_l; in the model C_i' dP_i/dt replaces the first and the last term.
-/// (The thesis prints equation 2.5 with both C_i' and Q_l, from which equation 2.7 would not follow.) At one instant
+/// The flow is Q_i = C_i dP_i/dt + A_i dX/dt + Q_l; in the model, C_i' dP_i/dt replaces the first and the last term
+/// together. (The thesis prints equation 2.5 with both C_i' and Q_l, from which equation 2.7 would not follow.) At one
+/// instant
 ///   C_i' - C_i = Q_l / (dP_i/dt),
 /// for which equation 2.8 gives the lower bound. Over a window, the C_i' with the least error satisfies
 ///   C_i' - C_i = sum(Q_l dP_i/dt) / sum((dP_i/dt)^2).

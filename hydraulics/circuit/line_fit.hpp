@@ -21,7 +21,7 @@ public:
     /// Returns the slope per second. REQUIRES: has_slope(values.size(), centre).
     double slope_per_s(std::span<const double> values, std::size_t centre) const;
 
-    /// Returns whether there are two samples on either side.
+    /// Returns whether there are two samples on either side of `centre`.
     static bool has_slope(std::size_t size, std::size_t centre) {
         constexpr std::size_t side = line_fit_points / 2;
         return centre >= side && centre + side < size;

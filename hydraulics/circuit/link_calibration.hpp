@@ -22,7 +22,8 @@ enum class AreasFrom : unsigned char { areas, spool, servo };
 
 /// The constants that convert the readings of one link to flows.
 struct LinkConstants {
-    double piston_in3_per_rad = 0; ///< volume taken by the side per radian of the joint; negative on the outlet side
+    double piston_in3_per_rad = 0; ///< volume that the side of the link takes per radian of the joint; negative on the
+                                   ///< outlet side
     double spool_lag_per_s = 0;    ///< a_0 of A.2
 
     double piston_in3_per_deg() const { return piston_in3_per_rad * std::numbers::pi / 180; }
@@ -42,8 +43,8 @@ using LinkCalibrations = PerLink<LinkCalibration>;
 
 /// Returns the calibrations with link_constants() and without an offset.
 LinkCalibrations link_calibrations(const Parameters& parameters);
-/// Returns the calibrations of the outlet sides. Only the boom's outlet side is described (boom.outlet_area); the other
-/// links keep the constants of their inlet sides.
+/// Returns the calibrations of the outlet sides. The parameters describe only the boom's outlet side
+/// (boom.outlet_area); the other links keep the constants of their inlet sides.
 LinkCalibrations drain_calibrations(const Parameters& parameters);
 
 /// Returns `asked`; if it is nullopt, returns the first of `areas`, `spool` and `servo` whose channels are in `there`.

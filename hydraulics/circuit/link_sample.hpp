@@ -7,17 +7,18 @@
 
 namespace placedpar::hydraulics {
 
-/// The values of one link at one instant that enter the error of identification. On the outlet side (drain_circuit()),
-/// the pressure is P_o, the piston's flow is -A_o times its velocity, and bypass_in2 is a_o. There inlet_in2 is
-/// infinite, since the pressure is read at the junction. The imbalance of flow is then the error of equation 3.4.
+/// The values of one link at one instant from which identification computes the error. On the outlet side
+/// (drain_circuit()), the pressure is P_o, the piston's flow is -A_o times the velocity, and bypass_in2 is a_o. There
+/// inlet_in2 is infinite, since the pressure is read at the junction. The imbalance of flow is then the error of
+/// equation 3.4.
 struct LinkSample {
     double inlet_psi;             ///< P_i, the raw reading
     double inlet_slope_psi_per_s; ///< slope of the 5-point line
     double piston_flow_in3_per_s; ///< A_i times the piston velocity, from the 5-point line
-    double inlet_in2;             ///< a_i; from the spool
+    double inlet_in2;             ///< a_i
     double bypass_in2;            ///< a_e
 
-    /// The number of values, which are in the order above.
+    /// The number of values. In a list, they are in the order above.
     static constexpr std::size_t channels = 5;
     /// REQUIRES: values.size() >= channels.
     static LinkSample from(std::span<const double> values) {

@@ -9,10 +9,10 @@ namespace placedpar::hydraulics {
 /// spool_in >= 0.
 FlowSplit steady_boom_flow(double spool_in, double inlet_psi, const FlowConstants& constants);
 
-/// Returns the spool position for a flow: the inverse of steady_boom_flow, which the feedforward of the thesis's
-/// controller uses (2.3.2). From the opening of the load check valve to the shutting of the bypass, the flow grows with
-/// the spool from 0 to the pump's flow, so there is exactly one solution. Throws std::domain_error for a flow outside
-/// this range, and for a pressure at which the relief valve opens before the flow is reached.
+/// Returns the spool position for a flow, as the feedforward of the thesis's controller does (2.3.2): the inverse of
+/// steady_boom_flow(). From the opening of the load check valve to the shutting of the bypass, the flow grows with the
+/// spool from 0 to the pump's flow, so there is exactly one solution. Throws std::domain_error for a flow outside this
+/// range, and for a pressure at which the relief valve opens before the flow is reached.
 double boom_spool_for_flow(double inlet_in3_per_s, double inlet_psi, const FlowConstants& constants);
 
 /// The response of the steady flow Q_i to small changes.
@@ -21,8 +21,8 @@ struct FlowSensitivity {
     double to_pressure_in3_per_s_psi; ///< dQ_i / dP_i, negative
 };
 
-/// REQUIRES: the load check valve is open, and the spool is at least 1e-4 in from each end of a branch of the
-/// spool-orifice functions, where the derivative jumps.
+/// REQUIRES: the load check valve is open, and the spool is at least 1e-4 in from each knee of the spool-orifice
+/// functions, where the derivative jumps.
 FlowSensitivity boom_flow_sensitivity(double spool_in, double inlet_psi, const FlowConstants& constants);
 
 } // namespace placedpar::hydraulics

@@ -9,7 +9,7 @@ namespace placedpar::hydraulics {
 /// The lowest possible gauge pressure: vacuum at sea level (minus the row oil.atmospheric_pressure).
 inline constexpr double vacuum_psi = -14.7;
 
-/// Samples in which a sensor repeats a single reading. After them the reading jumps to the true value.
+/// A run of samples in which a sensor repeats one reading. After the run the reading jumps to the true value.
 struct FrozenRun {
     std::size_t first, last; ///< the samples are [first, last)
     double jump;             ///< step at the end of the run
@@ -17,7 +17,8 @@ struct FrozenRun {
 
 /// These limits are all ours. A run has at least five equal readings and lasts at least 0.1 s, since the reading of a
 /// moving pressure or joint changes sooner. The jump is at least 40 psi, or half a degree. The jump is also greater
-/// than the step after it: a link that starts from rest gathers speed, so its first step is smaller than the next.
+/// than the step after it. This condition excludes a link that starts from rest: the link gathers speed, so its first
+/// step is smaller than the next.
 std::size_t fewest_frozen(double period_s);
 inline constexpr double least_jump_psi = 40, least_jump_deg = 0.5;
 

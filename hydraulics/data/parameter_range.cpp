@@ -8,7 +8,8 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-// The ends of parameters' names, by the range of their values.
+// Endings of parameters' names. The values of these parameters are above 0 (`positive`), or 0 or above
+// (`not_negative`).
 constexpr auto positive = std::to_array<std::string_view>({
     ".orifice",
     ".relief",

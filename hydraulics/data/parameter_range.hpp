@@ -6,7 +6,7 @@
 
 namespace placedpar::hydraulics {
 
-/// The valid values of a machine's constant, in this room's unit.
+/// The valid values of a machine's constant, in the unit of units.hpp.
 struct ParameterRange {
     double least = -std::numeric_limits<double>::infinity();
     bool least_included = true;
@@ -17,7 +17,7 @@ struct ParameterRange {
     std::string expected() const;
 };
 
-/// Returns the range, which depends on the parameter's name. An area or a mass is above 0, a noise is 0 or above; an
+/// Returns the range for a parameter, chosen by its name. An area or a mass is above 0, a noise is 0 or above; an
 /// offset, a load or a voltage may have either sign. Conditions that involve several parameters are checked where the
 /// parameters are used.
 ParameterRange range_of(std::string_view parameter);

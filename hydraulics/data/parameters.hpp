@@ -15,8 +15,8 @@ namespace placedpar::hydraulics {
 /// A constant of the machine.
 struct Parameter {
     std::string name;   ///< "boom.inlet_area"
-    double value;       ///< in this room's unit of the parameter's quantity
-    std::string unit;   ///< this room's unit of the quantity
+    double value;       ///< in the unit `unit`
+    std::string unit;   ///< unit of units.hpp for the quantity
     std::string mark;   ///< "thesis", "fitted" or "ours"; in a user's file also "measured"
     std::string source; ///< origin of the value
 };

@@ -62,7 +62,7 @@ public:
     /// Times in rising order. INVARIANT: the times of neighbours differ by a whole number of periods, within
     /// sampling_tolerance.
     std::vector<double> time_s;
-    /// The true configuration of the main valve, a to e, at each instant of a simulated motion; empty if unknown.
+    /// The true configuration of the main valve, a to e, at each instant, or '-'; empty if unknown.
     std::string configuration;
 
     std::size_t size() const { return time_s.size(); }
@@ -86,13 +86,13 @@ private:
     std::array<std::array<std::vector<double>, all_sensors.size()>, all_links.size()> channels_;
 };
 
-/// Reports a record that lacks data for an identification; what() states what is missing, without the record's name.
+/// Reports a record that lacks data for an identification. what() states what is missing; it does not name the record.
 class UnfitRecord : public UserError {
 public:
     using UserError::UserError;
 };
 
-/// A limit above all measured values in any unit of this room. Slopes and squares of values below this limit are
+/// A limit above all measured values, in any unit of units.hpp. Slopes and squares of values below this limit are
 /// finite.
 inline constexpr double largest_reading = 1e12;
 

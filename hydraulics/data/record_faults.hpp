@@ -34,15 +34,15 @@ struct RowBefore {
 /// Removes rows that are identical to the row before; loggers write such rows when they restart.
 void drop_repeated_rows(TextTable& table, const std::optional<RowBefore>& before, std::vector<Diagnostic>& faults);
 
-/// Sets record.period_s, unless it is above 0, to the median step of record.time_s, and checks that the times rise by
-/// whole numbers of periods. Times that jitter around whole periods are resampled. Warns of jitter, of gaps, and of a
-/// period that would be usual in another unit. REQUIRES: the table's rows are the record's samples; there are at least
+/// If record.period_s is 0, sets it to the median step of record.time_s. Checks that the times rise by whole numbers of
+/// periods. Times that jitter around whole periods are resampled. Warns of jitter, of gaps, and of a period that is
+/// unusual but would be usual in another unit. REQUIRES: the table's rows are the record's samples; there are at least
 /// two if record.period_s is 0.
 void check_times(Record& record, const TextTable& table, const TimeColumn& time, const std::optional<RowBefore>& before,
                  std::vector<Diagnostic>& faults);
 
-/// Warns of a channel that never changes, and of a channel whose greatest value would be usual in another unit. Values
-/// are in this room's unit; `unit` is the unit in the text. REQUIRES: least <= greatest.
+/// Warns of a channel that never changes, and of a channel whose greatest value is unusual but would be usual in
+/// another unit. Values are in the unit of units.hpp; `unit` is the unit in the text. REQUIRES: least <= greatest.
 void check_channel(std::string_view name, Sensor sensor, const Unit& unit, double least, double greatest,
                    HeaderPlace place, std::vector<Diagnostic>& faults);
 

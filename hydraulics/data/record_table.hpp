@@ -24,7 +24,7 @@ struct ReadRecord {
 /// States which channels a record must have.
 struct RecordNeeds {
     /// Given the channels that a header names, returns the channels that must have a value in every row. If this
-    /// function is empty, every channel must have one.
+    /// function is empty, every channel must have a value in every row.
     std::function<ChannelSet(const ChannelSet&)> of = {};
     /// true: rows that lack a required value are left out; false: the record is refused.
     bool skip_missing = false;
@@ -37,7 +37,8 @@ struct RecordNeeds {
 ///     0.00,1555.1,0.000,0.1297
 ///
 /// Columns are time, and LINK.SENSOR for the four links and the sensors of record.hpp. Any unit of the quantity is
-/// converted. A column with another name causes a warning and is ignored. A channel that is not needed and has an empty
+/// converted. A column "configuration" without a unit has the letters a to e, or anything else where it is unknown. A
+/// column with another name causes a warning and is ignored. A channel that is not needed and has an empty
 /// cell is ignored.
 ///
 /// The text is refused if: a column or its unit is missing, wrong or repeated; there is no sensor column; a value is
@@ -88,6 +89,7 @@ private:
     TextTable table_;      ///< the rows of the newest piece
     std::size_t line_ = 1; ///< number of the next line
     std::vector<Column> columns_;
+    std::optional<std::size_t> configuration_; ///< index of the column of the configurations
     std::optional<RowBefore> before_;
     std::optional<double> period_s_;
     std::set<std::size_t> told_; ///< positions in the header of the columns about which a warning has been given
@@ -96,7 +98,7 @@ private:
 /// The line fit of slopes needs 5 samples.
 inline constexpr std::size_t fewest_samples = 5;
 
-/// Returns a text that read_record reads, with every measured channel in this room's units.
+/// Returns a text that read_record reads, with every measured channel in the unit of units.hpp.
 std::string print_record(const Record& record);
 
 } // namespace placedpar::hydraulics

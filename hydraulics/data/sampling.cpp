@@ -13,7 +13,7 @@ namespace {
 
 /// The limits are ours: five samples at a longer period would outlast a transient, and shorter periods are untested.
 constexpr double slowest_s = 0.1, quickest_s = 0.0001;
-/// The factor by which a stated period may exceed these limits.
+/// A period may be beyond these limits by this factor, because of rounding.
 constexpr double rounding = 1 + 1e-6;
 
 double mean_of(std::span<const double> values) {
@@ -24,8 +24,8 @@ double mean_of(std::span<const double> values) {
 
 Sampling Sampling::of(double reading_s) {
     if (!(reading_s <= slowest_s * rounding))
-        throw UnfitRecord(fmt::format("the readings are {:.4g} s apart, expected at most {:.4g} s: a transient of some "
-                                      "tenths of a second does not show in fewer",
+        throw UnfitRecord(fmt::format("the readings are {:.4g} s apart, expected at most {:.4g} s: fewer readings do "
+                                      "not show a transient of some tenths of a second",
                                       reading_s, slowest_s));
     if (!(reading_s * rounding >= quickest_s))
         throw UnfitRecord(fmt::format("the readings are {:.4g} s apart, expected at least {:.4g} s (10 kHz): average "

@@ -9,8 +9,8 @@ namespace placedpar::hydraulics {
 /// The thesis samples every 20 ms. Slopes over five samples, windows and movements are designed for about this period.
 inline constexpr double method_period_s = 0.020;
 
-/// States how readings become the samples for identification. Each sample is the mean of `readings` successive
-/// readings. The period of the samples is a multiple of the readings' period, near method_period_s.
+/// States how readings are averaged to samples for identification. Each sample is the mean of `readings` successive
+/// readings, so that the period of the samples is near method_period_s.
 struct Sampling {
     double reading_s = method_period_s; ///< time between two readings
     std::size_t readings = 1;           ///< number of readings per sample
@@ -30,8 +30,8 @@ std::string print_sampling(const Sampling&);
 
 /// Returns the record with its readings averaged to samples. The time of a sample is the middle of its readings. No
 /// sample combines readings from both sides of a gap, and readings left over before a gap are dropped. A voltage is
-/// held from one sample to the next, so a sample's voltage is the mean of the readings between the middles of this
-/// sample and the next.
+/// held from one sample to the next. Therefore a sample's voltage is the mean of the readings between the middles of
+/// this sample and the next.
 Record averaged(const Record& record, const Sampling& sampling);
 
 } // namespace placedpar::hydraulics

@@ -7,7 +7,7 @@
 
 namespace placedpar::hydraulics {
 
-/// The quantities that numbers measure. This room uses one unit for each quantity, the unit of the thesis.
+/// The physical quantities. In hydraulics/, all values of a quantity have the same unit, the unit of the thesis.
 enum class Quantity : unsigned char {
     number,        ///< without a unit
     time,          ///< s
@@ -33,7 +33,7 @@ enum class Quantity : unsigned char {
     resistance     ///< psi s/in^3: pressure loss per flow in a line
 };
 
-/// A unit and its size in this room's unit of the same quantity.
+/// A unit. `factor` is the size of the unit, in the unit that Quantity lists.
 struct Unit {
     std::string_view name;
     Quantity quantity;
@@ -45,11 +45,10 @@ inline constexpr double pascal_per_psi = 6894.757293168361;
 inline constexpr double metre_per_inch = 0.0254;
 inline constexpr double deg_per_rad = 180 / std::numbers::pi;
 
-/// Returns the unit with a name such as "cm^3/s", "kPa" or "deg", or null. This room's own unit of a quantity has
-/// factor 1.
+/// Returns the unit with a name such as "cm^3/s", "kPa" or "deg", or null. The unit that Quantity lists has factor 1.
 const Unit* unit_named(std::string_view name);
 
-/// Returns all units of a quantity, beginning with this room's own unit.
+/// Returns all units of a quantity, beginning with the unit that Quantity lists.
 std::vector<Unit> units_of(Quantity);
 /// Returns a text for messages: "psi, Pa, kPa, MPa or bar".
 std::string list_units(Quantity);

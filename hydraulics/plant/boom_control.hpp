@@ -8,8 +8,9 @@
 namespace placedpar::hydraulics {
 
 /// The control of the boom's angle by feedforward and P-D feedback (2.3.2). The reference stays at rest, and then rises
-/// at constant speed. Every sampling period the control computes the flow for a desired speed, the spool position for
-/// this flow at the pressure read (boom_spool_for_flow()), and the voltage for this position by the inverse of A.1.
+/// at constant speed. Every sampling period the control computes in turn the flow for a desired speed, the spool
+/// position for this flow at the pressure read (boom_spool_for_flow()), and the voltage for this position by the
+/// inverse of A.1.
 struct BoomControl {
     double speed_deg_per_s;    ///< speed at which the reference rises
     double step_time_s;        ///< time at which the reference begins to rise
@@ -34,7 +35,7 @@ struct ControlledMotion {
 };
 
 /// Simulates the measured excavator under this control. The voltage stays in the range in which A.1 raises the boom.
-/// Until the reference rises, the voltage is that of the command at rest. Throws UnfitScenario (requirement.hpp) as
+/// Until the reference rises, the voltage is ServoCommand::at_rest_volts. Throws UnfitScenario (requirement.hpp) as
 /// simulate_measured_excavator() does.
 ControlledMotion simulate_controlled(const MeasuredExcavator& excavator, const BoomSensors& sensors,
                                      const BoomControl& control, const UniformSource& uniform);

@@ -16,9 +16,9 @@ struct AirOilMixture {
 AirOilMixture air_oil_mixture(double air_fraction, double polytropic_exponent = 1,
                               const Parameters& parameters = Parameters::excavator());
 
-/// Returns beta = -V dP/dV of the mixture, from V = V_oil + V_air (P_0 / P)^(1/N). Unlike dV/dP, V leaves out that oil
-/// shrinks under pressure. beta grows with pressure, falls with the air fraction, and tends to the oil's bulk modulus.
-/// REQUIRES: psia > 0, an absolute pressure; 0 <= air_fraction < 1.
+/// Returns beta = -V dP/dV of the mixture, from V = V_oil + V_air (P_0 / P)^(1/N). dV/dP includes the shrinking of the
+/// oil under pressure; V does not. beta grows with pressure, falls with the air fraction, and tends to the oil's bulk
+/// modulus. REQUIRES: psia > 0, an absolute pressure; 0 <= air_fraction < 1.
 double bulk_modulus_psi(const AirOilMixture& mixture, double psia);
 
 /// Returns the absolute pressure at which beta is `share` times the oil's bulk modulus; at lower pressures the mixture

@@ -20,8 +20,8 @@ struct Converter {
     double limited(double value, double least) const;
 };
 
-/// Returns the number of bits in a row of the parameters. Throws UnfitScenario (requirement.hpp) unless the value is a
-/// whole number from 0 to 32.
+/// Returns the number of bits that the parameter `name` states. Throws UnfitScenario (requirement.hpp) unless the value
+/// is a whole number from 0 to 32.
 int bits_of(const Parameters& parameters, std::string_view name);
 
 } // namespace placedpar::hydraulics

@@ -12,9 +12,10 @@ namespace placedpar::hydraulics {
 /// A time during which the joysticks are held. The joysticks demand a velocity of the bucket's tip (2.1), and the soil
 /// opposes the motion with a force.
 struct JoystickMove {
-    double seconds;   ///< > 0
-    TipPose velocity; ///< change of the pose per second
-    double soil_lbf;  ///< >= 0
+    double seconds;       ///< > 0
+    TipPose velocity;     ///< change of the pose per second
+    double soil_lbf;      ///< >= 0
+    std::size_t line = 0; ///< line of the move in the job's file; 0: no file
 };
 
 struct DigJob {
@@ -26,8 +27,8 @@ struct DigJob {
     double duration_s() const;
 };
 
-/// The reference trajectory of the tip. The error of its velocity falls like exp(-t / lag); its pose is the exact
-/// integral of the velocity.
+/// The reference trajectory of the tip. The velocity approaches the velocity that the joysticks demand; the difference
+/// falls like exp(-t / `lag_s`). The pose is the exact integral of the velocity.
 class TipReference {
 public:
     /// REQUIRES: the job has moves and outlives this object; lag_s > 0.
@@ -37,7 +38,7 @@ public:
     const TipPose& velocity() const { return velocity_; } ///< per second
     /// Returns the index of the move in progress; after the end of the job, the index of the last move.
     std::size_t move() const { return move_; }
-    double soil_lbf() const { return job_.moves[move_].soil_lbf; }
+    const JoystickMove& current() const { return job_.moves[move_]; }
     /// Advances by `seconds`, during which the joysticks stay as they are at the beginning.
     void advance(double seconds);
 

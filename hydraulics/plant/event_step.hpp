@@ -17,19 +17,18 @@ concept ModalSystem = requires(S system, const std::vector<double>& state, std::
     requires std::equality_comparable<typename S::Mode>;
 };
 
-/// Integrates by the classical Runge-Kutta method of order 4 (Boost.Odeint). It steps up to each event and restarts
-/// after it, so that the order of convergence holds across events.
+/// Integrates by the classical Runge-Kutta method of order 4 (Boost.Odeint). Steps end at each event, and the method
+/// restarts after the event, so that the order of convergence holds across events.
 ///
 /// A step is clean if all its stages and its end have the mode of its beginning.
 /// 1. Try the step to the end.
 /// 2. If it is unclean, bisect to the longest clean step, take that step, and continue from its end.
-/// 3. If even a step of length resolution_s is unclean, the event is nearer than resolution_s: take this step, a hop,
-/// across
-///    it. The length of hops doubles until a step is clean again, so that time advances even with endless events.
+/// 3. If even a step of length resolution_s is unclean, take this step: it hops across the event. The length of hops
+///    doubles until a step is clean again, so that time advances even with endless events.
 /// 4. When the limit of pieces is reached, for example because a valve chatters, step to the end regardless of events.
 ///
-/// Events that cancel each other between the stages of one step are not seen, so choose a step shorter than such
-/// events.
+/// Two events that cancel each other between the stages of one step are not seen. Choose steps shorter than the time
+/// between such events.
 template <ModalSystem System>
 class EventStepper {
 public:
@@ -82,7 +81,7 @@ private:
         Mode mode;
     };
 
-    /// Tries a step from the present state and leaves its end in `next_`.
+    /// Tries a step from the present state, and stores the state at the end of the step in `next_`.
     bool clean(double step_s) {
         tried_s_ = step_s;
         bool same = true;

@@ -8,7 +8,7 @@
 
 namespace placedpar::hydraulics {
 
-/// The open valves and the branch of each curve at one link and its junction.
+/// The discrete state of one link and its junction: which valves are open, and which branches of the curves hold.
 struct LinkMode {
     bool inlet_open = false;  ///< the junction's pressure exceeds the link's
     bool bypass_open = false; ///< the junction's pressure exceeds the pressure beyond the bypass

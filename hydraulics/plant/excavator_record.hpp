@@ -9,11 +9,11 @@
 
 namespace placedpar::hydraulics {
 
-/// Samples the motion of all links of a scenario every `period_s`, from its first state on. Reads the inlet pressure,
-/// the angle and the spool of each link; for a valve without a spool, reads the areas of inlet and bypass, whose noise
-/// is relative. Draws one normal number for each reading in this order, link after link, even without noise, so that
-/// the disturbances of two noise levels are proportional. Readings have the resolution of measurement.hpp. Throws
-/// UnfitScenario (requirement.hpp) if the period is not a whole multiple of the motion's step.
+/// Samples the motion of all links of a scenario every `period_s`, from the first state on. Reads the inlet pressure,
+/// the angle and the spool of each link. For a valve without a spool, reads the areas of inlet and bypass, with noise
+/// in proportion to the area. Draws one normal number for each reading in this order, link after link, even without
+/// noise, so that the disturbances of two noise levels are proportional. Readings have the resolution of
+/// measurement.hpp. Throws UnfitScenario (requirement.hpp) if the period is not a whole multiple of the motion's step.
 Record measure_excavator(const ExcavatorMotion& motion, const ExcavatorScenario& scenario, double period_s,
                          const MeasurementNoise& noise, const UniformSource& uniform);
 
@@ -21,8 +21,8 @@ Record measure_excavator(const ExcavatorMotion& motion, const ExcavatorScenario&
 LinkCalibrations boom_calibrations(const LinkMechanics& boom);
 
 /// Adds the voltage that the controller commands for the boom at every instant of the record. The controller computes
-/// the voltage from the desired spool position by A.1, and its A.1 is wrong by `offset_in`. REQUIRES: the scenario's
-/// first link is the boom, with a spool that makes a step.
+/// the voltage by A.1 for the desired spool position plus the error `offset_in`. REQUIRES: the scenario's first link is
+/// the boom, with a spool that makes a step.
 void add_servo_voltage(Record& record, const ExcavatorScenario& scenario, double offset_in = 0);
 
 /// Simulates a scenario of the boom alone (single_boom_scenario), measures it with noise at the thesis's period, and

@@ -10,8 +10,8 @@ namespace placedpar::hydraulics {
 /// This file builds scenarios from the numbers of excavator.csv.
 
 /// Returns a scenario in which the boom is held until the operator demands 4 deg/s. The scenario has a spool, a leak
-/// and a drain side, in configuration a. `motion` selects the rows of the motion: scenario_a.*, a step, or
-/// scenario_b.*, a ramp.
+/// and a drain side, in configuration a. `motion` is "scenario_a" (a step) or "scenario_b" (a ramp): the group of rows
+/// that describes the motion.
 ExcavatorScenario single_boom_scenario(const Parameters& parameters = Parameters::excavator(),
                                        std::string_view motion = "scenario_a");
 

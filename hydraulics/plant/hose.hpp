@@ -2,7 +2,7 @@
 
 namespace placedpar::hydraulics {
 
-/// A second-order model of a hose: its fluid moves as one mass between two compliances, at the valve's end and at the
+/// A second-order model of a hose: the fluid moves as one mass between two compliances, at the valve's end and at the
 /// cylinder's end. The thesis's first-order pipe model has only the sum of the two compliances.
 struct Hose {
     double inertance_psi_s2_per_in3; ///< I = density length / bore

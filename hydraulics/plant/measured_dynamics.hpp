@@ -16,7 +16,7 @@ namespace placedpar::hydraulics {
 ///   piston: M v' = A_i P_c - A_o P_oc - F_g - b v - friction(v, z), Q_l = k_l (P_c - P_oc);
 ///   spool: spool' = a_0 (desired - spool).
 ///
-/// Q_i comes from the flow split 3.1 to 3.3, fed by the rippling pump, and Q_o from 3.4.
+/// Q_i comes from the flow split 3.1 to 3.3, fed by the pump with its ripple. Q_o comes from 3.4.
 class MeasuredDynamics {
 public:
     enum Component : std::size_t {
@@ -33,7 +33,7 @@ public:
         components
     };
     using State = std::vector<double>;
-    /// The open valves and the branch of each curve.
+    /// The discrete state: which valves are open, and which branch of the spool's curves holds.
     struct Mode {
         bool inlet_open = false;
         bool relieving = false;
@@ -67,7 +67,7 @@ private:
 };
 
 /// Returns the flow of the drain side through an orifice (3.4), in either direction. The flow is laminar near a drop of
-/// 0, so that its slope is finite there: Q = k a drop / (drop^2 + laminar^2)^(1/4).
+/// 0, so that the slope of the flow is finite there: Q = k a drop / (drop^2 + laminar^2)^(1/4).
 double drain_in3_per_s(double outlet_in2, double drop_psi, double laminar_psi, const FlowConstants& flow);
 
 } // namespace placedpar::hydraulics

@@ -27,16 +27,16 @@ struct MeasuredState {
 /// Simulates the excavator from rest: the load is held by the inlet side, the drain side is at tank pressure, and
 /// friction is relaxed. The method is Runge-Kutta of order 4 (Boost.Odeint). Returns one state per step, the first at
 /// time 0. Steps end where the load check or the relief valve opens or shuts, at the knees of the orifices and where a
-/// leak begins (event_step.hpp); friction is not smooth where the piston reverses. Throws UnfitScenario
-/// (requirement.hpp) if a value is out of range, or if the step is too long for a part of the model: the message names
-/// this part and its longest step.
+/// leak begins (event_step.hpp). Friction is not smooth where the piston reverses, but no step ends there. Throws
+/// UnfitScenario (requirement.hpp) if a value is out of range, or if the step is too long for a part of the model: the
+/// message names this part and its longest step.
 std::vector<MeasuredState> simulate_measured_excavator(const MeasuredExcavator& excavator);
 
 /// A function that returns the voltage for a sampling period, given the state at the beginning of the period.
 using VoltageControl = std::function<double(const MeasuredState&)>;
 
-/// Simulates the excavator under `control` instead of its command. The voltage passes the converter, and acts after the
-/// dead time. Throws UnfitScenario also if the sampling period is not a whole multiple of the step.
+/// Simulates the excavator under `control` instead of MeasuredExcavator::command. The voltage passes the converter, and
+/// acts after the dead time. Throws UnfitScenario also if the sampling period is not a whole multiple of the step.
 std::vector<MeasuredState> simulate_measured_excavator(const MeasuredExcavator& excavator,
                                                        const VoltageControl& control);
 

@@ -15,7 +15,7 @@ namespace placedpar::hydraulics {
 struct PdLoop {
     double a0_per_s3; ///< 2 K_x D_m / (J C), a gain
     double a1_per_s2; ///< 2 D_m^2 / (J C); the thesis prints the terms of a_1 and a_2 exchanged
-    double a2_per_s;  ///< K_p_i / C
+    double a2_per_s;  ///< K_pi / C
     double kp;        ///< proportional gain
     double kv_s;      ///< velocity gain
 };

@@ -23,10 +23,10 @@ struct LinksInMotion {
 
 /// A motion of a simulated machine that can be recorded.
 struct RecordScenario {
-    std::string_view name;  ///< "excavator"
+    std::string_view name;  ///< such as "excavator"
     std::string_view about; ///< a short description
 
-    /// Returns the machine's constants, with the scenario's own constants in place of the machine's.
+    /// Returns the machine's constants, except those that the scenario replaces.
     Parameters (*parameters)(const Parameters& machine);
     /// Returns whether the record depends on this parameter.
     bool (*uses)(std::string_view parameter);
@@ -40,7 +40,8 @@ struct RecordScenario {
 /// measured machine).
 std::span<const RecordScenario> record_scenarios();
 
-/// Returns the scenario in which an excavator does a job. It is not among record_scenarios(), since it needs a job.
+/// Returns the scenario in which an excavator performs a DigJob. This scenario is not among record_scenarios(), since
+/// it needs a job.
 const RecordScenario& digging_scenario();
 
 /// Returns null if there is no such scenario.

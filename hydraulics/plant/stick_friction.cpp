@@ -6,7 +6,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// Returns 1 at rest and tends to 0 when sliding.
+/// Returns a factor that is 1 at rest and falls towards 0 with velocity.
 double sticking(const StickFriction& friction, double velocity_in_per_s) {
     double ratio = velocity_in_per_s / friction.stribeck_in_per_s;
     return std::exp(-ratio * ratio);

@@ -12,8 +12,8 @@ using namespace hydraulics;
 
 namespace {
 
-// Pump 1 feeds bucket and boom, pump 2 swing and stick. Through the cross-over each pump may also feed the other two
-// links.
+// Pump 1 feeds bucket and boom, pump 2 swing and stick. Through the cross-over, pump 1 may also feed the stick, and
+// pump 2 the boom.
 constexpr std::array<LinkSet, 2> branches{LinkSet{Link::bucket, Link::boom}, LinkSet{Link::stick, Link::swing}};
 
 /// Describes the deviation and the part to inspect.

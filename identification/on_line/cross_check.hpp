@@ -11,7 +11,7 @@ namespace placedpar::identification {
 struct SetEstimate {
     hydraulics::LinkSet set;
     double compliance_in3_per_psi; ///< the newest settled value
-    double lasting_in3_per_psi;    ///< median over the last transients
+    double lasting_in3_per_psi;    ///< median of the settled values of the last transients
     std::size_t transients;        ///< number of settled transients; at most kept_transients
     double time_s;                 ///< time of the newest settled value
 };

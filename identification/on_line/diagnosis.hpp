@@ -20,7 +20,7 @@
 
 namespace placedpar::identification {
 
-/// The deviations of the links of a set in a single movement, in the order of links_of().
+/// The deviations of the links of a population set in one movement, in the order of links_of().
 struct JudgedMovement {
     hydraulics::LinkSet set;
     /// Deviations from a healthy link, which has the healthy compliance, no leak and no offset.
@@ -31,7 +31,7 @@ struct JudgedMovement {
 struct OpenSample {
     std::size_t readings = 0;
     double first_s = 0; ///< time of the first reading
-    double after_s = 0; ///< sum of the delays of the readings after the first
+    double after_s = 0; ///< sum of the delays of all readings after the first
 
     double middle_s() const { return first_s + after_s / static_cast<double>(readings); }
     friend bool operator==(const OpenSample&, const OpenSample&) = default;
@@ -44,13 +44,13 @@ struct DiagnosisState {
     std::optional<hydraulics::Configuration> configuration;
     hydraulics::LinkSet active;
     std::optional<double> time_s;  ///< time of the last reading
-    bool time_may_restart = false; ///< a control system has connected since the last sample
-    std::uint64_t samples = 0;     ///< number of samples read
+    bool time_may_restart = false; ///< whether a control system has connected since the last reading
+    std::uint64_t samples = 0;     ///< number of instants read
     OpenSample open;
-    std::optional<double> sample_s; ///< middle of the last complete sample since the windows began
+    std::optional<double> sample_s; ///< mean time of the last complete sample; nullopt after the windows have restarted
     hydraulics::PerLink<LinkTrack> tracks;
     std::map<hydraulics::LinkSet, PopulationSet::State> sets; ///< all sets ever used
-    /// Healthy compliances, set by the control system, or else typical of the machine's kind.
+    /// Healthy compliances: set by the control system, or else typical of the machine's kind.
     hydraulics::PerLink<double> health_in3_per_psi{};
     hydraulics::PerLink<FrozenWatch> pressures, angles;
     std::map<hydraulics::LinkSet, SetWatch::State> watches; ///< one for each set ever used
@@ -63,17 +63,18 @@ struct DiagnosisState {
 /// The effects of one reading.
 struct SampleOutcome {
     std::size_t generations = 0;
-    bool window_restarted = false;      ///< after a gap in time or a restart of time
+    bool window_restarted = false;      ///< whether the windows restarted, after a gap in time or a restart of time
     std::vector<JudgedMovement> judged; ///< movements that ended with this reading
     std::vector<Alarm> raised, cleared;
 };
 
 /// The on-line diagnosis of one excavator: its population sets, the data that feed them, and the active alarms. The
-/// readings of a fast logger are first averaged to samples of the period for which all parts are designed
-/// (hydraulics/data/sampling.hpp). Only the detection of frozen sensors and impossible readings uses the single
-/// readings.
+/// readings of a fast logger are first averaged to samples about 20 ms apart (hydraulics/data/sampling.hpp). Only these
+/// use single readings: the checks for frozen sensors and for pressures below vacuum, and the computation of a spool
+/// from its voltage.
 ///
-/// 1. The state is a function of settings, seed, name and the accepted inputs in their order, and of nothing else.
+/// 1. The state is a function of settings, seed, name, parameters and the accepted inputs in their order, and of
+/// nothing else.
 /// 2. A refused input changes nothing.
 class Diagnosis {
 public:
@@ -83,7 +84,7 @@ public:
               std::uint64_t seed);
     Diagnosis(State state, const DiagnosisSettings& settings, std::uint64_t seed);
 
-    /// Returns a copy that includes the states of the sets.
+    /// Returns a copy of the state, with the states of the population sets.
     State state() const;
 
     const std::string& name() const { return state_.name; }
@@ -91,10 +92,14 @@ public:
     std::optional<hydraulics::Configuration> configuration() const { return state_.configuration; }
     hydraulics::LinkSet active() const { return state_.active; }
     std::optional<double> time_s() const { return state_.time_s; }
-    std::uint64_t samples() const { return state_.samples; } ///< number of samples read
+    std::uint64_t samples() const { return state_.samples; } ///< number of instants read
     const hydraulics::Sampling& sampling() const { return sampling_; }
-    /// Returns the middle of the last complete sample since the windows began.
+    /// Returns the mean time of the last complete sample; nullopt after the windows have restarted.
     std::optional<double> sample_s() const { return state_.sample_s; }
+    /// Returns the state of the link two samples before sample_s(); nullopt if the windows have begun since.
+    std::optional<hydraulics::LinkSample> centre(hydraulics::Link link) const {
+        return state_.tracks[index_of(link)].centre(fit_, state_.parameters.links[index_of(link)]);
+    }
     const std::map<hydraulics::LinkSet, PopulationSet>& sets() const { return sets_; }
     /// Returns the compliance of the healthy link: the value that the control system has set, or else the value for the
     /// machine's kind.
@@ -104,11 +109,11 @@ public:
     const std::vector<Alarm>& alarms() const { return state_.alarms; }
     std::vector<hydraulics::LinkSet> sets_in_use() const;
     LinkCheck check(hydraulics::Link link) const;
-    /// Returns the most informative verdict of all sets. A fault is preferred to no fault; among equals, the set with
-    /// the most judged movements is preferred.
+    /// Returns the link's most informative verdict among those of all sets. Prefers a verdict with a fault, then the
+    /// verdict from more movements.
     LinkVerdict verdict(hydraulics::Link link) const;
-    /// Returns the compliance with which the link is compared: the value from its own first movements, or else for its
-    /// kind.
+    /// Returns the compliance with which the link is compared: the value from the link's first movements, or else
+    /// health_in3_per_psi().
     double baseline_in3_per_psi(hydraulics::Link link) const;
 
     /// Records that a control system has connected, so the time of its samples may restart.
@@ -118,12 +123,13 @@ public:
     /// Sets compliances of healthy links and forgets the judgements of these links. Returns the alarms raised or
     /// cleared.
     SampleOutcome set_baseline(const Baseline& baseline);
-    /// Processes the readings of one instant. Throws RefusedSample if there is no configuration yet, a reading of an
-    /// active link is missing, or the sample is not later than the last one.
+    /// Processes the readings of one instant. Throws RefusedSample if there is no configuration yet, or if a reading of
+    /// an active link is missing. Also throws it if the sample is not later than the last sample, unless connected()
+    /// has been called since.
     SampleOutcome take(const ExcavatorSample& sample);
-    /// Ends all movements and judges them, because no sample follows for a while.
+    /// Ends and judges all movements. Call this function when no sample will follow for a while.
     SampleOutcome end_movements();
-    /// Returns the movement that the set is in, or null.
+    /// Returns the set's movement in progress; null if there is none.
     const Movement::State* movement(hydraulics::LinkSet set) const;
 
 private:
@@ -139,7 +145,6 @@ private:
     void watch(hydraulics::LinkSet set, const SetSample& centre, const ExcavatorSample& newest);
     void end_movement(hydraulics::LinkSet set);
     void watch_readings(const ExcavatorSample& sample);
-    /// Records an impossible reading of the link.
     void note_impossible(hydraulics::LinkSet set, hydraulics::Link link);
     std::vector<double> health_in3_per_psi(hydraulics::LinkSet set) const;
     void note(hydraulics::LinkSet set, SetWatch::Judged judged);
@@ -152,7 +157,7 @@ private:
     DiagnosisSettings settings_;
     std::uint64_t seed_;
     hydraulics::Sampling sampling_;
-    State state_;                        ///< without the states of the sets
+    State state_;                        ///< without the states of the population sets
     std::vector<JudgedMovement> judged_; ///< movements judged since the last outcome
     hydraulics::CentredLineFit fit_;
     std::map<hydraulics::LinkSet, PopulationSet> sets_;

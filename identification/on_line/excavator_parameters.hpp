@@ -17,8 +17,8 @@ struct ExcavatorParameters {
     friend bool operator==(const ExcavatorParameters&, const ExcavatorParameters&) = default;
 };
 
-/// Returns the constants from the rows of link_constants(), flow_constants() and the inlet_compliance of each link. The
-/// sampling period is 20 ms, as in the thesis.
+/// Returns link_constants(), flow_constants() and the row inlet_compliance of each link. The sampling period is 20 ms,
+/// as in the thesis.
 ExcavatorParameters excavator_parameters(const hydraulics::Parameters& parameters);
 
 } // namespace placedpar::identification

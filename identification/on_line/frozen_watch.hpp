@@ -5,14 +5,14 @@
 
 namespace placedpar::identification {
 
-/// Detects, reading by reading, a sensor that freezes and then jumps to the present value. The rule is that of
+/// Detects, reading by reading, a sensor that freezes and then jumps to the present value. Uses the rule of
 /// hydraulics/data/frozen_run.hpp.
 class FrozenWatch {
 public:
     /// Holds everything that is needed to restore the object.
     struct State {
         std::optional<double> last;
-        std::size_t equal = 0; ///< number of equal readings at the end, including the last
+        std::size_t equal = 0; ///< number of equal readings up to the last
         double jump = 0;       ///< change from a long run of equal readings to the last reading; 0: there is none
 
         friend bool operator==(const State&, const State&) = default;

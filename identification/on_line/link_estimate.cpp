@@ -60,7 +60,7 @@ void LinkEstimate::add(double compliance, double time_s, double step, const Diag
     const double value = median(state_.recent_in3_per_psi);
     if (!agree(state_.recent_in3_per_psi, value, step, settings.settled_within))
         return;
-    // Excitation that keeps crossing the gate does not start a new transient.
+    // If the excitation repeatedly crosses the gate's limit, no new transient starts.
     double since_s = time_s - state_.settled_time_s;
     bool same = !state_.settled_in3_per_psi.empty() && since_s >= 0 && since_s < transients_apart_s;
     if (state_.settled || same)

@@ -13,9 +13,9 @@ struct DiagnosisSettings; // identification/on_line/settings.hpp
 
 /// Estimates the compliance of one link of a population set.
 ///
-/// A transient is a run of samples during which the link's pressure moves enough to determine its compliance. The
-/// estimate moves during transients and is frozen between them. It is settled when the best individuals of the last
-/// generations agree within one transient.
+/// A transient is a run of samples during which the link's pressure changes enough to determine the compliance. The
+/// estimate changes during transients and is frozen between them. The estimate is settled when the best individuals of
+/// the last `median_over` generations, all within one transient, agree.
 class LinkEstimate {
 public:
     /// Holds everything that is needed to restore the object.
@@ -28,8 +28,8 @@ public:
         double time_s = 0;                    ///< time of the sample that last changed the estimate
         double settled_time_s = 0;            ///< time of the sample that last changed the newest settled value
         double excitation_psi_per_s = 0;      ///< rms slope of the inlet pressure over the window
-        bool excited = false;                 ///< the excitation is above the gate
-        bool fits = true;                     ///< the best individual had positive fitness
+        bool excited = false;                 ///< whether the gate was open at the newest sample
+        bool fits = true;                     ///< whether the best individual had positive fitness
         bool settled = false;                 ///< whether the estimate has settled in the present transient
         std::size_t generations_in_transient = 0;
 
@@ -48,25 +48,24 @@ public:
     /// Sets the rms slope of the pressure over the window. If the gate is then shut, the transient ends.
     void excite(double rms_psi_per_s, const DiagnosisSettings& settings);
     void end_transient();
-    /// Adds the best individual of a generation; `step` is the resolution of the search.
+    /// Adds the compliance of a generation's best individual. `step_in3_per_psi` is the resolution of the search.
     void add(double compliance_in3_per_psi, double time_s, double step_in3_per_psi, const DiagnosisSettings& settings);
-    /// Sets the standard error by least squares on the window, after the window's generations.
+    /// Sets the standard error, from least squares on the window. Call this function after the window's generations.
     void add_error(double standard_error_in3_per_psi);
-    /// Records that no individual explains the window, so nothing is added.
+    /// Records that no individual explains the window. The estimate stays unchanged.
     void nothing_fits() { state_.fits = false; }
 
     bool excited() const { return state_.excited; }
-    /// Returns the median of the recent best individuals; nullopt before the first generation.
+    /// Returns the median compliance of the recent best individuals; nullopt before the first generation.
     std::optional<double> compliance_in3_per_psi() const;
-    /// Returns the least and the greatest of the recent best individuals. REQUIRES: there is a compliance.
+    /// Returns the least and the greatest compliance of the recent best individuals. REQUIRES: there is a compliance.
     std::pair<double, double> spread_in3_per_psi() const;
     /// Returns the reasons why the newest estimate may be wrong; none before there is an estimate.
     std::vector<Flag> flags(const DiagnosisSettings& settings) const;
     /// Returns the reasons why the newest settled value may be wrong. REQUIRES: there is a settled value.
     std::vector<Flag> settled_flags(const DiagnosisSettings& settings) const;
-    /// Returns the newest settled value.
     std::optional<double> settled_in3_per_psi() const;
-    /// Returns the median over the last settled transients.
+    /// Returns the median of the settled values of the last transients.
     std::optional<double> lasting_in3_per_psi() const;
 
 private:

@@ -47,14 +47,14 @@ public:
     /// Makes a sample, the mean of the readings since the last sample. Areas and spool positions are not mixed; the
     /// sample uses the kind that was read last. REQUIRES: there is a reading.
     void finish_sample();
-    /// Forgets the readings but not the spool, which continues to move over a gap or a change of circuit.
+    /// Forgets the readings but not the computed spool, which continues to move over a gap or a change of circuit.
     void restart();
 
-    /// Returns the middle of the last 5 samples; nullopt while there are fewer.
+    /// Returns the middle one of the last 5 samples, with its slopes; nullopt while there are fewer.
     std::optional<hydraulics::LinkSample> centre(const hydraulics::CentredLineFit& fit,
                                                  const hydraulics::LinkConstants& constants) const;
 
-    /// Returns whether the middle of the last 5 samples stands out from the others; false while there are fewer.
+    /// Returns whether the middle one of the last 5 samples stands out from the others; false while there are fewer.
     bool spikes(double period_s) const;
 
 private:

@@ -17,7 +17,8 @@ struct Individual; // gaprocs/policies/individual.hpp
 
 namespace placedpar::identification {
 
-/// A population with its estimates. Population and estimates outlive changes of configuration.
+/// The population of a set of links, with an estimate for each link. Population and estimates survive changes of
+/// configuration.
 ///
 /// The random numbers depend on the seed, the names of excavator and set, and the number of samples seen. The results
 /// are therefore a function of the set's own samples; other sets and a restart of the program do not change them.
@@ -27,7 +28,7 @@ public:
     struct State {
         std::vector<Genome> population; ///< the elite first
         std::vector<SetSample> window;  ///< oldest first
-        std::size_t to_skip = 0;        ///< usable samples still to be skipped
+        std::size_t to_skip = 0;        ///< number of usable samples still to be skipped
         std::uint64_t samples = 0;      ///< number of samples seen, usable or not
         std::uint64_t generations = 0;
         std::vector<LinkEstimate> estimates; ///< one for each link, in the order of links_of()
@@ -43,8 +44,9 @@ public:
     hydraulics::LinkSet links() const { return links_; }
     const State& state() const { return state_; }
 
-    /// Adds the newest sample to the window. If the window is long enough and the gate is open, makes the generations
-    /// of this sample. Returns the number of generations made. REQUIRES: the problem has the links of this set.
+    /// Adds the newest sample to the window. If the window is long enough and the gate is open for at least one link,
+    /// makes `search.window.trials` generations. Returns the number of generations made. REQUIRES: the problem has the
+    /// links of this set.
     std::size_t take(const SetProblem& problem, const SetSample& sample, double time_s);
 
     /// Empties the window after a change of configuration or a gap in the samples, because earlier samples do not
@@ -54,8 +56,8 @@ public:
 private:
     void push(const SetSample& sample);
     void evolve(const SetProblem& problem, double time_s);
-    /// Restores the columns of links without excitation, which the generations have changed at random, from the former
-    /// population.
+    /// Restores the bits of links without excitation from the former population, since the generations have changed
+    /// these bits at random.
     void keep_frozen_columns(const std::vector<Genome>& former);
     void add_errors(const SetProblem& problem);
     void record(const SetProblem& problem, const Individual& best, double time_s);

@@ -13,11 +13,11 @@ namespace placedpar::identification {
 /// Returns the fifteen population sets of Figure 3.13: one for each non-empty set of links, in the figure's order.
 const std::array<hydraulics::LinkSet, 15>& all_population_sets();
 
-/// Returns "P1a" ... "P4". REQUIRES: the set is not empty.
+/// Returns the name in Figure 3.13, "P1a" to "P4". REQUIRES: the set is not empty.
 std::string_view name_of_set(hydraulics::LinkSet);
 std::optional<hydraulics::LinkSet> set_named(std::string_view);
 
-/// Returns the links in the order in which a set's string codes them: the order of Figure 3.13, in every circuit.
+/// Returns the links in the order in which a set's string codes them: the order of Figure 3.13, whatever the circuit.
 std::vector<hydraulics::Link> links_of(hydraulics::LinkSet);
 /// Returns the index of the link in links_of(set). REQUIRES: set.contains(link).
 std::size_t position_in(hydraulics::LinkSet set, hydraulics::Link link);

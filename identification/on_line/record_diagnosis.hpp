@@ -22,7 +22,7 @@ struct WholeMovement {
 /// The result of a movement for one link: the settled estimate, or the last estimate if none has settled.
 struct LinkFinding {
     hydraulics::Link link;
-    std::optional<double> compliance_in3_per_psi; ///< nullopt: the pressure never moved enough
+    std::optional<double> compliance_in3_per_psi; ///< nullopt: the pressure never changed enough
     double standard_error_in3_per_psi = 0;        ///< standard error of least squares on the window of the estimate
     /// The least and the greatest compliance of the last generations' best individuals.
     std::pair<double, double> spread_in3_per_psi;
@@ -38,8 +38,8 @@ struct MovementFinding {
     std::vector<LinkFinding> links;
 };
 
-/// Diagnoses a record as the service diagnoses a working machine. Equal samples, seed and name give equal estimates and
-/// verdicts, bit by bit. A record of any length may be given in pieces.
+/// Diagnoses a record as the service diagnoses a working machine. From equal samples, seed and name, both compute equal
+/// estimates and verdicts, bit by bit. A record of any length may be given in pieces.
 class RecordDiagnosis {
 public:
     RecordDiagnosis(Diagnosis diagnosis, const DiagnosisSettings& settings,

@@ -8,7 +8,7 @@
 
 namespace placedpar::identification {
 
-/// States how to read a link in a record, as a control system would report it.
+/// States how a link's channels in a record become the Reading that a control system would report.
 struct LinkReader {
     hydraulics::AreasFrom from = hydraulics::AreasFrom::spool;
     double spool_offset_in = 0; ///< amount by which the spool reads too high
@@ -18,8 +18,8 @@ struct LinkReader {
 /// voltage.
 hydraulics::LinkSet links_to_diagnose(const hydraulics::ChannelSet& there);
 
-/// Returns the readings of these links at one instant of a record. Spools and areas below 0 become 0, since they are
-/// sensor noise. REQUIRES: the record has these readings.
+/// Returns the readings of these links at one instant of a record. Spools and areas below 0 become 0, since negative
+/// readings are sensor noise. REQUIRES: the record has these readings.
 ExcavatorSample sample_of(const hydraulics::Record& record, std::size_t index, hydraulics::LinkSet links,
                           const hydraulics::PerLink<LinkReader>& readers);
 

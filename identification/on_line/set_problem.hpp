@@ -10,12 +10,14 @@
 
 namespace placedpar::identification {
 
+struct FlowWeights; // identification/flow_weights.hpp
+
 /// One LinkSample for each link of a population set, in the order of links_of().
 using SetSample = std::vector<hydraulics::LinkSample>;
 
 /// The search for the compliances of a population set in one configuration of the main valve. The string codes the
-/// links in the order of Figure 3.13, each in Gray code, so that the strings of a population have the same meaning in
-/// all configurations. This class hides the order of the circuit's junctions.
+/// links' compliances in the order of Figure 3.13, each in Gray code. So the strings of a population have the same
+/// meaning in all configurations. The circuit's junctions may have another order, which this class hides.
 class SetProblem {
 public:
     /// REQUIRES: `links` is a non-empty part of one coupled group of the configuration.
@@ -45,11 +47,12 @@ public:
     std::vector<double> standard_errors_in3_per_psi(std::span<const SetSample> window,
                                                     std::span<const double> answer_in3_per_psi) const;
 
-    /// Returns the terms of a window that fitness() needs.
+    /// Returns the terms of the equations that depend only on the window, for fitness().
     std::vector<hydraulics::CircuitTerms> prepared(std::span<const SetSample> window) const;
-    /// Returns, for each string, the sum of fitness_term over the window (eq. 3.9).
+    /// Returns, for each string, the sum of fitness_term over the window (eq. 3.9), with weighed_error() if there are
+    /// weights.
     std::vector<double> fitness(std::span<const Genome> strings, std::span<const hydraulics::CircuitTerms> window,
-                                double bias) const;
+                                double bias, const FlowWeights* weights = nullptr) const;
 
 private:
     hydraulics::Circuit circuit_;

@@ -11,22 +11,21 @@ using namespace hydraulics;
 
 namespace {
 
-/// A piston that retracts faster than this on average, while oil flows in, shows that its angle has the wrong sign
-/// (ours).
+/// If a piston retracts faster than this on average while oil flows in, the angle has the wrong sign (ours).
 constexpr double least_inflow_in3_per_s = 1;
 
-/// A greater flow into the cylinder, including the oil that the hose takes up, shows that oil drives the piston (ours).
+/// If more oil than this flows into the cylinder and its hose, the oil drives the piston (ours).
 constexpr double driven_in3_per_s = 10;
-/// Within this time a boom that swings after its valve has shut swings back.
+/// A boom that swings after its valve has shut swings back within this time.
 constexpr double longest_swing_s = 0.5;
 
-/// Returns whether the movement determines the size of this deviation. A steady movement hardly determines any.
+/// Returns whether the movement determines the size of this deviation.
 bool tells(const Deviation& deviation, FaultHypothesis way) {
     return deviation.standard_error(way) <= LinkJudge::most_uncertain;
 }
 
-/// Returns whether a deviation is physically impossible: a compliance below 0, or a spool offset above .05 in. The
-/// excess must be at least two standard errors.
+/// Returns whether a deviation is physically impossible: a compliance below 0, or a spool offset above .05 in, by more
+/// than two standard errors.
 bool impossible(const Deviation& found, AreasFrom valve) {
     const Deviation deviation = found.with_steady_leak();
     constexpr double no_compliance = -1 / WayUnits::compliance_share, furthest_offset = 10, errors = 2;

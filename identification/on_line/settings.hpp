@@ -13,16 +13,16 @@ inline constexpr std::size_t kept_transients = 5;
 /// Returns the search settings of the thesis, with one elite individual in addition.
 SearchSettings service_search();
 
-/// The settings of the on-line diagnosis. Its search is the thesis's with an engineer's additions: one elite
-/// individual, Gray code, signed flow into the cylinder, and a gate on excitation.
+/// The settings of the on-line diagnosis. To the thesis's search the diagnosis adds one elite individual, Gray code,
+/// signed flow into the cylinder, and a gate on excitation.
 struct DiagnosisSettings {
     SearchSettings search = service_search(); ///< window 10, bias 400, 5 trials, population 120, 1 elite
     std::size_t bits = 10;                    ///< bits per compliance; not printed in the thesis
     ExcitationGate gate;                      ///< shut while the excitation is too low; the estimate is then frozen
     std::size_t skipped = 2;                  ///< usable samples left out after the path to a cylinder has opened; ours
-    /// The number of generations over whose best individuals the estimate is the median; ours.
+    /// The estimate is the median of the best individuals of this many generations; ours.
     std::size_t median_over = 25;
-    /// The limit of (greatest - least) / median of these individuals for a settled estimate; ours.
+    /// An estimate is settled if (greatest - least) / median of these individuals is at most this; ours.
     double settled_within = 0.2;
     double inconsistent_over = 0.3; ///< limit of (greatest - least) / median between population sets; ours
     double stale_after_s = 600;     ///< estimates older than this are left out of cross-checks; ours

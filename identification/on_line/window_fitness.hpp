@@ -10,9 +10,9 @@
 
 namespace placedpar::identification {
 
-/// Computes the fitness of the strings of several generations over one window. The short strings of one link are
-/// evaluated only once each: a converging population has many equal strings, and most of them were in earlier
-/// generations.
+/// Computes the fitness of the strings of several generations over one window. Strings of at most `most_bits` bits
+/// (those of one link) are evaluated only once: a converging population has many equal strings, most of them from
+/// earlier generations.
 class WindowFitness {
 public:
     /// REQUIRES: the problem outlives this object.

@@ -18,7 +18,7 @@ std::string print_compliance(std::string_view name, double compliance_in3_per_ps
 /// Returns the heading of the columns of print_compliance().
 std::string compliance_heading();
 
-/// Returns one line, which begins with ! and the compliance's name, for each flag.
+/// Returns a line for each flag; each line begins with `!` and the compliance's name.
 std::string print_flags(std::string_view name, const std::vector<identification::Flag>& flags);
 boost::json::array flags_json(const std::vector<identification::Flag>& flags);
 

@@ -8,11 +8,11 @@
 
 namespace placedpar {
 
-/// Returns the heading of the movements.
+/// Returns the heading for the lines of print_movement().
 std::string movements_heading();
-/// Returns text for people: the time, a line for each link, then the flags.
+/// Returns text for people: the times and a line for each link, then the flags.
 std::string print_movement(const identification::MovementFinding& movement);
-/// Returns text for people: the verdict on each active link after all movements.
+/// Returns text for people: the verdict on each active link that has no fault, then the active alarms.
 std::string print_verdicts(const identification::Diagnosis& diagnosis);
 
 /// These two functions return the same content as JSON.

@@ -9,12 +9,13 @@
 
 namespace placedpar {
 
-/// Returns text for people: a line for each link with its references, then the flags.
+/// Returns text for people: for each link a line with its compliance, its standard error, and the best of all strings
+/// for comparison; then the flags.
 std::string print_identified(const identification::Identified& identified,
                              const identification::ComplianceSearch& prepared,
                              const identification::IdentificationWay& way);
 
-/// Returns everything as JSON, with the estimates sample by sample.
+/// Returns the results as JSON, including the estimate after each sample.
 boost::json::object identified_json(const identification::Identified& identified,
                                     const identification::ComplianceSearch& prepared);
 

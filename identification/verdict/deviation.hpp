@@ -18,9 +18,10 @@ struct WayUnits {
     static WayUnits of(double compliance_in3_per_psi) { return {compliance_share * compliance_in3_per_psi}; }
 };
 
-/// The standard deviations, in units, by which the error of the equations varies from movement to movement, regardless
-/// of the movements' length: for offsets, and for all other deviations. The values are ours. The value for offsets is
-/// tuned on the machines of seeds 4001 to 5040, so that leaks that begin with a movement are found.
+/// The error of the equations varies from movement to movement, however long the movements are. These are its standard
+/// deviations, in units: `offset_repeats_within` for offsets, `repeats_within` for all other deviations. The values are
+/// ours. The value for offsets is tuned on the machines of seeds 4001 to 5040, so that leaks that begin with a movement
+/// are found.
 inline constexpr double repeats_within = 0.15, offset_repeats_within = 0.1375;
 
 /// The deviations of a link in units of WayUnits, from one movement or several.
@@ -29,10 +30,11 @@ struct Deviation {
     PerPairOfHypotheses covariance{};
 
     double standard_error(FaultHypothesis) const;
-    /// Returns the inverse of the covariance, after adding the variation between movements (repeats_within) to it.
+    /// Returns the inverse of the covariance plus the variation between movements (`repeats_within`,
+    /// `offset_repeats_within`).
     PerPairOfHypotheses information() const;
     /// Returns the deviation under the assumption that the leak is equal before and during the movement. The rest
-    /// before the movement then distinguishes a leak from an offset, which the flow alone hardly does.
+    /// before the movement then distinguishes a leak from an offset. The flow during the movement hardly does.
     Deviation with_steady_leak() const;
     friend bool operator==(const Deviation&, const Deviation&) = default;
 };

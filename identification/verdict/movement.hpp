@@ -21,31 +21,33 @@ struct MovementSamples {
     friend bool operator==(const MovementSamples&, const MovementSamples&) = default;
 };
 
-/// Cuts a stream of samples into movements. All values are ours. slope_reach and slope_ahead are numbers of samples;
-/// other lengths are in seconds.
+/// Cuts a stream of samples into movements. All constants are ours. `slope_reach` and `slope_ahead` are numbers of
+/// samples.
 class Movement {
 public:
     struct State {
         MovementSamples samples;
-        /// The newest samples with shut valves. A sample is rest if three more such samples follow.
+        /// The newest samples with shut valves. A sample counts as rest as soon as three more samples with shut valves
+        /// have followed.
         std::vector<JunctionSamples> shut;
         std::size_t opened = 0; ///< number of samples since the valves opened
-        std::size_t closed = 0; ///< number of samples, after a movement, in which not all valves are open
+        std::size_t closed = 0; ///< number of samples since all valves were last open
 
         friend bool operator==(const State&, const State&) = default;
     };
 
-    /// The number of samples left out where the valve changes. A slope uses five samples, which must not span two
-    /// states of the valve. One more sample is left out, since the path to a cylinder opens between two samples, and
-    /// readings have noise.
+    /// The number of samples left out before a valve opens, after it has opened, and after it has shut. A slope uses
+    /// two samples on either side, which must have the same state of the valve. One more sample is left out, since the
+    /// path to a cylinder opens between two samples, and readings have noise.
     static constexpr std::size_t slope_reach = 3;
-    static constexpr std::size_t slope_ahead = 2; ///< samples by which slopes reach beyond the end of a movement
-    static constexpr double rest_s = 1;           ///< length of rest that is kept
-    static constexpr double piece_s = 4;          ///< a longer movement is judged in pieces
+    static constexpr std::size_t slope_ahead = 2; ///< samples left out at the end of a movement, since their slopes use
+                                                  ///< later samples
+    static constexpr double rest_s = 1;           ///< time of rest before a movement that is kept
+    static constexpr double piece_s = 4;          ///< a longer movement is judged in pieces of this length
     static constexpr double shut_for_s = 0.06;    ///< a pause that is at least this long ends the movement
     static constexpr double rest_after_s = 0.4;   ///< further time for the valves to shut and for the rest that follows
     static constexpr double open_by_psi = 25;     ///< as UsableSamples::open_by_psi
-    static constexpr double least_inlet_in2 = 0.0125; ///< .01 in of spool beyond the dead band
+    static constexpr double least_inlet_in2 = 0.0125; ///< area with the spool .01 in beyond the dead band
 
     Movement() = default;
     Movement(const hydraulics::Sampling& sampling, State state) : sampling_(sampling), state_(std::move(state)) {}
@@ -55,7 +57,7 @@ public:
     bool take(const hydraulics::Circuit& circuit, const hydraulics::FlowConstants& flow, JunctionSamples sample);
     /// Returns whether a movement is in progress.
     bool under_way() const { return !state_.samples.moving.empty(); }
-    /// Returns the samples of the movement; the next movement starts empty.
+    /// Ends the movement and returns its samples.
     MovementSamples finish();
 
 private:

@@ -21,18 +21,19 @@ namespace {
 constexpr Eigen::Index ways = all_hypotheses.size();
 constexpr std::size_t fewest_at_rest = 4;
 /// The variance per sample, in (in^3/s)^2, that sensor noise does not explain. During the movement its cause is the
-/// error of the equations; at rest, a converter and friction.
+/// error of the equations; at rest, its causes are the steps of the converter and friction.
 constexpr double least_variance_moving = 0.001, least_variance_at_rest = 0.05;
 /// The relative error of the estimated noise of the slopes. The estimate is a median over about 50 readings.
 constexpr double noise_known_within = 0.3;
 /// The greatest difference between the compliances at rest and during the movement, in units: 0.25 units are 5 % of the
 /// compliance.
 constexpr double compliance_at_rest_within = 0.25;
-/// The greatest share by which a leak at rest after a movement is smaller than during the movement. The pressure behind
-/// the piston, which is not read, acts against the leak (ours).
+/// The share by which a leak at rest after a movement may be smaller than during the movement (ours). The pressure
+/// behind the piston, which is not read, reduces the leak.
 constexpr double leak_after_within = 0.25;
-/// If flow alone distinguishes a leak from an offset, the leak has an error of about this many units, since the
-/// equations are not exact. Sound machines without noise or at 5 kHz appear to have a leak of -.4 to -2.8 units (ours).
+/// If only the flow during the movement distinguishes a leak from an offset, the leak has an error of about this many
+/// units (ours), since the equations are not exact. Sound machines without noise or at 5 kHz appear to have a leak of
+/// -.4 to -2.8 units.
 constexpr double leak_by_flow_within = 1.25;
 /// The assumed standard deviation of each deviation before a movement is evaluated, in units.
 constexpr double prior_units = 10;
@@ -56,8 +57,8 @@ LinkSample with_spool_moved(LinkSample link, double moved_in) {
     return link;
 }
 
-/// The equations of a circuit near the healthy state: the imbalance of a sample's flows, one row per junction, and its
-/// derivatives.
+/// Computes the imbalance of a sample's flows near the healthy state, one row per junction, and the derivatives of the
+/// imbalance.
 class Balance {
 public:
     Balance(const Circuit& circuit, const FlowConstants& flow, std::span<const LinkInHealth> links)
@@ -78,8 +79,8 @@ public:
         auto missing = missing_flows_in3_per_s<double>(circuit_, compliances_, samples, flow_, InletFlow::as_signed);
         return Eigen::Map<const VectorXd>(missing.data(), static_cast<Eigen::Index>(circuit_.size()));
     }
-    /// The next four functions return the change of the imbalance: per in^3/s into the cylinder, per psi, and per in^2
-    /// of each area.
+    /// The next four functions return the change of the imbalance: per in^3/s into the cylinder, per psi of the link's
+    /// pressure, per in^2 of the inlet, and per in^2 of the bypass.
     VectorXd by_flow(const JunctionSamples& samples, std::size_t junction) const {
         return by(samples, 0.01, [&](JunctionSamples& to, double step) { to[junction].piston_flow_in3_per_s += step; });
     }
@@ -138,7 +139,7 @@ ReadingNoise reading_noise(const MovementSamples& movement, std::size_t junction
             of([](const LinkSample& link) { return spool_in_of(link.inlet_in2); }, white_gain)};
 }
 
-/// Returns the change of the missing flows at all junctions, in one column per moving sample.
+/// Returns `change` of each moving sample as a column, with one row per junction.
 template <class Change>
 MatrixXd by_sample(const MovementSamples& movement, std::size_t junctions, const Change& change) {
     MatrixXd columns(static_cast<Eigen::Index>(junctions), static_cast<Eigen::Index>(movement.moving.size()));
@@ -147,7 +148,7 @@ MatrixXd by_sample(const MovementSamples& movement, std::size_t junctions, const
     return columns;
 }
 
-/// The rows of a movement, sample by sample, and for each link the noise of its compliance's column.
+/// The rows of a movement, sample by sample, and for each link the noise in the column of its compliance.
 struct MovingRows {
     NoisyRows rows;
     std::vector<Sparse> compliance_noise;
@@ -184,7 +185,7 @@ void set_slopes(NoisyRows& rows, const Balance& balance, const MovementSamples& 
     }
 }
 
-/// Adds the columns and the noise of one link. Returns the noise of its compliance's column.
+/// Adds the columns and the noise of one link. Returns the noise in the column of its compliance.
 Sparse add_link(NoisyRows& rows, const Balance& balance, const MovementSamples& movement, std::size_t junction,
                 const ReadingNoise& noise) {
     const MatrixXd by_flow = by_sample(movement, balance.junctions(), [&](const JunctionSamples& samples) {
@@ -214,9 +215,9 @@ MovingRows moving_rows(const Balance& balance, const MovementSamples& movement,
     return moving;
 }
 
-/// Returns the equations at rest. The inlet is shut, so A v + C dP/dt + k_l P = 0, regardless of the spool's reading.
-/// Alone, these equations determine only the ratio of leak and compliance. Therefore the compliance at rest is assumed
-/// to equal the compliance during the movement, within compliance_at_rest_within.
+/// Returns the equations of one link at rest. Its inlet is shut, so A v + C dP/dt + k_l P = 0, regardless of the
+/// spool's reading. Alone, these equations determine only the ratio of leak and compliance. Therefore the compliance at
+/// rest is assumed to equal the compliance during the movement, within compliance_at_rest_within.
 NoisyRows rows_at_rest(const Balance& balance, const std::vector<JunctionSamples>& samples, std::size_t junction,
                        FaultHypothesis leak, const ReadingNoise& noise) {
     const Eigen::Index column = row_of(junction);
@@ -239,21 +240,21 @@ NoisyRows rows_at_rest(const Balance& balance, const std::vector<JunctionSamples
 
 /// The normal equations of a movement.
 struct Equations {
-    MatrixXd information; ///< includes the noise
+    MatrixXd information; ///< includes the part that is noise
     VectorXd pull;
     VectorXd noise;     ///< the part of each unknown's information that is noise
-    VectorXd in_health; ///< for each unknown, the healthy value in units, which the noise affects together with the
-                        ///< deviation
+    VectorXd in_health; ///< for each unknown, the healthy value in units; the noise acts on the sum of healthy value
+                        ///< and deviation
 };
 
-/// Returns the equations without samples: they assume that deviations hardly exceed prior_units.
+/// Returns the equations before any sample is added: each deviation is 0 with standard deviation `prior_units`.
 Equations before_movement(Eigen::Index unknowns) {
     const VectorXd none = VectorXd::Zero(unknowns);
     return {MatrixXd::Identity(unknowns, unknowns) / (prior_units * prior_units), none, none, none};
 }
 
-/// Adds the moving samples and the noise in their slopes. This noise adds to the information of a compliance, and would
-/// make the compliance too small (errors in variables).
+/// Adds the moving samples, and notes the part of the information that is noise of their slopes. This part would make a
+/// compliance too small (errors in variables).
 void add_moving(Equations& equations, const MovingRows& moving) {
     const Weights weights(moving.rows);
     const MatrixXd information = weights.information();
@@ -271,8 +272,8 @@ void add_moving(Equations& equations, const MovingRows& moving) {
     equations.noise = noise / scale;
 }
 
-/// Adds the uncertainty leak_by_flow_within to a leak that follows from the movement's flow, which an offset may
-/// explain as well.
+/// Adds the uncertainty `leak_by_flow_within` to the leak found from the flow during the movement, since an offset may
+/// explain the flow as well.
 void limit_leak(Equations& equations, Eigen::Index leak) {
     MatrixXd information = equations.information;
     information.diagonal() -= equations.noise;
@@ -286,8 +287,8 @@ void limit_leak(Equations& equations, Eigen::Index leak) {
     equations.pull[leak] -= too_much * by[leak];
 }
 
-/// Adds the information of a rest about the leak, given the compliance. A rest gives no information about the
-/// compliance itself, because the slopes at rest are mostly noise.
+/// Adds the information about the leak that a rest gives if the compliance is known. A rest gives no information about
+/// the compliance itself, because the slopes at rest are mostly noise.
 void add_rest(Equations& equations, const NoisyRows& rest, Eigen::Index leak) {
     const Weights weights(rest);
     const double known = weights.information()(leak, leak);
@@ -322,8 +323,8 @@ std::optional<std::vector<Deviation>> solve(const Equations& equations) {
     return parts(by, inverse * pulls * inverse);
 }
 
-/// Adds the uncertainty leak_after_within to a leak that follows from the rest after the movement, and to the
-/// deviations that are correlated with this leak.
+/// Adds the uncertainty `leak_after_within` to the leak found from the rest after the movement, and to the deviations
+/// correlated with this leak.
 void add_unread_pressure(Deviation& deviation) {
     const Eigen::Index leak = row_of(FaultHypothesis::leak);
     WayMatrix covariance = matrix_of(deviation.covariance);

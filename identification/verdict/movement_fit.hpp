@@ -13,7 +13,7 @@
 
 namespace placedpar::identification {
 
-/// The assumptions about a healthy link before a movement.
+/// What is assumed about a link if it is healthy.
 struct LinkInHealth {
     double compliance_in3_per_psi;
     /// The source of the link's areas. Areas that are measured directly have no offset.
@@ -27,8 +27,8 @@ inline constexpr std::size_t fewest_moving = 12;
 /// generalised least squares. During the movement it fits the missing flow (equations 3.5 to 3.7, 3.10, 3.11; signed)
 /// by compliance, leak and offset of every link. At rest it fits A v + C dP/dt + k_l P = 0, which is independent of the
 /// spool. The rest before the movement determines the leak before the movement; the rest after it determines the leak
-/// during the movement. A rest after the movement is used only if there is also a rest before it. Otherwise, as at the
-/// end of a long movement, only the closing of the valve would determine the compliance.
+/// during the movement. The rest after the movement is used only if there is also a rest before the movement. Without a
+/// rest before, as at the end of a long movement, only the closing of the valve would determine the compliance.
 ///
 /// The covariance of the errors follows from the noise of pressures, angles and valves at all junctions. Each noise is
 /// estimated from the fourth differences of its readings and propagated through the equations and the 5-point slopes;

@@ -29,8 +29,7 @@ Sparse noise_through(const Taps& taps, const MatrixXd& by) {
     return columns;
 }
 
-/// The weight of the assumed noise in Weights::scale(), as a number of rows. The residuals of more rows than this
-/// outweigh the assumed noise.
+/// The weight of the assumed variance in Weights::scale(): it counts as much as the residuals of this many rows.
 constexpr double noise_worth_rows = 8;
 
 } // namespace

@@ -9,27 +9,28 @@ namespace placedpar::identification {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// The factors by which fourth differences increase the variance of white noise, and of the 5-point slopes of white
-/// noise.
+/// The factors by which taking fourth differences increases the variance of white noise (`white_gain`), and of the
+/// 5-point slopes of white noise (`slope_gain`).
 inline constexpr double white_gain = 70, slope_gain = 25.2;
 
 /// Estimates the variance of the noise in readings from the median of their fourth differences, which are near 0 for a
 /// smooth signal. Ripple counts as noise, since it disturbs readings in the same way. REQUIRES: at least five readings.
 double noise_variance(const std::vector<double>& readings, double gain);
 
-/// These functions return the effect of noise of variance 1 in the readings on the rows. The result has a column per
-/// instant of reading, from two before the first sample to two after the last. `by` has a column per sample: the effect
-/// of the reading itself for white_noise(), of the 5-point slope of the readings for slope_noise().
+/// These functions return the effect of noise on the rows. The noise of each reading is independent. It has variance 1
+/// in the readings for white_noise(), in their 5-point slopes for slope_noise(). `by` has a column per sample: the
+/// change of the rows per unit of the reading or of the slope. The result has a column per reading, from two before the
+/// first sample to two after the last.
 Sparse white_noise(const Eigen::MatrixXd& by);
 Sparse slope_noise(const Eigen::MatrixXd& by);
 
-/// Linear equations missed + slopes * unknowns = 0 whose errors come from noises of variance 1.
+/// The linear equations `missed` + `slopes` * unknowns = 0, whose errors have the covariance `covariance`.
 struct NoisyRows {
     Eigen::MatrixXd slopes;
     Eigen::VectorXd missed;
     Sparse covariance;
 
-    /// `least_variance` is the variance of errors that do not come from readings.
+    /// `least_variance` is the variance of the errors that the noise of readings does not cause.
     NoisyRows(Eigen::Index rows, Eigen::Index unknowns, double least_variance);
     void add_noise(const Sparse& columns) { covariance += Sparse(columns * columns.transpose()); }
 };
@@ -47,7 +48,7 @@ public:
     /// slopes.
     double share_of(const Sparse& columns) const;
     /// Returns the factor by which the variance of the residuals exceeds the assumed variance, if the unknowns are
-    /// `by`. With more rows, the residuals outweigh the assumed variance.
+    /// `by`. With few rows the factor stays near 1.
     double scale(const Eigen::VectorXd& by, Eigen::Index unknowns) const;
 
 private:

@@ -8,7 +8,8 @@
 
 namespace placedpar::identification {
 
-/// Names the possible faults of a link: a deviation of one hypothesis, or a leak that begins when the valve opens.
+/// Names the possible faults of a link. A `leak` is there before and during the movement; a `new_leak` begins when the
+/// valve opens.
 enum class LinkFault : unsigned char { compliance, leak, new_leak, offset };
 
 inline constexpr std::array<LinkFault, 4> all_faults{LinkFault::compliance, LinkFault::leak, LinkFault::new_leak,
@@ -17,7 +18,7 @@ inline constexpr std::array<LinkFault, 4> all_faults{LinkFault::compliance, Link
 /// Returns the deviations that one unit of a fault causes.
 PerHypothesis unit_of(LinkFault fault);
 
-/// A suspected fault of a link, with its sign. A leak is always positive.
+/// A suspected fault of a link, and its size with sign. A leak is always positive.
 struct Suspicion {
     LinkFault fault;
     double units;
@@ -27,8 +28,8 @@ struct Suspicion {
 /// sum for each suspicion. Each movement adds the logarithm of the likelihood ratio of the suspected deviation to no
 /// deviation; the sum is never below 0. One movement adds at most `most_of_one`, because real errors have longer tails
 /// than the normal distribution; the movement's information is reduced in proportion. Therefore a report needs at least
-/// two movements. After movements of information I, a sum s counts as s / (1 + I b), where b is the variance of the
-/// link's reference.
+/// two movements. The link's reference is uncertain too. Therefore a sum s counts as s / (1 + I b), where I is the
+/// information of the movements in the sum, and b is the variance of the reference.
 class SequentialTest {
 public:
     static constexpr std::array<Suspicion, 6> suspicions{{{LinkFault::compliance, 1},
@@ -63,15 +64,15 @@ public:
     const State& state() const { return state_; }
     friend bool operator==(const SequentialTest&, const SequentialTest&) = default;
 
-    /// Adds a movement: the link's deviation relative to `from`, in units. `scale` is the number of units suspected for
-    /// each hypothesis.
+    /// Adds a movement. The tested deviation is `movement` minus the reference `from`. `scale` is the number of units
+    /// suspected for each hypothesis.
     void take(const Deviation& movement, const Deviation& from, const PerHypothesis& scale = {1, 1, 1, 1});
     bool raised() const { return state_.raised; }
     /// Returns the mean of the movements since all sums were 0, weighted by information; nullopt if there are none.
     std::optional<Deviation> mean() const;
 
 private:
-    /// Adds the movement to one suspicion and returns the value of its sum.
+    /// Adds the movement to the sum of one suspicion. Returns s / (1 + I b) for this sum.
     double add(std::size_t suspicion, const PerHypothesis& seen, const PerPairOfHypotheses& information,
                const PerPairOfHypotheses& from_covariance, const PerHypothesis& scale);
 

@@ -20,8 +20,8 @@ constexpr std::array<std::string_view, 9> verdict_names{
 /// The error that remains in a mean of any number of movements, in units; ours.
 constexpr double mean_repeats_within = 0.05;
 
-/// The standard deviation, in units, of each deviation among healthy machines of a kind. For the compliance it
-/// corresponds to a uniform distribution within 10 %.
+/// The standard deviation, in units, of each deviation among healthy machines of a kind. For the compliance it is about
+/// that of a uniform distribution within 10 % of the mean.
 constexpr double kind_within = 0.3;
 
 /// Returns the distribution of a kind's healthy deviations. A healthy link's small leak hardly changes when the valve
@@ -34,7 +34,7 @@ Deviation kind_in_health() {
     return {{}, two_ways_of(covariance)};
 }
 
-/// Returns the information of a mean, which does not grow without limit with the number of movements.
+/// Returns the information of a mean over movements. It stays limited, however many movements there are.
 WayMatrix information_of_mean(const Deviation& mean) {
     WayMatrix covariance = matrix_of(mean.covariance);
     covariance.diagonal().array() += mean_repeats_within * mean_repeats_within;
@@ -81,7 +81,7 @@ double probability_sound(const Deviation& mean, const WayMatrix& information, Ar
     return 1 / all;
 }
 
-/// Returns whether the deviation of this kind exceeds its standard error.
+/// Returns whether the fault of this verdict exceeds the standard error of its size.
 bool beyond_error(VerdictKind kind, const Deviation& mean) {
     auto alone = [&](FaultHypothesis way) {
         const FaultSize size = size_alone(way, mean);

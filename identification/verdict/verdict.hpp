@@ -53,13 +53,13 @@ FaultSize size_alone(FaultHypothesis way, const Deviation& mean);
 /// Returns "either a leak of ... or a spool ...", with both sizes and the readings that would distinguish the two.
 std::string print_leak_or_offset(const Deviation& mean, const WayUnits& units);
 
-/// Returns the best explanation of a mean deviation: sound, or one fault alone at its most likely size. A leak and an
-/// offset are distinguished only if one is at least nine times as likely as the other. `valve`, the source of the
-/// areas, decides whether an offset is called offset or drift.
+/// Returns the best explanation of a mean deviation: sound if no fault was reported (`raised` is false), otherwise one
+/// fault alone at its most likely size. A leak and an offset are distinguished only if one is at least nine times as
+/// likely as the other. `valve`, the source of the areas, decides whether an offset is called offset or drift.
 Verdict verdict_of(const Deviation& mean, bool raised, hydraulics::AreasFrom valve);
 
-/// Judges one link, movement by movement, against its own first movements and against its kind. The comparison with the
-/// kind finds faults that were there from the first day.
+/// Judges one link, movement by movement. Compares the link with its own first movements, and with healthy machines of
+/// its kind. The second comparison finds faults that were there from the first day.
 class LinkJudge {
 public:
     /// The number of movements whose weighted mean is the healthy reference of the link.
@@ -79,7 +79,7 @@ public:
         std::vector<Deviation> first; ///< the first movements, at most movements_of_baseline
         SequentialTest::State from_itself, from_kind;
         hydraulics::AreasFrom valve = hydraulics::AreasFrom::spool; ///< source of the last movement's areas
-        bool impossible_now = false; ///< whether a reading since the last movement was impossible
+        bool impossible_now = false; ///< whether a reading since the end of the last movement was impossible
         bool impossible = false; ///< whether a reading was impossible since the last movement with plausible readings
 
         friend bool operator==(const State&, const State&) = default;
@@ -90,16 +90,17 @@ public:
     const State& state() const { return state_; }
     friend bool operator==(const LinkJudge&, const LinkJudge&) = default;
 
-    /// Returns whether a movement determines a link's deviations, assuming a steady leak. A movement does not if a
-    /// deviation is uncertain by more than most_uncertain units (half of the compliance, a leak of 12 %, 1/80 in of
-    /// spool). In such a movement the pressure hardly moves, and the samples are mostly noise of unknown size.
+    /// Returns whether a movement determines a link's deviations, assuming a steady leak. It does not if a deviation
+    /// has a standard error of more than `most_uncertain` units (half of the compliance, a leak of 12 % of the steady
+    /// flow, or 1/80 in of spool). In such a movement the pressure hardly changes, and the samples are mostly noise of
+    /// unknown size.
     static bool is_evidence(const Deviation& movement, hydraulics::AreasFrom valve);
-    /// Adds a finished movement. A movement with impossible readings or without excitation is ignored.
+    /// Adds a finished movement. Ignores a movement that had impossible readings or is not evidence.
     void take(const Deviation& movement, hydraulics::AreasFrom valve);
     /// Records an impossible reading: the verdict is `sensor` until a movement has no impossible reading.
     void note_impossible() { state_.impossible_now = state_.impossible = true; }
-    /// Returns `sound` only if its probability is above one half, and a fault only if its size exceeds its standard
-    /// error.
+    /// Returns `sound` only if the probability of `sound` is at least `least_sure_sound`, and a fault only if the
+    /// fault's size exceeds its standard error.
     Verdict verdict() const;
     /// Returns the reference of the link: the mean of its first movements, relative to its kind. Returns nullopt until
     /// there are enough movements.

@@ -33,6 +33,42 @@ struct LinearPlant {
 /// criterion can find a better plant. REQUIRES: the window is not empty.
 LinearPlant least_squares(std::span<const Sample> window);
 
+/// The unknowns of recursive least squares, and what is known of them.
+template <typename T>
+struct RecursiveEstimate {
+    std::vector<T> weights;
+    std::vector<T> covariance; ///< symmetric, row by row
+    std::vector<T> scaled;     ///< covariance * inputs
+
+    explicit RecursiveEstimate(std::size_t unknowns)
+        : weights(unknowns), covariance(unknowns * unknowns), scaled(unknowns) {
+        for (std::size_t i = 0; i < unknowns; ++i)
+            covariance[i * unknowns + i] = 1e6; // large, because nothing is known about the weights
+    }
+
+    /// Takes an output and the inputs by which the weights are multiplied. Returns the error of its prediction. Only
+    /// one half of the covariance is computed: if both are, rounding makes a forgetting of .9 diverge.
+    T take(std::span<const T> inputs, T output, T forgetting) {
+        const std::size_t size = weights.size();
+        T scale = forgetting, error = output;
+        for (std::size_t i = 0; i < size; ++i) {
+            scaled[i] = covariance[i * size] * inputs[0];
+            for (std::size_t j = 1; j < size; ++j)
+                scaled[i] += covariance[i * size + j] * inputs[j];
+            scale += inputs[i] * scaled[i];
+            error -= weights[i] * inputs[i];
+        }
+        for (std::size_t i = 0; i < size; ++i) {
+            T gain = scaled[i] / scale;
+            weights[i] += gain * error;
+            for (std::size_t j = 0; j <= i; ++j)
+                covariance[i * size + j] = covariance[j * size + i] =
+                    (covariance[i * size + j] - gain * scaled[j]) / forgetting;
+        }
+        return error;
+    }
+};
+
 /// Recursive least squares over all samples, with weight forgetting^age. With `noise_terms` it also estimates c1 e(k-1)
 /// + c2 e(k-2), where e is the previous prediction error (extended least squares), for coloured noise.
 class RecursiveLeastSquares {
@@ -50,8 +86,7 @@ private:
     double forgetting_;
     bool noise_terms_;
     LinearPlant plant_;
-    Eigen::VectorXd weights_;
-    Eigen::MatrixXd covariance_;
+    RecursiveEstimate<double> estimate_;
     std::array<double, 2> unexplained_{};
 };
 
