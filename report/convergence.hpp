@@ -25,10 +25,10 @@ Panel convergence_panel(std::string title, std::string label, std::span<const Co
 
 /// Draws the best and the mean fitness of all searches together or, if the problem has an objective, the best objective
 /// so far and the mean objective. The diversity of the searches is drawn below. Curves show medians and quartiles over
-/// the seeds of the logs. If the log does not compare the searches, each is drawn separately. The axis of a positive
-/// objective that is minimised is logarithmic. The axis of a fitness leaves out the far lower values of the first
-/// generations. Throws UserError if some run made no generation, or no generation with a finite objective. REQUIRES: at
-/// least one log; all logs are of one network.
+/// the seeds of the logs. Searches that cannot be compared (GenerationLog::compares()) are drawn separately. The axis
+/// of a positive objective that is minimised is logarithmic. The axis of a fitness leaves out the far lower values of
+/// the first generations. Throws UserError if some run made no generation, or no generation with a finite objective.
+/// REQUIRES: at least one log; all logs are of one network.
 Plot convergence_plot(std::string title, std::span<const SeededLog>);
 
 } // namespace placedpar

@@ -59,7 +59,7 @@ std::string Elaborator::hint_at_other(const std::string& member, const Settable&
     return fmt::format("{} has: --set {}.{}=...", which, other, member);
 }
 
-/// Refuses an option without a dot, whose name is neither a val nor an attribute or parameter.
+/// Refuses an option whose name has no dot and is neither a val nor an attribute or parameter.
 void Elaborator::refuse_name(const SetStatement& set, const std::string& name, const std::vector<Settable>& all) {
     const std::string& array = set.target.name;
     if (auto val = std::ranges::find(vals_, array, [](const auto& each) { return each.first; }); val != vals_.end())
