@@ -23,11 +23,12 @@ struct Change {
 /// Returns what the netlist declares with these settings, even if the netlist is refused with them.
 using DeclaredWith = std::function<Declared(const Overrides&)>;
 
-/// Returns the changes worth trying. All processors, the processors of an array's processes, all links and all buses
-/// are made 10 % faster, twice as fast, and as fast as a netlist allows (1 GHz, 1 Gbit/s, 1 ns per word). The ten
-/// processors, links, buses and processes that were the busiest in the run are also changed, one at a time, in these
-/// three ways. Memory becomes as fast as on-chip memory. Constants of processes or processors in cycles or bytes are
-/// reduced by 10 %, halved, and set to 0. Vals that determine the number of processes or processors are raised by one.
+/// Returns the changes worth trying. Processors, links and buses become 10 % faster, twice as fast, and as fast as a
+/// netlist allows (1 GHz, 1 Gbit/s, 1 ns per word). Such a change applies to all processors, links or buses, to the
+/// processors of an array's processes, or to one of the ten busiest processors, links or buses. Memory becomes as fast
+/// as on-chip memory. Constants in cycles or bytes are reduced by 10 %, halved, and set to 0, everywhere or in one of
+/// the ten busiest processes that share a processor. Vals that determine the number of processes or processors are
+/// raised by one.
 std::vector<Change> changes_of(const Network&, const RunReport&, const DeclaredWith&);
 
 } // namespace placedpar

@@ -15,13 +15,13 @@ namespace placedpar {
 /// the same time.
 using ChangedNetlist = std::function<Network(const Overrides&)>;
 
-/// The result of the run with a change.
+/// The result of the run of a changed netlist.
 struct Answer {
     Change change;
     Ending ending = Ending::interrupted;
     Time time{};
     std::string refused = ""; ///< first line of the refusal; "" if the netlist was accepted
-    std::string why = "";     ///< the activity whose time on the critical path grew most, if the run takes longer
+    std::string why = "";     ///< if the run takes longer: the activity whose time on the critical path grew most
 
     bool completed() const { return refused.empty() && ending == Ending::completed; }
 };

@@ -24,7 +24,7 @@ struct RankMessage {
 };
 
 std::string text_of(const RankMessage&);
-/// Reads the message back without any loss. REQUIRES: the text was made by text_of() of the same version.
+/// Reads the message back, without any loss. REQUIRES: the text was made by text_of() of the same version.
 RankMessage rank_message_from(const std::string&);
 
 /// Returns a digest of the netlist, its included files, the options and the version of PlacedPar. Two digests are equal

@@ -53,9 +53,9 @@ struct StudySummary {
 
 /// Summarises the runs in the results; with a study, only the runs of its combinations, with any seed. If `measures` is
 /// empty, the measures requested last are used. With `relative_to`, each figure is divided by the figure of a reference
-/// run. The reference run has the settings `relative_to`, and otherwise the settings, the seed and the ending of the
-/// run. A run without a reference run has no figure. Equal settings are combined and spelt as in the study
-/// (SettingValue).
+/// run. The reference run has the seed of the run and its settings, except for the settings in `relative_to`. A run has
+/// no figures if it has no reference run, or one that ended differently. Equal settings are combined and spelt as in
+/// the study (SettingValue).
 StudySummary summary_of(StudyResults&, std::vector<std::string> measures = {}, const Study* study = nullptr,
                         const Overrides& relative_to = {});
 

@@ -29,7 +29,8 @@ void require_possible(const std::vector<std::string>& measures, const Study&, co
 
 /// Makes runs of a study, one after the other. Data that runs share are made once: the kinds and the parsed netlist;
 /// for each combination, the network and, if they do not depend on the seed, the events on the machine (RecordedRun);
-/// for each seed, the records of measurement. The fitness of a string of an objective problem is computed once, too.
+/// for each seed, the records of measurement. A problem's objective is computed once for each genome
+/// (RememberedProblem).
 class StudyWorker {
 public:
     /// REQUIRES: the study outlives this object.
@@ -60,7 +61,7 @@ private:
     std::optional<Overrides> set_; ///< settings of network_
     Network network_;
     std::optional<RecordedRun> record_; ///< record of a run of the network, if its runs may be repeated
-    std::uint64_t departed_ = 0;        ///< number of runs of the network that differed from the record
+    std::uint64_t departed_ = 0;        ///< number of runs of the network that could not be repeated from the record
     std::uint64_t repeated_ = 0;
 };
 

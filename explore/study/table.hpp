@@ -9,7 +9,7 @@
 
 namespace placedpar {
 
-/// A name in a table for some runs of a study, and their settings.
+/// A row or column of a table: its name, and the settings of its runs.
 struct StudyVariant {
     std::string name;
     Overrides set = {};
@@ -25,7 +25,7 @@ struct StudyTolerance {
 struct StudyRow {
     StudyVariant runs;
     std::string measure =
-        ""; ///< measure that is the row's figure, named as in the study; "": `figure` gives the figure
+        ""; ///< the row's figure, as a measure of the study; "": `figure` gives it
     StudyExpression figure{
         ""}; ///< expression of the settings, the measures by their last names, and the rows above by their names
     std::string unit = "";
@@ -43,7 +43,7 @@ struct StudyTable {
     std::string name, against = "known", notes = "";
     bool judged = false;   ///< whether the table is judged even if it is not the first table
     bool fit = false;      ///< whether a line below the table gives the deviation of its figures from the known figures
-    Overrides shared = {}; ///< settings of all its runs, unless a row or column sets them
+    Overrides shared = {}; ///< settings of all runs of the table, unless a row or column sets them
     std::vector<StudyVariant> columns = {};
     std::vector<StudyRow> rows = {};
 
