@@ -100,7 +100,8 @@ bool is_val(const std::string& name, const Network& network) {
     return set != nullptr && set->elements.empty();
 }
 
-/// Returns the names of the processes that search. Throws UserError if no process searches, or if one of a pair does.
+/// Returns the names of the processes that search. Throws UserError if no process searches, or if a searching process
+/// is one of a pair.
 std::vector<std::string> searching_processes(const Network& network, const NetlistAsked& netlist) {
     std::vector<std::string> names;
     for (const ProcessInstance& process : network.processes) {

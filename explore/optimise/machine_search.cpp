@@ -136,7 +136,7 @@ std::optional<SearchCourse> MachineSearch::exhaustive() {
     return course;
 }
 
-/// Tries the machines, and adds the new machines to the course. Returns false if interrupted.
+/// Tries the machines, and adds the new machines that were simulated to the course. Returns false if interrupted.
 bool MachineSearch::take(SearchCourse& course, const std::vector<std::uint64_t>& machines, const std::string& step) {
     listener_({course, step, 0});
     if (!trials_.try_out(machines, [&](std::uint64_t runs) { listener_({course, step, runs}); }))

@@ -174,7 +174,8 @@ private:
     std::string against(const toml::node& node) {
         constexpr std::ptrdiff_t most = 7;
         std::string word = text(node);
-        if (std::ranges::count_if(word, [](char each) { return (each & 0xC0) != 0x80; }) > most) // letters of UTF-8
+        if (std::ranges::count_if(word, [](char each) { return (each & 0xC0) != 0x80; }) > most) // counts the
+                                                                                                 // characters of UTF-8
             report(node.source().begin,
                    fmt::format("\"{}\" is too long to stand above a figure: expected at most {} letters", word, most));
         return word;

@@ -25,7 +25,7 @@ namespace placedpar {
 namespace {
 
 constexpr std::uint64_t most_read = 100;          ///< combinations that are read if there are very many
-constexpr std::uint64_t most_refused = 300;       ///< the limit if combinations are refused for different reasons
+constexpr std::uint64_t most_refused = 300;       ///< as `most_read`, if combinations are refused for different reasons
 constexpr std::uint64_t most_counted = 1'000'000; ///< largest number of runs for which each run is looked up
 
 /// Collects the combinations that cannot be read.
@@ -87,7 +87,8 @@ public:
         while (std::gcd(step_, count_) != 1)
             ++step_;
     }
-    /// Returns the next combination; nothing after the last. The last combination comes twice.
+    /// Returns the next combination; nothing when all have been returned. The combination with the greatest number is
+    /// returned twice.
     std::optional<std::uint64_t> next() {
         if (given_ > count_)
             return std::nullopt;

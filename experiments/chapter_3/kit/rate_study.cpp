@@ -37,7 +37,8 @@ bool accused(const RecordSource& source, AreasFrom from, std::uint64_t seed) {
     return accused || !machine.alarms().empty();
 }
 
-/// Returns whether a sound machine has an alarm, and for each fault whether it is found and named.
+/// Returns whether a sound machine has an alarm. Then, for each fault: whether it is found, and whether it is named
+/// correctly or left undecided.
 Figures judge_at_rate(const RecordSource& source, AreasFrom from, bool with_faults, std::uint64_t seed) {
     Figures figures{static_cast<double>(accused(source, from, seed))};
     if (!with_faults)

@@ -18,7 +18,7 @@ using namespace identification;
 
 namespace {
 
-/// A parameter and the share by which it scatters.
+/// A parameter and its largest relative deviation.
 using Scatter = std::pair<const char*, double>;
 
 constexpr Scatter machine_scatter[]{
@@ -45,7 +45,8 @@ void command(Parameters& parameters, const RecordSource& source, RandomStream& r
         parameters.set("excavator.servo_ramp", ramp_s);
         parameters.set("excavator.second_time", for_s + 0.1);
         parameters.set("excavator.duration", for_s + 0.8);
-        parameters.set("excavator.integration_step", 0.0002); // halves the work; a step twice as long would be refused
+        parameters.set("excavator.integration_step", 0.0002); // halves the work; a step of twice this length would be
+                                                              // refused
     } else if (moves_two(source)) {
         parameters.set("controller.asked_flow", 30 + 40 * opened);
         parameters.set("two_links.duration", for_s);
@@ -66,7 +67,7 @@ Parameters parameters_of(const RecordSource& source, std::uint64_t seed) {
     return parameters;
 }
 
-/// Shortens the steps of the motion to the period of fast sensors.
+/// Makes the integration steps of the motion at most as long as the sensors' period.
 void shorten_steps(Parameters& parameters, double period_s) {
     for (const char* step : {"excavator.integration_step", "scenario_a.integration_step"})
         parameters.set(step, std::min(parameters[step], period_s));

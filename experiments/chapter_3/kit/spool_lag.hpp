@@ -5,18 +5,18 @@
 
 namespace placedpar {
 
-/// These functions compute the effect of a wrong a_0 on experiment 2, and the effect of a spool that reads too low on
-/// experiment 1.
+/// These functions compute which errors of the model explain a given compliance: in experiment 2 a wrong a_0, in
+/// experiment 1 a spool that reads too low.
 
-/// Returns the a_0 with which least squares over the rising samples, areas from the voltage, gives this compliance.
-/// Throws UserError if no a_0 between half the machine's own and four times as much gives it.
+/// Returns the a_0 with which least squares gives this compliance, over the samples in which the pressure rises, with
+/// areas from the voltage. Throws UserError if no a_0 from .75 to 4 times the machine's own does.
 double lag_that_finds(double compliance_in3_per_psi, const BoomData& data);
 
-/// Returns the negative spool offset that makes least squares over the rising samples give this compliance if the
-/// readings are not corrected. Throws UserError if no offset down to -.015 in does.
+/// Returns the spool offset, from -.015 in to 0, with which least squares gives this compliance, over the samples in
+/// which the pressure rises, if the readings are not corrected. Throws UserError if no such offset does.
 double offset_that_finds(double compliance_in3_per_psi, const BoomData& data);
 
-/// Plots the compliance over the assumed a_0 for two machines, with the thesis's two compliances.
+/// Plots the compliance over the assumed a_0 for each machine, with the thesis's two compliances.
 Panel panel_of_lag(std::span<const BoomData> machines);
 
 } // namespace placedpar
