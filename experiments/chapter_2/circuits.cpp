@@ -49,8 +49,8 @@ std::string names_of(LinkSet links) {
     return names;
 }
 
-/// Draws one circuit: flow runs from the left to the right, each junction one column before the junction that its
-/// bypass leads to. Where two bypasses meet, the second branch has a row of its own.
+/// Draws one circuit. The flow runs from left to right. Each junction is one column to the left of the junction that
+/// its bypass leads to. If two bypasses lead to one junction, the second branch has its own row.
 class CircuitDrawing {
 public:
     CircuitDrawing(SvgPen& pen, const Circuit& circuit, At corner)
@@ -68,7 +68,8 @@ public:
 private:
     static std::size_t most(const std::vector<std::size_t>& numbers) { return *std::ranges::max_element(numbers); }
 
-    /// Places a junction a column before the next. The last junction that leads there shares its row.
+    /// Places junction `j` one column to the left of `next`. Of the junctions that lead to `next`, the last shares the
+    /// row of `next`.
     void put_before(std::size_t j, std::size_t next) {
         steps_[j] = steps_[next] + 1;
         bool shares = std::none_of(
@@ -107,7 +108,7 @@ private:
         pen_.text(pump + At{0, 4}, "small", pumps == 1 ? "Q" : fmt::format("{} Q", pumps));
     }
 
-    /// Draws the way of the flow that the cylinder does not take: to the next junction, to the tank, or nowhere.
+    /// Draws the path of the flow that does not enter the cylinder: to the next junction, to the tank, or nowhere.
     void draw_bypass(At from, const Junction& junction, const std::string& name) {
         At straight = from + At{column_width - 4, 0};
         if (junction.through == Through::junction && at(junction.next).y != from.y) {
@@ -136,7 +137,7 @@ private:
     SvgPen& pen_;
     const Circuit& circuit_;
     At corner_;
-    std::vector<std::size_t> steps_; ///< junctions between this and the end
+    std::vector<std::size_t> steps_; ///< for each junction: how many columns it is left of the last junction
     std::vector<std::size_t> rows_;
 };
 
@@ -182,7 +183,8 @@ std::vector<NamedDrawing> drawings() {
             {"figure-a-1", draw_circuits("The boom alone", {{"boom", boom_circuit()}})}};
 }
 
-/// What section 3.3 says of a configuration with all links active: the searches, and the links of the greatest one.
+/// What section 3.3 says about a configuration with all links active: the number of searches, and the number of links
+/// in the largest search.
 struct Said {
     Configuration configuration;
     std::optional<double> searches, links;

@@ -36,8 +36,8 @@ MaybeOfPoint always(double value) {
     return [value](const SteadyFlowPoint&) { return value; };
 }
 
-/// Limits the judgement to one entry. The thesis names no entry with its claims, so each is judged at one where the
-/// model confirms it.
+/// Limits the judgement to one entry of the table. The thesis does not say for which entry its claims hold, so each
+/// claim is judged at an entry where the model confirms it.
 MaybeOfPoint only_at(double flow, double psi, double tolerance) {
     return [=](const SteadyFlowPoint& point) {
         bool here = point.inlet_in3_per_s == flow && point.inlet_psi == psi;
@@ -84,7 +84,7 @@ void add_claims(Comparison& comparison, const FlowConstants& constants) {
     add_rows(comparison, {"dQ_i/dP_i", "in^3/s/psi", 4, sensitivity(&FlowSensitivity::to_pressure_in3_per_s_psi)});
 }
 
-/// A figure of a fit and the value that was found independently of this program, to the digits given.
+/// A figure of a fit, and its value computed independently of this program, to the digits given.
 struct FitFigure {
     const char* name;
     const char* unit = "";
@@ -139,7 +139,7 @@ constexpr FitFigure fit_figures[]{
      .tolerance = 0.01},
 };
 
-/// The residuals that were found independently, in 1e-4 in.
+/// Residuals that were computed independently of this program, in 1e-4 in.
 using Residuals = std::array<double, 9>;
 constexpr Residuals known_fitted{-0.61, -0.22, -0.29, 0.65, 1.38, 0.07, -0.47, -0.50, -0.12};
 constexpr Residuals known_rounded{-0.39, -0.24, -0.62, 0.82, 1.29, -0.37, -0.35, -0.66, -0.65};

@@ -59,7 +59,7 @@ std::vector<double> found_in(const std::vector<BoomData>& motions, const BoomMod
     return found;
 }
 
-/// Returns the least rms error of all codes in each window of the search.
+/// Returns, for each window of the search, the least rms error of all codes.
 std::vector<double> least_errors(const BoomData& data, std::span<const CircuitSample> samples,
                                  const IdentificationWay& way) {
     std::vector<double> errors;
@@ -92,7 +92,7 @@ double within_percent_of(const std::vector<double>& found, double truth, double 
     return percent_within(errors, percent);
 }
 
-/// Adds the course of the error during the search.
+/// Adds the errors in the first and the last generation of the search.
 void add_errors(Comparison& comparison, const ThesisExperiment& way, const BoomData& data, std::uint64_t seed) {
     BoomModel model = model_of(data, way.from);
     auto identified = identify_boom(data, model, rising_way(), seed);
@@ -112,8 +112,8 @@ void add_clean_errors(Comparison& comparison, const ThesisExperiment& way, const
     comparison.add(judged_cell("  how often it rises", way.name, "", 0, static_cast<double>(rises(least)), 0, 0));
 }
 
-/// The largest allowed relative error of an experiment's compliance, for one record and for the median of many. Of
-/// 3,000 records, one in a thousand exceeds the limit for one record.
+/// The largest allowed relative error of an experiment's compliance, for one record and for the median of many. In
+/// 3,000 records, the limit for one record was exceeded once in a thousand.
 struct Allowed {
     double record, median;
 };
@@ -145,8 +145,8 @@ Comparison simple_comparison(const std::vector<BoomData>& motions, const Seeds& 
     return comparison;
 }
 
-/// Compares both experiments on the measured machine. The model ignores its hoses, stiction and ripple, and its 10 ms
-/// of dead time, which in experiment 2 act like an a_0 that is too high.
+/// Compares both experiments on the measured machine. The model ignores the machine's hoses, stiction, ripple and dead
+/// time of 10 ms. In experiment 2, this acts like an a_0 that is too high.
 Comparison measured_comparison(const std::vector<BoomData>& motions, const Seeds& seeds) {
     Comparison comparison{
         .name = fmt::format("{}: what both experiments find", measured.name), .against = "true", .judged = true};
@@ -188,7 +188,7 @@ Comparison lag_comparison(const std::vector<BoomData>& motions, const Seeds& see
     return comparison;
 }
 
-/// Adds a row to the comparison of .005 and .0086: the result of an experiment with a model, and the thesis's.
+/// Adds a row that explains .005 and .0086: the result of an experiment with a model, beside the thesis's result.
 void add_explained(Comparison& comparison, const std::string& row, const ThesisExperiment& way, double found,
                    Origin origin) {
     double figure = way.from == AreasFrom::spool ? by_spool_in3_per_psi : by_voltage_in3_per_psi;
@@ -197,7 +197,8 @@ void add_explained(Comparison& comparison, const std::string& row, const ThesisE
     comparison.add(cell);
 }
 
-/// Adds the first explanation, an assumed a_0 that is too high. Returns its ratio to the machine's own.
+/// Adds the first explanation, an assumed a_0 that is too high. Returns the ratio of the assumed a_0 to the machine's
+/// own.
 double add_wrong_lag(Comparison& comparison, const Seeds& seeds) {
     BoomData clean = measure(motion_of(simple_clean, by_spool_in3_per_psi), seeds.front());
     double lag = lag_that_finds(by_voltage_in3_per_psi, clean);
@@ -209,7 +210,7 @@ double add_wrong_lag(Comparison& comparison, const Seeds& seeds) {
     return lag / clean.boom.spool_lag_per_s;
 }
 
-/// Adds the second explanation, a spool that reads too low. Returns the error, in inches.
+/// Adds the second explanation, a spool sensor that reads too low. Returns how much too low, in inches.
 double add_low_spool(Comparison& comparison, const Seeds& seeds) {
     BoomData clean = measure(motion_of(simple_clean, by_voltage_in3_per_psi), seeds.front());
     double low = offset_that_finds(by_spool_in3_per_psi, clean);

@@ -19,8 +19,8 @@ namespace {
 using Runs = std::vector<SearchRun>;
 
 constexpr std::size_t trials_a_sample = 5;
-constexpr std::size_t records_shown = 50; // for the ways that are not judged
-constexpr std::size_t lost_for = 20;      // samples: 100 generations, a sixth of the figure
+constexpr std::size_t records_shown = 50; // number of records for the ways that are not judged
+constexpr std::size_t lost_for = 20;      // number of samples: 100 generations, a sixth of the figure
 
 /// Extends a way to 600 generations, well past the 425 of Figure 3.11.
 IdentificationWay prolonged(IdentificationWay way) {
@@ -35,7 +35,7 @@ IdentificationWay gated(IdentificationWay way) {
 
 IdentificationWay long_way() { return prolonged(thesis_way()); }
 
-/// The generations to compare, with the prototype's results without a gate.
+/// A generation to compare, and the prototype's percentage of right records without a gate.
 struct Known {
     std::size_t generation;
     double percent;
@@ -50,7 +50,8 @@ void add_shares(Comparison& comparison, const char* row, const Runs& runs) {
                                   both_within_ten_percent(runs, each.generation, trials_a_sample), 0));
 }
 
-/// Compares the share of records that are still right. The thesis saw it fall after generation 425.
+/// Compares the share of records in which both compliances are still right. In the thesis they become wrong after
+/// generation 425.
 Comparison share_comparison(const TwoLinkMotion& motion, const Runs& plain, const Seeds& shown) {
     Comparison comparison{
         .name = fmt::format(
@@ -68,7 +69,7 @@ Comparison share_comparison(const TwoLinkMotion& motion, const Runs& plain, cons
     return comparison;
 }
 
-/// Compares the ways at low noise. An elite keeps the answer only without noise.
+/// Compares the ways of searching at low noise. With noise, an elite does not keep the right answer.
 Comparison low_noise_comparison(const TwoLinkMotion& motion, const Seeds& shown) {
     Comparison comparison{.name = "the same at low noise (2 psi, .003 deg, .1 % of an area)", .against = "known"};
     auto add = [&](const char* row, const IdentificationWay& way) {
@@ -81,8 +82,8 @@ Comparison low_noise_comparison(const TwoLinkMotion& motion, const Seeds& shown)
     return comparison;
 }
 
-/// Returns the first generation from which some compliance is wrong by more than `percent` for `lost_for` samples.
-/// Returns the generation after the last if there is none.
+/// Returns the first generation from which some compliance is wrong by more than `percent` for `lost_for` samples in a
+/// row. Returns the generation after the last if there is none.
 double lost_from(const SearchRun& run, double percent) {
     std::size_t off = 0;
     for (std::size_t i = 0; i < run.estimates.size(); ++i) {
@@ -93,7 +94,7 @@ double lost_from(const SearchRun& run, double percent) {
     return static_cast<double>(trials_a_sample * (run.estimates.size() + 1));
 }
 
-/// Adds the generations at which the searches are off by more than `percent`.
+/// Adds quantiles of lost_from() over the searches.
 void add_lost(Comparison& comparison, const Runs& plain, double percent, std::optional<double> thesis) {
     std::string row = fmt::format("off by more than {} %", percent);
     std::vector<double> lost;

@@ -17,7 +17,7 @@ PlantIslands with_sizes(const char* name, const std::vector<std::size_t>& popula
     return sized(traditional_pga(every_generation, noise), name, populations, windows);
 }
 
-/// The traditional and the distributed islands, and each half of their difference.
+/// The traditional islands, the distributed islands, and islands with only one of the two differences between these.
 struct BroadcastStudies {
     PlantStudy traditional, larger, windows, distributed;
 
@@ -80,7 +80,7 @@ Comparison diversity_comparison(const std::string& name, const BroadcastStudies&
     return comparison;
 }
 
-/// Judges the diversity against that of 240 other seeds.
+/// Judges the diversity against the diversity of 240 other seeds.
 Comparison judged_diversity(const BroadcastStudies& noiseless) {
     Comparison comparison{.name = "number of the 37 bits in which two individuals of an island differ, noiseless",
                           .against = "known"};

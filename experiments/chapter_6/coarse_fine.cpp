@@ -17,7 +17,7 @@ constexpr std::array coarse_populations{24, 30, 50};
 
 /// A row of Table 6.4 or of its control, the conventional string of 37 bits.
 struct CoarseRow {
-    std::size_t field_bits; ///< of each of the five parameters
+    std::size_t field_bits; ///< bits of each of the five parameters
     std::size_t population;
     const char* thesis;
     Expected with_elite, to_the_letter;
@@ -64,13 +64,13 @@ CoarseTable coarse_table(const ReplayContext& context, const std::string& name, 
     return table;
 }
 
-/// Returns settings with this population for both halves and this number of bits for each of the five parameters.
+/// Returns settings of a pair: the population of each search, and the bits of each of the five parameters.
 CoarseFineSettings pair_settings(std::size_t population, std::size_t field_bits) {
     Recoding coarse = plant_reading(field_bits);
     return {plant_settings(population), plant_settings(population), coarse, coarse.bits};
 }
 
-/// Compares the pair with controls whose population is the sum of both halves.
+/// Compares pairs with single searches whose population is the sum of both populations of the pair.
 Comparison pair_table(const ReplayContext& context) {
     Comparison comparison{.name = "the pair, the fine one's answer; and single searches with as many evaluations",
                           .against = "other",
@@ -137,7 +137,8 @@ Panel table_6_4_panel(const std::string& title, const std::vector<Tally>& tallie
     return panel;
 }
 
-/// Returns the string of a reading whose alpha and beta, the two fields after the delay, have these codes.
+/// Returns the problem's string for these codes of alpha and beta, the two fields after the delay, in a reading. The
+/// codes of the other fields are 0.
 Genome string_at(const Recoding& reading, std::uint64_t alpha, std::uint64_t beta) {
     Genome bred(reading.length());
     bred.set_field(reading.bits[0], reading.bits[1], alpha);
@@ -167,7 +168,8 @@ Panel part_of(Panel panel, const std::string& title, const Axis& x, const Axis& 
     return panel;
 }
 
-/// Draws the grid of a coarse search with 4 bits a parameter, and that of the fine search around one of its points.
+/// Draws the grid of a coarse search with 4 bits for each parameter, and the grid of a fine search around one point of
+/// the coarse grid.
 Plot figure_6_7() {
     Recoding coarse = plant_reading(4), fine = coarse;
     fine.around = string_at(coarse, 13, 11);

@@ -45,7 +45,7 @@ PlantSearch search_of(const CrossingGroup& group, const CrossingTried& tried) {
     return search;
 }
 
-/// Returns the shares, then the gains over one-point crossover.
+/// Returns two tables: the shares of the runs, and the gains over one-point crossover.
 std::vector<Comparison> compare_crossings(const CrossingGroup& group, const ReplayContext& context) {
     std::string name = name_of_group(group);
     Comparison shares{.name = name, .against = "other", .judged = true},

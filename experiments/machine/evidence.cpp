@@ -28,7 +28,7 @@ public:
             }
     }
     const Comparison& all() const { return all_; }
-    /// Returns the constants that only one experiment has.
+    /// Returns the constants that only a single experiment uses.
     const std::vector<Constant>& constants() const { return constants_; }
     std::uint64_t fingerprint() const { return fingerprint_.value(); }
 

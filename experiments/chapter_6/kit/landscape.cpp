@@ -12,7 +12,7 @@ namespace placedpar {
 
 namespace {
 
-using Errors = std::vector<float>; ///< indexed by the string in binary
+using Errors = std::vector<float>; ///< index: the string as a binary number
 
 constexpr double same_error = 1e-3; ///< two readings of one plant, such as beta and -beta, differ only by rounding
 

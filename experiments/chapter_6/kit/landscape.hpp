@@ -24,8 +24,7 @@ public:
 private:
     PlantProblem problem_;
     std::size_t channels_;
-    std::vector<double>
-        products_; ///< for each pair of channels, the sum of their products over the window
+    std::vector<double> products_; ///< for each pair of channels, the sum of their products over the window
 };
 
 /// Properties of the fitness landscape of all strings of a reading. Percentages are of all strings.
