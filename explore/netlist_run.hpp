@@ -45,8 +45,8 @@ RunReport run_netlist(const Network&, const ProblemRegistry&, const RunSettings&
 RunReport run_netlist(const Network&, const Catalogue&, const RunSettings&);
 /// Repeats a recorded run with another seed, without simulating the machine; this is several times faster. Returns
 /// nothing if a process behaves differently with this seed, or if the run would not complete. If the run is
-/// interrupted, the report contains only this ending. REQUIRES: the record is of this network; the network is
-/// determinate; the settings have no trace, shuffle or record.
+/// interrupted, the report says only that. REQUIRES: the record is of this network; the network is determinate; the
+/// settings have no trace, shuffle or record.
 std::optional<RunReport> repeat_netlist(const Network&, const Catalogue&, const RecordedRun&, const RunSettings&);
 
 } // namespace placedpar

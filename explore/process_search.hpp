@@ -26,7 +26,7 @@ struct NetlistAsked {
 
 /// The first search of identify(), ready to run as the processes of a netlist.
 struct ProcessSearch {
-    ProblemRegistry problems; ///< "boom" and "boom-by-voltage", which both name the problem of the record
+    ProblemRegistry problems; ///< "boom" and "boom-by-voltage", both the problem of the measured record
     Network network;
     std::vector<std::string> searches; ///< the processes that search, at least one
     std::size_t population = 0;        ///< number of individuals of all searches together
@@ -42,9 +42,9 @@ struct ProcessSearch {
 /// name in every searching process. If the netlist fixes the parameter to another value, the setting replaces the val
 /// of that name (population, elite), unless an override sets this val. A single search also gets the random numbers of
 /// identify(). Several searches divide the population as the netlist says, and each search has its own random numbers.
-/// The processes search the samples of `prepared`. Throws UserError if no process searches, a searching process is one
-/// of a pair, or the populations do not add up. Also throws UserError if the output is an included file, a setting
-/// cannot replace the netlist's value, or the record has a gap.
+/// The processes search the samples of `prepared`. Throws UserError if no process searches, if a search is one of a
+/// coarse-fine pair, or if the populations do not add up. Also throws UserError if the output is an included file, if a
+/// setting cannot replace the netlist's value, or if the record has a gap.
 ProcessSearch search_by_processes(const NetlistAsked& netlist, const identification::ComplianceSearch& prepared,
                                   const identification::IdentificationWay& way, const WarningSink&);
 

@@ -29,8 +29,8 @@ Overrides overrides_of(const FarmOnDemand& farm, int under_way) {
             {"master.rehearsals", "0"}};
 }
 
-/// Adds the mean and the least load of the slaves' processors. A measure of the study would include the master's
-/// processor.
+/// Adds T_sr, and the mean and the least load of the slaves' processors. A measure of the study would include the
+/// master's processor in the load.
 void add_under_way(Comparison& comparison, const StudyReplay& study, const FarmOnDemand& farm, int under_way) {
     const Overrides set = overrides_of(farm, under_way);
     double least = 100, mean = 0;

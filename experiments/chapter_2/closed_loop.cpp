@@ -145,7 +145,7 @@ void add_leak(Comparison& comparison, const LoopRuns& sound, const LoopRuns& lea
         plain_cell("leak as a share of the inflow", name, "%", quantile(column(runs, LoopFigure::leak_share), 0.5), 1));
     add_median(comparison, "lag behind the reference grows by", name, "deg",
                changes(runs, healthy, LoopFigure::steady_deg), 3);
-    // 2.8: the compliance grows at least by the flow that leaks over the slope of the pressure.
+    // Section 2.8: the compliance grows at least by the leak's flow divided by the slope of the pressure.
     add_median(comparison, "compliance grows by", name, "%",
                percent_of(changes(runs, healthy, LoopFigure::by_spool), sound_in3_per_psi), 1, 5);
 }

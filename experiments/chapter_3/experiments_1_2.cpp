@@ -112,8 +112,8 @@ void add_clean_errors(Comparison& comparison, const ThesisExperiment& way, const
     comparison.add(judged_cell("  how often it rises", way.name, "", 0, static_cast<double>(rises(least)), 0, 0));
 }
 
-/// The largest allowed relative error of an experiment's compliance, for one record and for the median of many. In
-/// 3,000 records, the limit for one record was exceeded once in a thousand.
+/// The largest allowed relative error of an experiment's compliance, for one record and for the median of many. One in
+/// a thousand of 3,000 records exceeded the limit for one record.
 struct Allowed {
     double record, median;
 };

@@ -148,8 +148,8 @@ Comparison other_comparison(const OtherRecords& other) {
     return comparison;
 }
 
-/// Simulates with the spool from the voltage, from which the compliance was identified, too, as in the thesis. This
-/// cannot reveal a wrong a_0, since both use the same a_0.
+/// Simulates with the spool computed from the voltage. As in the thesis, the compliance was identified from the
+/// voltage, too. This cannot reveal a wrong a_0, since identification and simulation use the same a_0.
 Comparison blind_comparison(const Seeds& seeds) {
     BoomData clean = measure(motion_at(4, BoomPlant::simple, no_noise, found_by_spool_in3_per_psi), seeds[0]);
     double lag = lag_that_finds(thesis_in3_per_psi, clean);

@@ -245,8 +245,8 @@ void add_slow(Comparison& comparison, double offset_in) {
     comparison.add(cell_of("  negative (1: yes)", column, "", negative, fit < 0 ? 1 : 0, 0, 0));
 }
 
-/// Compares the effect of an offset d in scenario B. The effect, about 1050 d / (dP/dt), is the greater the slower the
-/// pressure rises.
+/// Compares the effect of an offset d in scenario B. The effect is about 1050 d / (dP/dt), so it is greater if the
+/// pressure rises more slowly.
 Comparison slow_comparison() {
     Comparison comparison{.name = "scenario B, a slower motion, no noise: least squares while the pressure rises",
                           .against = "known",

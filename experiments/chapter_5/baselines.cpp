@@ -19,8 +19,8 @@ namespace {
 constexpr std::size_t searchers = 100; ///< points of a population, as in the thesis's single genetic algorithm
 /// `least_step` of a CovarianceAdaptation that keeps exploring.
 constexpr double least_step = 0.02;
-/// The claimed lag beyond least squares over the same window, in generations: at least this for genetic algorithms, at
-/// most this for searches among real numbers.
+/// The claimed lag beyond least squares over the same window, in generations: at least `least_lag_beyond` for genetic
+/// algorithms, at most `most_lag_beyond` for searches among real numbers.
 constexpr double least_lag_beyond = 10, most_lag_beyond = 5;
 /// c1 of coloured noise.
 constexpr double colour = 0.8;

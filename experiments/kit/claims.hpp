@@ -13,7 +13,7 @@ enum class ClaimVerdict { holds, fails, undecided };
 /// Returns "holds", "does not hold" or "undecided".
 const char* name_of(ClaimVerdict);
 
-/// A claim about the median over seeds: it is at least one bound, or at most another, or both.
+/// A claim about the median over seeds: a lower bound, an upper bound, or both.
 struct Claim {
     std::string text, unit;
     std::vector<double> values; ///< one for each seed

@@ -103,7 +103,7 @@ extern const Experiment evidence_experiment{
     .name = evidence,
     .about = "every constant of time with its source, and every published figure beside the simulated one",
     .chapter = machine,
-    .number = 100, // the last of all
+    .number = 100, // after all other experiments of the machine
     .run = replay_evidence,
 };
 

@@ -10,7 +10,8 @@ namespace placedpar {
 
 namespace {
 
-/// A published rate of a link. 1 Kbyte/s is 1000 bytes per second. If both directions are used, the rate is their sum.
+/// A published rate of a link. 1 Kbyte/s is 1000 bytes per second. If both directions are used, it is the sum of their
+/// rates.
 struct LinkRate {
     const char* source;
     const char* name;

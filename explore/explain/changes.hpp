@@ -26,9 +26,9 @@ using DeclaredWith = std::function<Declared(const Overrides&)>;
 /// Returns the changes worth trying. Processors, links and buses become 10 % faster, twice as fast, and as fast as a
 /// netlist allows (1 GHz, 1 Gbit/s, 1 ns per word). Such a change applies to all processors, links or buses, to the
 /// processors of an array's processes, or to one of the ten busiest processors, links or buses. Memory becomes as fast
-/// as on-chip memory. Constants in cycles or bytes are reduced by 10 %, halved, and set to 0, everywhere or in one of
-/// the ten busiest processes that share a processor. Vals that determine the number of processes or processors are
-/// raised by one.
+/// as on-chip memory. Constants in cycles or bytes are reduced by 10 %, halved, and set to 0. This is also done to the
+/// cycles of single processes: the ten busiest that share a processor. Vals that determine the number of processes or
+/// processors are raised by one.
 std::vector<Change> changes_of(const Network&, const RunReport&, const DeclaredWith&);
 
 } // namespace placedpar

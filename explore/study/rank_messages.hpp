@@ -18,9 +18,9 @@ namespace placedpar {
 ///                            <-   gone                 its last message; or failed, if it cannot go on
 struct RankMessage {
     enum class Kind { begin, run, none, stop, ask, ended, failed, gone } kind;
-    std::string text = "";                    ///< begin: digest_of() the source; failed: the reason
-    std::optional<StudyRun> run = {};         ///< set in run and ended
-    std::optional<StudyOutcome> outcome = {}; ///< set in ended
+    std::string text = "";                    ///< in `begin`: digest_of() the source; in `failed`: the reason
+    std::optional<StudyRun> run = {};         ///< set in `run` and in `ended`
+    std::optional<StudyOutcome> outcome = {}; ///< set in `ended`
 };
 
 std::string text_of(const RankMessage&);

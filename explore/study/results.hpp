@@ -68,7 +68,7 @@ public:
     /// Calls the function once for each combination of settings that has runs.
     void for_each_setting(const std::function<void(const Overrides&)>&);
 
-    /// Stores the measures that the latest study requests.
+    /// Stores the measures that the latest sweep or search requests.
     void set_measures(const std::vector<std::string>&);
     std::vector<std::string> measures();
     /// Returns the source that all runs share.

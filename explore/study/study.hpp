@@ -81,9 +81,9 @@ struct Study {
     std::optional<SettingValue> find(const std::string& name, const SettingValue&) const;
 };
 
-/// Finds the runs of a study by their numbers. Loops over the runs use it because tables make a product for each cell:
-/// a binary search finds the product of a run. REQUIRES: the study outlives this object, and its products and seeds do
-/// not change.
+/// Finds the runs of a study by their numbers. A binary search finds the product of a run; since tables make a product
+/// for each cell, loops over all runs would otherwise be slow. REQUIRES: the study outlives this object, and its
+/// products and seeds do not change.
 class StudyRuns {
 public:
     /// Throws as Study::count() does.

@@ -10,7 +10,7 @@
 
 namespace placedpar {
 
-/// Statistics of a measure over the completed runs of one combination.
+/// Statistics of a measure over the runs of one combination, without runs that ended in a deadlock.
 struct StudyCell {
     std::uint64_t runs = 0;
     double mean = 0, least = 0, greatest = 0;
@@ -30,7 +30,7 @@ struct StudyLine {
     std::uint64_t runs = 0;          ///< number of all runs
     std::map<std::string, std::uint64_t> ended; ///< number of runs that did not complete, by how they ended
     std::string refused = "";                   ///< first line of the reason for a refusal
-    std::vector<StudyCell> cells;               ///< for each measure
+    std::vector<StudyCell> cells;               ///< one for each measure
 };
 
 /// The statistics of a study's runs.

@@ -76,9 +76,8 @@ private:
     const Catalogue kinds_ = known_kinds(problems_);
 };
 
-/// Yields all combinations of a study, beginning with the first and the last. After any number of steps, the
-/// combinations so far are spread evenly over the study: the step is the number of combinations times the golden ratio,
-/// so the steps do not repeat the values of any axis.
+/// Yields all combinations of a study, beginning with the first and the last. The combinations so far are always spread
+/// evenly over the study, since the step is the number of combinations times the golden ratio.
 class SpreadCombinations {
 public:
     explicit SpreadCombinations(const Study& study) : count_(study.count() / study.seeds) {

@@ -18,9 +18,9 @@
 
 namespace placedpar {
 
-/// Returns a network of the study. Tries some combinations spread over the study, or all combinations if the condition
-/// holds for none of these, and returns the first network that can be read. If no network can be read, throws UserError
-/// with the first refusal.
+/// Returns the first network of the study that can be read. Tries some combinations spread over the study, or all
+/// combinations if the condition holds for none of these. If no network can be read, throws UserError with the first
+/// refusal.
 Network readable_network(const Study&);
 
 /// Throws UserError for a measure that no run can have. Checks all combinations; if there are very many, only some

@@ -36,7 +36,7 @@ namespace placedpar {
 /// read is meaningless: call refuse_if_failed() before using any value.
 class TomlReader {
 protected:
-    /// Reads a file of this kind. Throws RefusedInput if the text cannot be read.
+    /// `kind` says in messages what the file is. Throws RefusedInput if the text cannot be read.
     explicit TomlReader(const std::string& path, std::string_view kind = "study") : kind_(kind) {
         LoadedSource loaded = load_input(path);
         source_ = loaded.file;
@@ -89,7 +89,7 @@ protected:
         return key;
     }
 
-    /// Passes each member to its handler.
+    /// Passes each member to its handler. Reports members without a handler.
     void read_table(const toml::table& table, const Handlers& handlers, std::string_view what = "study") {
         for (const auto& [key, node] : table) {
             std::string name(key.str());

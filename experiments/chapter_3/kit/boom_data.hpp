@@ -32,7 +32,7 @@ struct BoomMotion {
     hydraulics::MeasurementNoise noise = hydraulics::no_noise;
     double spool_offset_in = 0; ///< error of the spool's readings and of A.1; positive: too high
     std::optional<double> inlet_compliance_in3_per_psi = {}, spool_desired_in = {}, duration_s = {};
-    bool slow = false; ///< on the simple plant: scenario B, heavy and with a ramp
+    bool slow = false; ///< only for the simple plant: scenario B, with a heavier load and a ramp
 };
 
 /// Simulates the motion once, and measures it for each seed with the noise of the streams (seed, "sensors").
@@ -42,7 +42,7 @@ BoomData measure(const BoomMotion& motion, std::uint64_t seed);
 /// The source of the valve's areas, and the model's assumptions about this source.
 struct BoomModel {
     hydraulics::AreasFrom from = hydraulics::AreasFrom::spool;
-    double spool_lag_per_s = 0; ///< a_0 of A.2
+    double spool_lag_per_s = 0; ///< a_0 of equation A.2
     double spool_offset_in = 0; ///< subtracted from the spool that the readings or A.1 give
 };
 /// Returns a model with the machine's true lag and no offset.

@@ -16,8 +16,8 @@ namespace placedpar {
 /// scatter; we chose these.
 class SimulatedExcavator {
 public:
-    /// `from` says which readings of the valves the samples contain. Only a source with a servo-valve has both spool
-    /// and servo.
+    /// `from` says which readings of the valves the samples contain: spool, voltage or areas. Only a source with a
+    /// servo-valve has both spool and voltage.
     SimulatedExcavator(const RecordSource& source, hydraulics::AreasFrom from, std::uint64_t seed);
 
     /// Returns the links that move, in configuration a.

@@ -151,8 +151,8 @@ std::size_t count(const std::vector<double>& values) {
 
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-/// The highest percentage of faults that any test can find. The interval is the 95 % interval over all machines, of
-/// which the simulated machines are a sample.
+/// The highest percentage of faults that any test can find. The 95 % interval is for the percentage over all machines;
+/// the simulated machines are a sample.
 struct Limit {
     double percent;
     Interval interval;

@@ -21,7 +21,7 @@ inline constexpr std::size_t sound_movements = 20, faulty_movements = 8;
 /// A fault of a machine, and the alarm that it should raise.
 struct TestedFault {
     PlantFault fault;
-    double compliance_factor;         ///< factor of the machine's own compliance
+    double compliance_factor;         ///< multiplies the machine's own compliance
     identification::AlarmKind called; ///< the right alarm for the boom
     bool from_first_day = false;      ///< if false, the fault begins after make_known()
     double units = 1;                 ///< size of the fault in `WayUnits`

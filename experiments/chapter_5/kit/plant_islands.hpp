@@ -16,7 +16,7 @@ struct PlantIslands {
     std::string name;
     std::vector<std::size_t> populations{100}, windows{30}; ///< one per island; windows in samples
     std::string topology = "none", schedule = "broadcast(every = 12)";
-    std::string reproduction = "universal"; ///< by the fitness max(0, sum of B - e^2)
+    std::string reproduction = "universal"; ///< for the fitness max(0, sum(B - e^2))
     Coding coding = Coding::natural;
     double bias = 10; ///< B for one sample
     bool simulated =

@@ -13,7 +13,8 @@
 
 namespace placedpar {
 
-/// The plant of chapter 5 as a search problem in natural binary, and the bits of its fields (Table 5.1).
+/// Return the plant of chapter 5 as a search problem in natural binary, and the number of bits of each field (Table
+/// 5.1).
 const SearchProblem& plant_search_problem();
 std::vector<std::size_t> plant_field_bits();
 /// Returns the coarse reading of Table 6.3: two bits for the delay, and `bits` bits for each of the five other
