@@ -120,7 +120,7 @@ std::vector<std::string> searching_processes(const Network& network, const Netli
     return names;
 }
 
-/// Reads the netlist with these settings as the defaults of its searches.
+/// Reads the netlist with these settings as the defaults of the searching processes.
 ReadResult read_with(const Settings& settings, const ParsedNetlist& parsed, const Overrides& overrides,
                      const ProblemRegistry& problems) {
     ReadResult read = parsed.read(kinds_with(settings, problems), overrides);
@@ -157,7 +157,7 @@ Network load_with(Settings settings, const NetlistAsked& netlist, const ProblemR
     return std::move(*read.network);
 }
 
-/// Returns the samples to be searched. Throws if they are not consecutive.
+/// Returns the samples to be searched. Throws UserError if the samples are not consecutive.
 std::vector<Sample> searched_samples(const ComplianceSearch& prepared) {
     std::vector<Sample> record;
     for (const hydraulics::CircuitSample& sample : prepared.samples) {

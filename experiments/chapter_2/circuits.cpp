@@ -137,7 +137,7 @@ private:
     SvgPen& pen_;
     const Circuit& circuit_;
     At corner_;
-    std::vector<std::size_t> steps_; ///< for each junction: how many columns it is left of the last junction
+    std::vector<std::size_t> steps_; ///< distance of each junction from the last junction, in columns
     std::vector<std::size_t> rows_;
 };
 

@@ -163,8 +163,8 @@ Comparison leak_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& l
     return comparison;
 }
 
-/// Judges the claim that the closed loop masks the leak, by its additional lag as a share of the open loop's additional
-/// lag.
+/// Judges the claim that the closed loop masks the leak. The measure is the closed loop's additional lag as a share of
+/// the open loop's additional lag.
 Comparison mask_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& leaks) {
     Comparison comparison{.name = "the closed loop's additional lag as a share of the open loop's",
                           .notes = "judged: a quarter or less (our bound)\n",

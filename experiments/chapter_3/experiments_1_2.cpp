@@ -146,7 +146,7 @@ Comparison simple_comparison(const std::vector<BoomData>& motions, const Seeds& 
 }
 
 /// Compares both experiments on the measured machine. The model ignores the machine's hoses, stiction, ripple and dead
-/// time of 10 ms. In experiment 2, this acts like an a_0 that is too high.
+/// time of 10 ms. In experiment 2, these omissions act like an a_0 that is too high.
 Comparison measured_comparison(const std::vector<BoomData>& motions, const Seeds& seeds) {
     Comparison comparison{
         .name = fmt::format("{}: what both experiments find", measured.name), .against = "true", .judged = true};

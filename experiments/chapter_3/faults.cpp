@@ -90,8 +90,8 @@ Comparison fault_comparison(const char* where, const RecordSource& source, const
     return comparison;
 }
 
-/// Compares the growth of the compliance by a leak with known values. The compliance comes from least squares while the
-/// pressure rises.
+/// Compares with known values how much the compliance grows by a leak. The compliance comes from least squares while
+/// the pressure rises.
 Comparison leak_comparison() {
     Comparison comparison{
         .name = "scenario A without noise: growth of C by least squares while the pressure rises, if the model knows "

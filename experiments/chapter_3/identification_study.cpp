@@ -77,7 +77,7 @@ void add_level(Comparison& comparison, const NoiseLevel& level, const Seeds& see
     comparison.add(
         compared_cell("  seeds within 10 %", level.name, "%", level.within_ten_percent, all.within_ten_percent(), 0));
     // One search in thirty is off by at least 5 codes. In one of 400 studies, at least a tenth of the 50 searches are
-    // off by so much.
+    // off by at least 5 codes.
     add("codes from the best code, 90th percentile", "", {0, 5}, quantile(all.codes_from_optimum, 0.9), 0);
     add("best codes in psi and SI differ by, greatest", "", {0, 1}, quantile(all.si_codes, 1), 0);
     SearchStudy rising = study(measure_transients(level.noise, rising_way().usable, seeds), rising_way(), seeds);

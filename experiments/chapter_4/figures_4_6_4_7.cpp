@@ -93,7 +93,7 @@ public:
     /// generation.
     double speedup(const SpeedupPoint& point) { return rate(point) / alone(point).measured("master[0]", rate_name); }
 
-    /// Returns n t_c2 of equation 4.9, in units of t_s. It is measured as in the thesis, as the communication of a
+    /// Returns n t_c2 of equation 4.9, in units of t_s. As in the thesis, n t_c2 is measured as the communication of a
     /// generation with nothing to evaluate. A generation on one processor takes (alpha + 1) t_s.
     double communication(const SpeedupPoint& point) {
         return (point.alpha + 1) * run(point).measured("master[0]", "C_time2") /

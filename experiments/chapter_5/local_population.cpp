@@ -59,8 +59,8 @@ std::vector<Claim> maximisation_claims(const std::vector<TaskStudy>& studies) {
     return claims;
 }
 
-/// Returns islands on the changing plant with the usual global population. They send to one neighbour in a hypercube at
-/// a time.
+/// Returns islands on the changing plant with the usual global population. Each island sends to one neighbour in a
+/// hypercube at a time.
 PlantIslands islands_on_plant(std::size_t population, double noise) {
     std::size_t islands = global_population / population;
     PlantIslands plant = sized(traditional_pga("sequential(every = 3)", noise), islands_of(population),

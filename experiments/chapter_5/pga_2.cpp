@@ -17,7 +17,8 @@ PlantIslands with_sizes(const char* name, const std::vector<std::size_t>& popula
     return sized(traditional_pga(every_generation, noise), name, populations, windows);
 }
 
-/// The traditional islands, the distributed islands, and islands with only one of the two differences between these.
+/// The traditional islands and the distributed islands, which differ in populations and windows. `larger` differs from
+/// `traditional` only in populations, `windows` only in windows.
 struct BroadcastStudies {
     PlantStudy traditional, larger, windows, distributed;
 

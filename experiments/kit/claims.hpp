@@ -29,8 +29,9 @@ struct Claim {
 /// otherwise `undecided`.
 ClaimVerdict verdict_of(const Claim&);
 
-/// Returns the medians with their intervals as cells, and the verdicts as notes. The table is judged: a claim that is
-/// expected to fail misses if it holds, and any other claim misses if it fails. `judge` is the source of the claims.
+/// Returns the medians with their intervals as cells, and the verdicts as notes. The table is judged. A claim that is
+/// expected to fail is outside its tolerance if it holds; any other claim, if it fails. `judge` is the source of the
+/// claims.
 Comparison claims_comparison(std::string name, const std::vector<Claim>&, Judge judge = Judge::thesis);
 
 } // namespace placedpar

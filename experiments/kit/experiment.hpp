@@ -52,7 +52,7 @@ struct ReplayContext {
     bool printed = false; ///< judge by the figures that the thesis prints, even where other figures are expected
 };
 
-/// The description of an experiment in its file: see experiments/README.md.
+/// An experiment, as its source file describes it: see experiments/README.md.
 struct Experiment {
     std::string_view name, about;
     std::string_view chapter; ///< a chapter or appendix of the thesis, or "machine"

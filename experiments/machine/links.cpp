@@ -10,8 +10,8 @@ namespace placedpar {
 
 namespace {
 
-/// A published rate of a link. 1 Kbyte/s is 1000 bytes per second. If both directions are used, it is the sum of their
-/// rates.
+/// A published rate of a link. 1 Kbyte/s is 1000 bytes per second. With both directions in use, the rate is the sum of
+/// both.
 struct LinkRate {
     const char* source;
     const char* name;

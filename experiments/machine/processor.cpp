@@ -46,7 +46,7 @@ public:
         return bytes / (1e3 * in_milliseconds(run(simulation)));
     }
 
-    /// Returns the microseconds from one tick of the clock to the next, as a program reads it.
+    /// Returns the microseconds between two ticks of the clock, as read by a program.
     double tick(Priority priority) {
         Simulation simulation;
         Processor& t800 = simulation.add<Processor>("t800", hertz);
@@ -108,8 +108,8 @@ public:
         return longest;
     }
 
-    /// Returns the delay of a crossbar in one direction, in bit times. This is half of the time that a switch adds to a
-    /// byte and its acknowledge.
+    /// Returns the delay of a crossbar in one direction, in bit times. The delay is half of the time that a switch adds
+    /// to a byte and its acknowledge.
     double crossbar_delay() {
         constexpr double bits_per_us = 20;
         double direct = microseconds_a_byte("0"), switched = microseconds_a_byte("1");

@@ -64,7 +64,7 @@ void pass_patch(FarmChannel& in, FarmChannel& out) {
         out.out().output(in.in().input());
 }
 
-/// Passes patches on until the end.
+/// Passes patches on until the tag `stop`, which is passed on, too.
 void buffer_patches(FarmChannel& in, FarmChannel& out) {
     while (take_tag(in) == FarmTag::patch)
         pass_patch(in, out);
@@ -158,8 +158,8 @@ private:
         return made;
     }
 
-    /// Adds the controlling processes. They deal out tasks, at most two unfinished tasks for each worker, and pass the
-    /// results on.
+    /// Adds the controlling processes. These processes deal out tasks, at most two unfinished tasks for each worker,
+    /// and pass the results on.
     void build_control(FarmChannel& to_workers, FarmChannel& from_workers) {
         FarmChannel &tasks = soft(), &dealt = soft(), &done = soft(), &graphics = channel(1, 0);
         Processor* control = processors_[1];

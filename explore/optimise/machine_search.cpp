@@ -65,7 +65,7 @@ std::optional<SearchCourse> MachineSearch::genetic() {
     return course;
 }
 
-/// Draws the population only from machines for which the condition holds, since it may hold for very few.
+/// Draws the population only from machines for which the condition holds, since these may be very few.
 std::vector<Genome> MachineSearch::first_population() {
     RandomStream random(wanted_.seed, "optimise/first");
     std::vector<Genome> population;

@@ -33,7 +33,7 @@ void add_figure(StudyFigures& figures, const std::string& name, double value, co
         figures[name] = {value, unit};
 }
 
-/// Returns "t.busy" for "t[0][1].busy", the name of a figure of the whole array.
+/// Returns the name of the figure without subscripts: "t.busy" for "t[0][1].busy".
 std::string name_of_array(const std::string& figure) {
     std::size_t bracket = figure.find('['), dot = figure.rfind('.');
     return bracket == figure.npos || dot == figure.npos || dot < bracket

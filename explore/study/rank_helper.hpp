@@ -39,7 +39,8 @@ private:
     Ranks& ranks_;
     std::size_t jobs_;
     std::string digest_;         ///< digest of rank 0's source
-    std::size_t unanswered_ = 0; ///< requests that rank 0 has not answered; after the message `stop` it answers none
+    std::size_t unanswered_ = 0; ///< number of requests that rank 0 has not answered; it answers none after the message
+                                 ///< `stop`
     std::mutex mutex_;           ///< guards the members below
     std::condition_variable changed_;
     std::deque<StudyRun> runs_;      ///< runs to be made

@@ -7,7 +7,7 @@
 
 namespace placedpar {
 
-/// The messages between the ranks of a sweep: rank 0, which has the results, and the other ranks, its helpers.
+/// The messages of a sweep between rank 0, which has the results, and the other ranks, the helpers.
 ///
 ///     rank 0                      helper
 ///     begin                  ->                        or stop, if there is nothing to do

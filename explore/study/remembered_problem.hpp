@@ -13,8 +13,8 @@
 
 namespace placedpar {
 
-/// A problem with an objective that computes the fitness of each genome once, and remembers it for other processes,
-/// generations and runs. Neither this class nor ProblemRegistry is thread-safe.
+/// A problem with an objective. It computes the fitness of each genome once, and remembers the fitness for other
+/// processes, generations and runs. Neither this class nor ProblemRegistry is thread-safe.
 class RememberedProblem final : public SearchProblem {
 public:
     /// The number of bytes left for remembered genomes. Several problems may share this number.

@@ -54,8 +54,8 @@ struct StudySummary {
 /// Summarises the runs in the results; with a study, only the runs of its combinations, with any seed. If `measures` is
 /// empty, the measures requested last are used. With `relative_to`, each figure is divided by the figure of a reference
 /// run. The reference run has the seed of the run and its settings, except for the settings in `relative_to`. A run has
-/// no figures if it has no reference run, or one that ended differently. Equal settings are combined and spelt as in
-/// the study (SettingValue).
+/// no figures if its reference run is missing or ended differently. Equal settings are combined and spelt as in the
+/// study (SettingValue).
 StudySummary summary_of(StudyResults&, std::vector<std::string> measures = {}, const Study* study = nullptr,
                         const Overrides& relative_to = {});
 

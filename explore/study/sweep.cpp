@@ -255,7 +255,7 @@ void require_possible(const std::vector<std::string>& measures, const Study& stu
         throw UserError(possible.why_unknown(missing.front()));
 }
 
-/// Makes and keeps a run, and notes how long it took. Returns nothing if it was interrupted.
+/// Makes and keeps a run, and notes how long the run took. Returns nothing if the run was interrupted.
 std::optional<StudyOutcome> StudySweep::timed_outcome(const StudyRun& run, Interruption& interruption) {
     if (!trier_)
         trier_.emplace(study_);
@@ -328,7 +328,8 @@ std::optional<double> StudySweep::seconds_a_run(Interruption& interruption) {
     return seconds_;
 }
 
-/// Makes a run with another seed: the first run of a combination may take longer than the others, which repeat it.
+/// Makes a run with another seed: the first run of a combination may take longer than the other runs, which repeat the
+/// first.
 void StudySweep::time_another_seed(Interruption& interruption) {
     const double first = *seconds_, others = static_cast<double>(study_.seeds - 1);
     StudyRun another = *tried_;

@@ -3,7 +3,7 @@
 // Without this macro, Debian's package needs a library to be linked.
 #define TOML_HEADER_ONLY 1
 // With assertions off, the parser tells the compiler to assume the asserted conditions, and the text "[(set]" violates
-// such a condition. If the parser neither asserts nor assumes, it reports the error in such a text.
+// such a condition. With this macro, which neither asserts nor assumes, the parser reports the error in such a text.
 #define TOML_ASSERT(condition) static_cast<void>(0)
 #pragma push_macro("NDEBUG")
 #undef NDEBUG

@@ -90,7 +90,7 @@ Series error_of_answer(const WatchedIdentification& watched, double until_s) {
 
 Panel error_panel(const WatchedIdentification& watched, double until_s) {
     Series mean{"population's mean", {}}, best{"best one, rms", {}};
-    double trials = 0; // the generations of a sample are spread over its period
+    double trials = 0; // the generations after a sample are spread over the sampling period
     for (std::size_t i = 0; i < watched.generations.size(); ++i) {
         const Generation& generation = watched.generations[i];
         trials = i > 0 && watched.generations[i - 1].time_s == generation.time_s ? trials + 1 : 0;

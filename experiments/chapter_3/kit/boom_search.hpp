@@ -15,7 +15,7 @@ struct BoomIdentified {
     identification::Identified found;
     double compliance_in3_per_psi;       ///< the search's answer
     std::optional<double> least_squares; ///< over all usable samples; may be negative, as the thesis's first value was
-    bool at_lower_bound;                 ///< whether the answer is flagged as at its lower bound
+    bool at_lower_bound;                 ///< whether the answer is flagged as being at its lower bound
 };
 
 /// Throws what identify() throws.

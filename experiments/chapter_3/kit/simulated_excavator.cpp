@@ -36,8 +36,8 @@ void scatter(Parameters& parameters, std::span<const Scatter> by, RandomStream& 
 }
 
 /// Sets the operator's command, drawn at random. The valve opens for 60 to 140 % of the thesis's flow. Opening takes 0
-/// to 0.3 s, and the valve shuts 1 to 2.5 s later. The scenario for two links has a controller of its own, which opens
-/// both valves at once. Only the servo-valve can be shut.
+/// to 0.3 s, and the valve shuts 1 to 2.5 s later. The scenario for two links has its own controller, which opens both
+/// valves at once. Only the servo-valve can be shut.
 void command(Parameters& parameters, const RecordSource& source, RandomStream& random) {
     const double opened = random.uniform(), ramp_s = uniform(random, 0, 0.3), for_s = uniform(random, 1, 2.5);
     if (source.has_servo) {

@@ -5,8 +5,8 @@
 
 namespace placedpar {
 
-/// These functions compute which errors of the model explain a given compliance: in experiment 2 a wrong a_0, in
-/// experiment 1 a spool that reads too low.
+/// These functions compute which error explains a given compliance: in experiment 2 a wrong a_0, in experiment 1 a
+/// spool sensor that reads too low.
 
 /// Returns the a_0 with which least squares from the voltage gives this compliance, while the pressure rises. Throws
 /// UserError if no a_0 from .75 to 4 times the machine's own does.

@@ -12,8 +12,8 @@ class TestedMachine {
 public:
     TestedMachine(const RecordSource& source, hydraulics::AreasFrom from, std::uint64_t seed);
 
-    /// Passes a movement (SimulatedExcavator::movement()) to the diagnosis, with a pause after it, so that the
-    /// diagnosis has judged the movement on return.
+    /// Passes a movement (SimulatedExcavator::movement()) and then a pause to the diagnosis. On return, the diagnosis
+    /// has judged the movement.
     void move(const PlantFault& fault, double compliance_factor, std::uint64_t number);
     const identification::Diagnosis& diagnosis() const { return diagnosis_; }
     /// Returns the active alarms.

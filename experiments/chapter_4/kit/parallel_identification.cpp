@@ -173,15 +173,15 @@ Comparison both_algorithms(const RecordedBoom& machine, const std::vector<Figure
     return comparison;
 }
 
-/// Says what the whole interval of a difference shows about its bounds.
+/// Returns "shown", "undecided" or "refuted": what the interval of a difference says about its bounds.
 std::string shown_by(const Cell& cell) {
     const bool meets = cell.interval->low >= cell.at_least.value_or(cell.interval->low) &&
                        cell.interval->high <= cell.at_most.value_or(cell.interval->high);
     return meets ? "shown" : cell.within_tolerance() ? "undecided" : "refuted";
 }
 
-/// Adds the differences of one way and what they show. Only `pga_fittest` is judged: the answer of the fittest island
-/// is the answer of the parallel algorithm.
+/// Adds the differences of one way, and the notes of what the differences show. Only `pga_fittest` is judged: the
+/// answer of the fittest island is the answer of the parallel algorithm.
 void add_differences(Comparison& comparison, const BothFound& found, BoomWay way) {
     comparison.notes += fmt::format("{}:", names_of_boom_ways[way]);
     for (Cell& cell : cells_of_difference(found, names_of_boom_ways[way])) {

@@ -11,8 +11,8 @@
 
 namespace placedpar {
 
-/// An objective function that does not change, and the objective that ends its search: the optimum, or a value that
-/// only the valley of the optimum reaches.
+/// An objective function that does not change, and the objective that ends the search: the optimum, or a value that is
+/// reached only in the valley of the optimum.
 struct StaticTask {
     std::string problem; ///< name in a netlist
     double target;       ///< the search ends at this objective, or a better one

@@ -18,7 +18,7 @@ namespace placedpar {
 const SearchProblem& plant_search_problem();
 std::vector<std::size_t> plant_field_bits();
 /// Returns the coarse reading of Table 6.3: two bits for the delay, and `bits` bits for each of the five other
-/// parameters. With `bits` = 7 it reads the whole string.
+/// parameters. With `bits` = 7 the reading is the whole string.
 Recoding plant_reading(std::size_t bits, Coding coding = Coding::natural);
 
 /// Returns the settings that all searches of this chapter share with chapter 5: a window of 30 samples, B = 10 per
