@@ -26,7 +26,6 @@ private:
     std::atomic<Simulation*> simulation_{nullptr}; ///< the simulation that is running, or null
 };
 
-/// The settings of a run.
 struct RunSettings {
     std::uint64_t seed = 1;
     Time until = Time::max();                  ///< latest end of the run

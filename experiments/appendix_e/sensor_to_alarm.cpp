@@ -19,13 +19,11 @@ namespace placedpar {
 
 namespace {
 
-/// A way to run the netlist.
 struct AlarmCase {
     const char* name;
     Overrides set;
 };
 
-/// A measure of a run, which is shown as a row.
 struct StageShown {
     const char *process, *measure, *row;
 };

@@ -40,7 +40,6 @@ constexpr const char* flow_head =
     R"(<marker id="flow" viewBox="0 0 8 8" refX="8" refY="4" markerWidth="6" markerHeight="6" orient="auto">)"
     R"(<path d="M0 1 L8 4 L0 7 Z" fill="#3b5b7a"/></marker>)";
 
-/// Returns the names of the links of a group.
 std::string names_of(LinkSet links) {
     std::string names;
     for (Link link : all_links)

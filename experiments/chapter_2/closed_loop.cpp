@@ -58,7 +58,7 @@ ControlledMotion run_loop(const LoopFault& fault, bool closed, std::uint64_t see
                                [&] { return sensors.uniform(); });
 }
 
-/// Returns the angle that the boom lags behind the reference.
+/// Returns the angle by which the boom lags behind the reference.
 double lag_deg(const MeasuredState& state) {
     const static MeasuredExcavator excavator = measured_excavator();
     return boom_control().desired_deg(state.time_s) - excavator.boom.joint_deg(state.piston_in);
@@ -89,7 +89,6 @@ Figures figures_of_loop(const LoopFault& fault, bool closed, std::uint64_t seed)
             loop_compliance(motion.record, AreasFrom::servo, seed), 100 * leak / inlet};
 }
 
-/// The runs with one fault, in the closed loop and in the open loop.
 struct LoopRuns {
     std::string name;
     std::vector<Figures> closed, open;

@@ -221,7 +221,6 @@ Panel error_panel() {
     return panel;
 }
 
-/// Returns the table for one set of constants.
 Comparison with_constants(std::string name, const FlowConstants& constants) {
     Comparison comparison{.name = std::move(name)};
     add_table(comparison, constants);

@@ -25,7 +25,6 @@ constexpr double by_spool_in3_per_psi = 0.005, by_voltage_in3_per_psi = 0.0086;
 
 constexpr double shown_s = 1.2; // length of the plots
 
-/// One of the thesis's two experiments.
 struct ThesisExperiment {
     const char* name;
     AreasFrom from;
@@ -35,7 +34,6 @@ constexpr ThesisExperiment thesis_experiments[]{
     {.name = "2: voltage", .from = AreasFrom::servo},
 };
 
-/// A plant and the noise of its sensors.
 struct Source {
     const char* name;
     BoomPlant plant;
@@ -225,7 +223,6 @@ double add_low_spool(Comparison& comparison, const Seeds& seeds) {
     return -low;
 }
 
-/// Compares .005 and .0086 for a single machine.
 Comparison both_comparison(const Seeds& seeds) {
     Comparison comparison{.name = "simple plant: .005 versus .0086 of one machine, median of 50 records",
                           .against = "thesis",

@@ -72,10 +72,9 @@ Comparison known_comparison() {
     return comparison;
 }
 
-/// A curve of Figure 3.8, and its compliance relative to the identified compliance.
 struct Curve {
     const char* name;
-    double factor;
+    double factor; ///< compliance relative to the identified compliance
 };
 constexpr std::array<Curve, 3> curves{{{"identified C", 1}, {"half of that C", 0.5}, {"twice that C", 2}}};
 
@@ -107,7 +106,6 @@ void add_motion(Comparison& comparison, double deg_per_s, const BoomData& data, 
     }
 }
 
-/// The other motions, with their own noise.
 struct OtherRecords {
     BoomPlant plant;
     double identified_in3_per_psi; ///< median of the compliances that experiment 2 identifies from many records at 4

@@ -53,7 +53,6 @@ CoupledMotion simulate_coupled(Configuration configuration) {
     return {configuration, links, std::move(name), std::move(scenario), std::move(motion)};
 }
 
-/// A noise level, the samples used, and whether the results are judged.
 struct LinksLevel {
     const char *name, *noise;
     std::optional<std::size_t> samples; ///< nullopt: the whole movement

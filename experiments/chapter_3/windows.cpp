@@ -23,7 +23,6 @@ namespace {
 constexpr std::size_t lengths[]{3, 5, 7, 10, 15, 20, 30, 60};
 constexpr std::size_t thesis_length = 3; // index of 10 in `lengths`
 
-/// A plant, and the noise of its sensors.
 struct WindowPlant {
     const char* name;
     BoomPlant plant;

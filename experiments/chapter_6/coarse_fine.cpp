@@ -42,7 +42,6 @@ SearchSettings letter_settings(std::size_t population) {
     return settings;
 }
 
-/// A comparison and its tallies, in the order of the rows.
 struct CoarseTable {
     Comparison comparison;
     std::vector<Tally> tallies;

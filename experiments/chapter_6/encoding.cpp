@@ -8,7 +8,6 @@ namespace placedpar {
 
 namespace {
 
-/// A coding of the plant's string.
 struct CodingTried {
     const char* name;
     Coding coding;

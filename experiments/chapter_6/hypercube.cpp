@@ -24,7 +24,6 @@ Genome string_of(std::uint64_t vertex, std::size_t bits) {
 
 std::size_t bit_difference(std::uint64_t a, std::uint64_t b) { return static_cast<std::size_t>(std::popcount(a ^ b)); }
 
-/// Counts the vertices by their bit difference from one vertex.
 std::vector<std::size_t> count_neighbours(std::uint64_t vertex, std::size_t bits) {
     std::vector<std::size_t> neighbours(bits + 1);
     for (std::uint64_t other = 0; other < std::uint64_t{1} << bits; ++other)
@@ -59,7 +58,6 @@ Comparison table_6_1() {
     return comparison;
 }
 
-/// The least and the greatest count.
 struct Extremes {
     std::size_t least = std::numeric_limits<std::size_t>::max(), most = 0;
 

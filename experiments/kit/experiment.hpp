@@ -39,7 +39,6 @@ struct Replay {
 /// that it does not depend on the last bits of the figures.
 Replay replay_of(std::vector<Comparison> comparisons, std::vector<NamedPlot> plots);
 
-/// The inputs of an experiment.
 struct ReplayContext {
     std::filesystem::path examples;                   ///< the folder of the netlists
     std::uint64_t seed;                               ///< seed of every random stream

@@ -38,7 +38,6 @@ struct FarmWords {
 using FarmTag = FarmWords::Tag;
 using FarmChannel = Channel<FarmWords>;
 
-/// Sends a tag and `words` words after it.
 void send_tagged(FarmChannel& out, FarmTag tag, int words) {
     out.out().output({tag});
     for (int i = 0; i < words; ++i)
@@ -56,7 +55,7 @@ void take_words(FarmChannel& in, int messages) {
 /// position.
 constexpr int patch_edge = 8, patch_head = 3, task_head = 2, patches_of_image = 256 / patch_edge * 256 / patch_edge;
 
-/// Passes a patch on, after its tag.
+/// Passes on a patch whose tag has been taken.
 void pass_patch(FarmChannel& in, FarmChannel& out) {
     take_words(in, patch_head);
     send_tagged(out, FarmTag::patch, patch_head);
@@ -301,7 +300,6 @@ private:
     Time done_{};
 };
 
-/// A run and its published time.
 struct RayFarmRun {
     RayFarmSettings settings;
     const char* router;

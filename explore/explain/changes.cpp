@@ -78,7 +78,6 @@ std::vector<std::string> busiest(const Uses& uses, Name name, Spent spent) {
     return names;
 }
 
-/// Collects the changes worth trying.
 class Changes {
 public:
     Changes(const Network& network, const RunReport& report, const DeclaredWith& declared)

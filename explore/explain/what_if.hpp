@@ -15,7 +15,6 @@ namespace placedpar {
 /// the same time.
 using ChangedNetlist = std::function<Network(const Overrides&)>;
 
-/// The result of the run of a changed netlist.
 struct Answer {
     Change change;
     Ending ending = Ending::interrupted;
@@ -26,7 +25,6 @@ struct Answer {
     bool completed() const { return refused.empty() && ending == Ending::completed; }
 };
 
-/// The settings of the changed runs.
 struct WhatIfs {
     ChangedNetlist read;
     std::uint64_t seed;

@@ -31,7 +31,6 @@ struct SearchCourse {
     std::vector<std::size_t> front() const { return front_of(merits); }
 };
 
-/// The progress of a search, for its listener.
 struct CourseProgress {
     const SearchCourse& course;
     std::string step;   ///< "generation 3 of 20"

@@ -14,7 +14,6 @@
 
 namespace placedpar {
 
-/// The result of a search for the best machine.
 struct Optimum {
     std::vector<std::string> measures; ///< the one or two measures that were minimised, with their units
     Trial start;                       ///< the unchanged netlist, with the settings that all machines share

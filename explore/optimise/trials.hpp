@@ -17,7 +17,6 @@
 
 namespace placedpar {
 
-/// The result of trying a machine.
 struct Trial {
     Merit merit;
     bool simulated = false; ///< false: the study's condition does not hold for the machine, or its netlist is refused

@@ -37,7 +37,6 @@ private:
     std::map<std::string, std::vector<std::string>> runs_;
 };
 
-/// Makes the tables of one study.
 class ComparisonMaker {
 public:
     ComparisonMaker(const Study& study, StudyResults& results)

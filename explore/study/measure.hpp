@@ -16,7 +16,6 @@ struct Network;         // netlist/network/network.hpp
 struct ProcessInstance; // netlist/network/network.hpp
 struct RunReport;       // netlist/run_report.hpp
 
-/// A number with its unit.
 struct StudyFigure {
     double value = 0;
     std::string unit;

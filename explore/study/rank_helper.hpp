@@ -22,8 +22,8 @@ public:
     /// REQUIRES: `ranks` outlives this object.
     RankHelper(Ranks& ranks, std::size_t jobs) : ranks_(ranks), jobs_(jobs), interruptions_(jobs) {}
 
-    /// Makes runs until none is left, or until the interruption. Reports errors to rank 0. Calls `study` only once rank
-    /// 0 begins a sweep.
+    /// Makes runs until none is left, or until the interruption. Reports errors to rank 0. Calls `study` only after
+    /// rank 0 has begun a sweep.
     void help(const std::function<Study()>& study, const Interruption&);
 
 private:

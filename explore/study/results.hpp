@@ -16,7 +16,6 @@
 
 namespace placedpar {
 
-/// The outcome of a run.
 struct StudyOutcome {
     std::string ended; ///< "completed", "deadlock", "stopped at the time limit", "refused"
     Time time{};
@@ -71,9 +70,7 @@ public:
     /// Stores the measures that the latest sweep or search requests.
     void set_measures(const std::vector<std::string>&);
     std::vector<std::string> measures();
-    /// Returns the source that all runs share.
     StudySource source();
-    /// Returns the path of the netlist.
     std::string netlist();
     std::string version();
     const std::filesystem::path& path() const { return path_; }

@@ -20,7 +20,6 @@ namespace placedpar {
 
 namespace {
 
-/// Reads one study.
 class StudyReader : TomlReader {
 public:
     explicit StudyReader(const std::string& path)

@@ -9,7 +9,6 @@ namespace placedpar {
 
 /// Returns the summary as a table: a line for each combination, with means and their confidence intervals.
 std::string print_summary(const StudySummary&);
-/// Returns the summary as comma-separated values.
 std::string summary_csv(const StudySummary&);
 
 /// Plots the measures over the axis `over`, or over the axis with the most numbers: a panel for each measure, a curve

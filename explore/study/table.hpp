@@ -15,7 +15,6 @@ struct StudyVariant {
     Overrides set = {};
 };
 
-/// The allowed distance of a figure from the known figure.
 struct StudyTolerance {
     StudyExpression amount{""}; ///< expression of the settings and `known`; empty: no tolerance
     bool in_percent = false;    ///< percent of the known figure; otherwise in the unit of the figure

@@ -19,7 +19,6 @@ using namespace hydraulics;
 
 namespace {
 
-/// Returns the parameters of the machine and of its motion.
 Parameters parameters_of(const BoomMotion& motion) {
     Parameters all = Parameters::excavator();
     if (motion.plant == BoomPlant::simple && motion.slow)

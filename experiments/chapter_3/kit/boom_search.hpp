@@ -27,7 +27,6 @@ BoomIdentified identify_boom(const BoomData&, const BoomModel&, const identifica
 std::optional<double> least_squares_compliance(const BoomData&, const BoomModel&,
                                                const hydraulics::UsableSamples& = {});
 
-/// One generation of a search.
 struct Generation {
     double time_s; ///< time of the newest sample
     double best_in3_per_psi;

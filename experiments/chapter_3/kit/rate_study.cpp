@@ -59,7 +59,6 @@ std::size_t count_in(const std::vector<Figures>& machines, std::size_t figure) {
     return static_cast<std::size_t>(std::ranges::count(column(machines, figure), 1.0));
 }
 
-/// Adds a share of machines with its 95 % interval.
 void add_share(Comparison& comparison, const std::string& row, const std::string& rate, std::size_t of, std::size_t all,
                std::optional<double> least) {
     const Cell share = share_cell(row, rate, of, all);

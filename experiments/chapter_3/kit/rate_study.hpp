@@ -7,7 +7,6 @@
 
 namespace placedpar {
 
-/// The sampling rate of a logger, with its name.
 struct LoggerRate {
     const char* name;
     double period_s;

@@ -16,7 +16,6 @@ public:
     /// has judged the movement.
     void move(const PlantFault& fault, double compliance_factor, std::uint64_t number);
     const identification::Diagnosis& diagnosis() const { return diagnosis_; }
-    /// Returns the active alarms.
     const std::vector<identification::Alarm>& alarms() const { return diagnosis_.alarms(); }
 
 private:

@@ -173,7 +173,6 @@ Limit limit_of(const TestedFault& fault, const std::vector<Figures>& machines) {
             quotient_interval(found, std::vector<double>(found.size(), 1))};
 }
 
-/// A fault's figures, one per machine.
 struct FaultFigures {
     std::vector<double> found, called, undecided;
 };

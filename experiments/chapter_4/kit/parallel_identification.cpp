@@ -39,7 +39,6 @@ struct RecordedBoom {
 constexpr RecordedBoom simple_boom{"simple plant, low noise", BoomPlant::simple, low_noise, true};
 constexpr RecordedBoom measured_boom{"measured machine, mid noise", BoomPlant::measured, mid_noise, false};
 
-/// The ways of searching that are compared.
 enum BoomWay : std::size_t { ga_alone, pga_fittest, pga_first, boom_ways };
 constexpr std::array<const char*, boom_ways> names_of_boom_ways{"GA, 1 T800", "PGA, fittest", "PGA, master[0]"};
 
@@ -61,7 +60,6 @@ MachineSearch search_on(const ReplayContext& context, const Overrides& set, cons
     return {std::move(search), std::move(answers)};
 }
 
-/// Both algorithms on one record.
 struct BothSearches {
     BoomModel model;
     BoomIdentified natively;
@@ -120,7 +118,6 @@ double mean_of(const std::vector<FoundInRecord>& found, double FoundInRecord::*f
     return sum / static_cast<double>(found.size());
 }
 
-/// Adds what one way of searching found.
 void add_way(Comparison& comparison, const char* column, const std::vector<FoundInRecord>& found, double truth,
              bool judged) {
     auto near = std::ranges::count_if(found, [&](const FoundInRecord& each) { return is_near(each, truth); });
@@ -235,7 +232,6 @@ std::vector<std::pair<double, std::size_t>> generations_by_time(const BothSearch
     return all;
 }
 
-/// Returns a curve for each search over these times.
 std::vector<Series>
 curves_of_searches(const BothSearches& both,
                    const std::function<double(const MachineSearch&, std::size_t, std::size_t)>& value) {

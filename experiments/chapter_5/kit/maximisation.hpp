@@ -36,7 +36,6 @@ struct TaskStudy {
     std::size_t reached(std::size_t size) const;
     /// Returns the percentage of the runs that reach the target.
     double reached_percent(std::size_t size) const;
-    /// Returns the median over the seeds.
     double median(std::size_t size) const;
 };
 

@@ -25,7 +25,6 @@ struct PlantTrack {
     std::vector<Pole> poles; ///< one for every fifth generation
 };
 
-/// The results of one configuration with many seeds.
 struct PlantStudy {
     PlantIslands islands;
     std::vector<std::vector<PlantTrack>> runs; ///< [seed][track]; the tracks are the islands, then the choices
@@ -55,7 +54,6 @@ PlantStudy study_pole(const ReplayContext& context, std::string name, const Plan
 std::vector<double> less(const std::vector<double>& one, const std::vector<double>& other);
 std::vector<double> ratio(const std::vector<double>& one, const std::vector<double>& other);
 
-/// A row in a table of tracks.
 struct TrackRow {
     std::string name;
     const PlantStudy* study;

@@ -19,7 +19,6 @@ struct Expected {
     std::optional<double> converged, followed;
 };
 
-/// The results of a condition's runs.
 struct Tally {
     std::string name;
     std::size_t runs = 0, converged = 0, followed = 0;
