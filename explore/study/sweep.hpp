@@ -27,10 +27,10 @@ Network readable_network(const Study&);
 /// combinations spread over the study. `network` is a network of the study.
 void require_possible(const std::vector<std::string>& measures, const Study&, const Network&);
 
-/// Makes runs of a study, one after the other. Data that runs share are made once: the kinds and the parsed netlist;
-/// for each combination, the network and, if they do not depend on the seed, the events on the machine (RecordedRun);
-/// for each seed, the records of measurement. A problem's objective is computed once for each genome
-/// (RememberedProblem).
+/// Makes runs of a study, one after the other, and keeps what they share. The kinds and the parsed netlist are made
+/// once, a network once for each combination, and the records of measurement once for each seed. If the events on the
+/// machine do not depend on the seed, these are also simulated once for each combination (RecordedRun). A problem's
+/// objective is computed once for each genome (RememberedProblem).
 class StudyWorker {
 public:
     /// REQUIRES: the study outlives this object.
