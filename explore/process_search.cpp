@@ -86,12 +86,11 @@ std::optional<Difference> first_difference(const Network& network, const Setting
 [[noreturn]] void refuse(const Difference& difference) {
     const auto& [process, name, ours] = difference;
     Diagnostic diagnostic;
-    diagnostic.message = fmt::format("{} = {} in the netlist for \"{}\", but identify searches with {}", name,
+    diagnostic.message = fmt::format("{} = {} in the netlist for \"{}\", but the identification has {}", name,
                                      expression(process->parameters.at(name)), process->name, expression(ours));
     auto place = process->given.find(name);
     diagnostic.location = place == process->given.end() ? process->declared : place->second;
-    diagnostic.hint =
-        "use the same value for both: change the netlist, use --set, or give identify the matching option";
+    diagnostic.hint = "use the same value for both: change the netlist, use --set, or give the matching option";
     throw RefusedInput(render(diagnostic));
 }
 
@@ -108,10 +107,9 @@ std::vector<std::string> searching_processes(const Network& network, const Netli
         if (!searches(process))
             continue;
         if (breeds_recoded(process))
-            throw UserError(
-                fmt::format("--on {}: \"{}\" is one of a pair, which identify has no settings for; expected "
-                            "ga.traditional, ga.master or ga.island",
-                            netlist.path.string(), process.name));
+            throw UserError(fmt::format("--on {}: \"{}\" is a coarse or a fine search, for which identify has no "
+                                        "settings; expected ga.traditional, ga.master or ga.island",
+                                        netlist.path.string(), process.name));
         names.push_back(process.name);
     }
     if (names.empty())
@@ -133,21 +131,20 @@ ReadResult read_with(const Settings& settings, const ParsedNetlist& parsed, cons
 /// without such a val the netlist is refused.
 Network load_with(Settings settings, const NetlistAsked& netlist, const ProblemRegistry& problems,
                   const WarningSink& warn) {
-    const ParsedNetlist parsed(netlist.path, netlist.options);
-    ReadResult read = read_with(settings, parsed, netlist.overrides, problems);
+    ReadResult read = read_with(settings, netlist.parsed, netlist.overrides, problems);
     for (const std::string& included : read.network->included_paths)
         require_apart(std::span(&netlist.output, 1), included);
     if (searching_processes(*read.network, netlist).size() > 1) {
         settings.erase("population");
         settings.erase("stream");
-        read = read_with(settings, parsed, netlist.overrides, problems);
+        read = read_with(settings, netlist.parsed, netlist.overrides, problems);
     }
     std::size_t samples = problems.find("boom").samples();
     Overrides ours = netlist.overrides;
     while (auto difference = first_difference(*read.network, settings, samples)) {
         if (!ours.emplace(difference->name, expression(difference->ours)).second)
             refuse(*difference);
-        ReadResult again = parsed.read(kinds_with(settings, problems), ours);
+        ReadResult again = netlist.parsed.read(kinds_with(settings, problems), ours);
         if (!again.network || !is_val(difference->name, *again.network))
             refuse(*difference);
         read = std::move(again);
@@ -177,9 +174,10 @@ std::size_t whole_population(const Network& network, const NetlistAsked& netlist
         if (searches(process))
             sum += std::get<std::int64_t>(process.parameters.at("population"));
     if (sum != integer(wanted))
-        throw UserError(fmt::format("--on {}: its searches have {} individuals together, but identify has {}: give "
-                                    "identify --population {}, or --set the netlist's",
-                                    netlist.path.string(), sum, wanted, sum));
+        throw UserError(fmt::format(
+            "--on {}: the netlist's searches have {} individuals in all, but the identification has {}: give "
+            "--population {}, or change the netlist's populations with --set",
+            netlist.path.string(), sum, wanted, sum));
     return wanted;
 }
 

@@ -20,7 +20,7 @@ namespace placedpar {
 struct NetlistAsked {
     std::filesystem::path path;
     Overrides overrides;
-    ReadOptions options;
+    ParsedNetlist parsed;         ///< the file's text, for any number of searches
     std::filesystem::path output; ///< the file to be written, which must not be a file of the netlist
 };
 

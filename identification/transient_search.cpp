@@ -36,15 +36,6 @@ std::size_t longest_stretch(std::span<const CircuitSample> samples) {
     return longest;
 }
 
-void require_samples(std::span<const CircuitSample> samples, const IdentificationWay& way) {
-    std::size_t needed = samples_for_first_generation(way), found = longest_stretch(samples);
-    if (found < needed)
-        throw UnfitRecord(fmt::format(
-            "{} usable samples{}, expected at least {}: the transient after the valve opens, in which the "
-            "pressure rises faster than {} psi/s, is too short or missing",
-            found, found < samples.size() ? " without a gap" : "", needed, way.usable.first_slope_psi_per_s));
-}
-
 /// Returns the previous estimate with the time of this sample.
 TransientEstimate frozen_estimate(const CircuitSample& sample, TransientEstimate estimate) {
     estimate.index = sample.index;
@@ -64,6 +55,15 @@ TransientEstimate next_estimate(const CircuitSample& sample, const SearchProblem
 }
 
 } // namespace
+
+void require_samples(std::span<const CircuitSample> samples, const IdentificationWay& way) {
+    std::size_t needed = samples_for_first_generation(way), found = longest_stretch(samples);
+    if (found < needed)
+        throw UnfitRecord(fmt::format(
+            "{} usable samples{}, expected at least {}: the transient after the valve opens, in which the "
+            "pressure rises faster than {} psi/s, is too short or missing",
+            found, found < samples.size() ? " without a gap" : "", needed, way.usable.first_slope_psi_per_s));
+}
 
 SearchRun search_transient(const CircuitProblem& circuit_problem, std::span<const CircuitSample> samples,
                            const IdentificationWay& way, RandomStream random) {

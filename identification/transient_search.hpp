@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace placedpar::identification {
@@ -26,8 +27,21 @@ struct SearchRun {
     std::uint64_t generations = 0;
 };
 
+/// The answer of a simulated machine that gets each sample when the sample is taken.
+struct AnswerInTime {
+    std::vector<double> compliance_in3_per_psi; ///< in the circuit's order
+    std::string process;                        ///< the search whose answer is the fittest
+    double sample_s = 0;                        ///< time of the last sample that was searched
+    double after_s = 0;                         ///< time from that sample to the answer
+    bool keeps_pace = true;    ///< whether the answer to each sample is ready a period after the sample
+    std::string warnings = {}; ///< about the netlist; may be ""
+};
+
+/// Throws UnfitRecord if there are too few samples for the first generation.
+void require_samples(std::span<const hydraulics::CircuitSample> samples, const IdentificationWay& way);
+
 /// Runs one search over the samples. Unlike run_traditional(), it has a gate, and it empties the window at a gap in the
-/// record. Throws UnfitRecord if there are too few samples for the first generation.
+/// record. Throws as require_samples().
 SearchRun search_transient(const CircuitProblem& problem, std::span<const hydraulics::CircuitSample> samples,
                            const IdentificationWay& way, RandomStream random);
 

@@ -6,14 +6,17 @@
 #include "identification/identification.hpp"
 #include "report/run_report.hpp"
 #include "text/counted.hpp"
-#include "text/standard_streams.hpp"
+#include "text/output_file.hpp"
+#include "text/user_error.hpp"
 
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace placedpar {
@@ -76,7 +79,7 @@ std::string print_answer(const SearchAnswers& answers, const Identified& native,
     const std::size_t last = answers.generations() - 1, best = answers.fittest(last);
     const double here = native.estimates.back().compliance_in3_per_psi[parameter];
     const double there = answers.of(best, last).values[parameter];
-    std::string text = fmt::format("{}: {:.5f} in^3/psi by the direct search, {:.5f} by ",
+    std::string text = fmt::format("{}: {:.5f} in^3/psi from the direct search, {:.5f} from ",
                                    answers.problem().parameter_names()[parameter], here, there);
     if (answers.searches().size() == 1)
         return text + fmt::format("the netlist's processes: {}\n", here == there ? "equal" : "different");
@@ -86,7 +89,7 @@ std::string print_answer(const SearchAnswers& answers, const Identified& native,
 
 std::string print_time(const RunReport& report, std::span<const SampleAnswers> rows, const SearchAnswers& answers,
                        std::span<const CircuitSample> samples) {
-    return fmt::format("the last answer is ready {:.3f} s after the first sample is sent; the {} last {:.3f} s; the "
+    return fmt::format("the last answer is ready {:.3f} s after the first sample is sent; the {} cover {:.3f} s; the "
                        "run ends at {:.3f} s\n",
                        seconds(answers.ready(rows.back().generation)), counted(samples.size(), "sample"),
                        samples.back().time_s - samples.front().time_s, seconds(report.result.time));
@@ -114,7 +117,43 @@ boost::json::object answers_json(const SearchAnswers& answers, std::span<const S
             {"answers", std::move(all)}};
 }
 
+/// Returns whether sensors read the samples in time. Throws UserError if they read with another period.
+bool has_sensors(const Network& network, double period_s) {
+    auto sensors = std::ranges::find(network.processes, "ga.sensors", &ProcessInstance::kind);
+    if (sensors == network.processes.end())
+        return false;
+    const double period_ms = std::get<double>(sensors->parameters.at("period"));
+    if (std::abs(period_ms / (1000 * period_s) - 1) > sampling_tolerance)
+        throw UserError(fmt::format("period = {} in the netlist for \"{}\", but the samples are {:.4g} ms apart",
+                                    period_ms, sensors->name, 1000 * period_s));
+    return true;
+}
+
 } // namespace
+
+AnswerInTime answer_in_time(const ProcessSearch& search, const ComplianceSearch& prepared, double period_s,
+                            std::uint64_t seed) {
+    const bool timed = has_sensors(search.network, period_s);
+    SearchAnswers answers = search.answers();
+    const RunReport report = run_netlist(search.network, search.problems, {.seed = seed, .observer = &answers});
+    const std::vector<SampleAnswers> rows = by_sample(search, answers, prepared.samples);
+    if (report.result.ending != Ending::completed || rows.empty())
+        throw UserError(fmt::format("{}: the processes answer nothing: {} at {:.3f} s", search.network.source_path,
+                                    name_of(report.result.ending), seconds(report.result.time)));
+    const std::size_t last = rows.back().generation, best = answers.fittest(last);
+    AnswerInTime found{answers.of(best, last).values, answers.searches()[best]};
+    const double first_s = prepared.samples.front().time_s;
+    double before_s = 0, done_s = first_s;
+    for (const auto& [taken_s, generation] : rows) {
+        const double ready_s = seconds(answers.ready(generation));
+        done_s = timed ? first_s + ready_s - period_s : std::max(done_s, taken_s) + ready_s - before_s;
+        before_s = ready_s;
+        found.sample_s = taken_s;
+        found.after_s = done_s - taken_s;
+        found.keeps_pace = found.keeps_pace && found.after_s <= period_s;
+    }
+    return found;
+}
 
 ExitCode run_on_machine(const ProcessSearch& search, const Identified& native, const ComplianceSearch& prepared,
                         std::uint64_t seed, boost::json::object& json) {
@@ -127,7 +166,7 @@ ExitCode run_on_machine(const ProcessSearch& search, const Identified& native, c
         return exit_code_of(report.result.ending);
     const std::vector<SampleAnswers> rows = by_sample(search, answers, prepared.samples);
     if (rows.empty()) {
-        print_out("the processes answered nothing: their islands begin later than the record's last sample\n");
+        print_out("the processes gave no answer: their first generation needs more samples than the record has\n");
         return ExitCode::missed_tolerance;
     }
     const std::vector<double>& there =

@@ -10,6 +10,7 @@ namespace placedpar {
 
 struct ProcessSearch; // explore/process_search.hpp
 namespace identification {
+struct AnswerInTime;     // identification/transient_search.hpp
 struct ComplianceSearch; // identification/compliance_search.hpp
 struct Identified;       // identification/identification.hpp
 } // namespace identification
@@ -22,5 +23,12 @@ struct Identified;       // identification/identification.hpp
 ExitCode run_on_machine(const ProcessSearch& search, const identification::Identified& native,
                         const identification::ComplianceSearch& prepared, std::uint64_t seed,
                         boost::json::object& json);
+
+/// Runs an identification as run_on_machine() does, without printing. The run takes samples as fast as it can, unless
+/// ga.sensors reads them. The time of the answer is computed as if the machine worked equally long on each sample, but
+/// began when the sample is taken. Throws UserError if there is no answer, or if ga.sensors reads with another period.
+identification::AnswerInTime answer_in_time(const ProcessSearch& search,
+                                            const identification::ComplianceSearch& prepared, double period_s,
+                                            std::uint64_t seed);
 
 } // namespace placedpar

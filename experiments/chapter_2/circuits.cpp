@@ -61,6 +61,10 @@ public:
             draw(j);
     }
 
+    /// Returns the position of a link's junction. REQUIRES: the link is in the circuit.
+    At at(Link link) const {
+        return at(static_cast<std::size_t>(std::ranges::find(circuit_, link, &Junction::link) - circuit_.begin()));
+    }
     double width() const { return first_x + column_width * static_cast<double>(most(steps_) + 1); }
     double height() const { return circuit_row_height * static_cast<double>(most(rows_) + 1); }
 
@@ -171,13 +175,59 @@ std::vector<CaptionedCircuit> circuits_of(Configuration configuration) {
     return circuits;
 }
 
+/// Returns the names of configurations, such as "b, d": those with a circuit in which `is` holds for the junction of
+/// this link.
+template <class Is>
+std::string configurations_with(Link link, Is is) {
+    std::string names;
+    for (Configuration configuration : all_configurations)
+        for (LinkSet group : coupled_groups(configuration)) {
+            const Circuit circuit = circuit_of(configuration, group);
+            if (std::ranges::any_of(circuit, [&](const Junction& at) { return at.link == link && is(at, circuit); }))
+                names += fmt::format("{}{}", names.empty() ? "" : ", ", name_of(configuration));
+        }
+    return names;
+}
+
+/// Draws both branches as in configuration a. Dashed lines are the connections that other configurations add (Figure
+/// 2.10).
+std::string draw_cross_over() {
+    constexpr At first_branch{0, 50};
+    SvgPen pen;
+    pen.text({12, 24}, "title", "The main circuit with its cross-over network");
+    const Circuit one = circuit_of(Configuration::a, {Link::bucket, Link::boom}),
+                  two = circuit_of(Configuration::a, {Link::stick, Link::swing});
+    const CircuitDrawing branch_1(pen, one, first_branch), branch_2(pen, two, first_branch + At{0, circuit_row_height});
+    auto check_valve = [&](At junction, Link link) {
+        auto shut = [](const Junction& at, const Circuit&) { return at.through == Through::nowhere; };
+        pen.text(junction + At{column_width / 2, 24}, "small", "shut in " + configurations_with(link, shut));
+    };
+    check_valve(branch_1.at(Link::bucket), Link::bucket);
+    check_valve(branch_2.at(Link::swing), Link::swing);
+    auto surplus = [&](At from, At to, Link giver, Link taker, double out, double across) {
+        auto leads = [=](const Junction& at, const Circuit& circuit) {
+            return at.through == Through::junction && circuit[at.next].link == taker;
+        };
+        double y = branch_1.at(Link::boom).y + across;
+        pen.path(svg_corners({from + At{out, 0}, {from.x + out, y}, {to.x - 62, y}, to - At{62, 0}}),
+                 {{"class", "flow"}, {"stroke-dasharray", "5 3"}});
+        pen.text({to.x + 20, y - 4}, "small", "in " + configurations_with(giver, leads));
+    };
+    const At boom = branch_1.at(Link::boom), stick = branch_2.at(Link::stick);
+    surplus(stick, boom, Link::stick, Link::boom, 136, 100);
+    surplus(boom, stick, Link::boom, Link::stick, 124, 124);
+    const double width = branch_1.width() + 20, height = first_branch.y + 2 * circuit_row_height;
+    return pen.document({{width / 2, height / 2}, width, height}, circuit_style, flow_head);
+}
+
 std::vector<NamedDrawing> drawings() {
     std::vector<CaptionedCircuit> all;
     for (Configuration configuration : all_configurations)
         for (CaptionedCircuit& circuit : circuits_of(configuration))
             all.push_back(std::move(circuit));
     Circuit branch = circuit_of(Configuration::a, {Link::bucket, Link::boom});
-    return {{"figure-2-11", draw_circuits("The circuits that share flow, in each configuration", all)},
+    return {{"figure-2-10", draw_cross_over()},
+            {"figure-2-11", draw_circuits("The circuits that share flow, in each configuration", all)},
             {"figure-b-1", draw_circuits("Branch #1 in configuration a", {{"bucket, boom", branch}})},
             {"figure-a-1", draw_circuits("The boom alone", {{"boom", boom_circuit()}})}};
 }

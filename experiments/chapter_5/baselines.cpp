@@ -1,3 +1,4 @@
+#include "experiments/chapter_5/kit/computation.hpp"
 #include "experiments/chapter_5/kit/covariance_adaptation.hpp"
 #include "experiments/chapter_5/kit/differential_evolution.hpp"
 #include "experiments/chapter_5/kit/least_squares.hpp"
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -199,7 +201,7 @@ Replay replay_baselines(const ReplayContext& context) {
         {"white noise, sigma = 0.3", {.noise = 0.3}},
         {"coloured noise, sigma = 0.3, c1 = .8", {.noise = 0.3, .colour = {colour, 0}}}};
     std::vector<Comparison> comparisons(1);
-    Plot plot{"Followers of the pole other than genetic algorithms, " + median_of_seeds(context), {}};
+    Plot plot{"Other methods than genetic algorithms that follow the pole, " + median_of_seeds(context), {}};
     for (const NoiseScenario& scenario : scenarios) {
         auto searched = searches(context, scenario.plant), exact = estimates(context, scenario.plant);
         if (scenario.plant.noise == 0)
@@ -212,6 +214,7 @@ Replay replay_baselines(const ReplayContext& context) {
         comparisons.push_back(
             claims_comparison(std::string("claims, ") + scenario.name, claims_of(exact, searched), Judge::own));
     }
+    std::ranges::move(computation_comparisons(context), std::back_inserter(comparisons));
     return replay_of(std::move(comparisons), {{"baselines", plot}});
 }
 

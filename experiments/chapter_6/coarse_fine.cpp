@@ -1,6 +1,7 @@
 #include "experiments/chapter_6/kit/conditions.hpp"
 #include "experiments/chapter_6/kit/landscape.hpp"
 #include "experiments/chapter_6/kit/pair_picture.hpp"
+#include "experiments/kit/claims.hpp"
 
 #include <fmt/format.h>
 
@@ -59,7 +60,8 @@ CoarseTable coarse_table(const ReplayContext& context, const std::string& name, 
             fmt::format("{} bits, {} ({})", string_bits(row.field_bits), row.population, row.thesis);
         add_tally(table.comparison, table.tallies.back(), row.*expected);
     }
-    table.comparison.notes = "other: 60 or 100 other seeds of this program; in parentheses what the thesis says\n";
+    table.comparison.notes =
+        "other: figures of this program with 60 or 100 other seeds; in parentheses: what the thesis says\n";
     return table;
 }
 
@@ -71,7 +73,8 @@ CoarseFineSettings pair_settings(std::size_t population, std::size_t field_bits)
 
 /// Compares pairs with single searches whose population is the sum of both populations of the pair.
 Comparison pair_table(const ReplayContext& context) {
-    Comparison comparison{.name = "the pair, the fine one's answer; and single searches with as many evaluations",
+    Comparison comparison{.name =
+                              "the pair (answer of the fine search), and single searches with equally many evaluations",
                           .against = "other",
                           .judged = true};
     const std::array<std::array<Expected, 3>, 2> expected{
@@ -120,6 +123,31 @@ Comparison landscape_table(const ReplayContext& context) {
                       enumerate_landscape(plant_reading(4, coding), seeds_of(context).front()));
     }
     return comparison;
+}
+
+/// Tests the thesis's "more than two or three thousands" (6.2). Counts the strings with nearly the best fitness among
+/// those that differ only in the 15 "don't care" bits.
+Comparison near_optimum_claims(const ReplayContext& context) {
+    constexpr double percents[]{99, 95};
+    std::vector<Claim> claims;
+    for (double noise : {0.0, 0.3}) {
+        auto runs = run_seeds(context, fmt::format("don't-care bits, sigma = {}", noise), [=](std::uint64_t seed) {
+            auto fitness = fitness_by_low_bits(noise, seed);
+            const double best = std::ranges::max(fitness);
+            Figures counts;
+            for (double percent : percents)
+                counts.push_back(static_cast<double>(
+                    std::ranges::count_if(fitness, [=](double each) { return each >= percent / 100 * best; })));
+            return counts;
+        });
+        for (std::size_t i = 0; i < std::size(percents); ++i)
+            claims.push_back({fmt::format("at least {} % of the best fitness, sigma = {}", percents[i], noise),
+                              "strings",
+                              column(runs, i),
+                              3000,
+                              {}});
+    }
+    return claims_comparison("of the 32 768 strings that differ from the plant's in don't-care bits", claims);
 }
 
 Panel table_6_4_panel(const std::string& title, const std::vector<Tally>& tallies) {
@@ -189,9 +217,10 @@ Replay replay_coarse_fine(const ReplayContext& context) {
     Comparison pair = pair_table(context);
     Plot plot{"Table 6.4: coarse searches that converged before the plant changed, with 95 % intervals",
               {table_6_4_panel("an elite of one, universal sampling", with_elite.tallies),
-               table_6_4_panel("to the letter: roulette, no elite", letter.tallies)}};
-    Replay replay = replay_of({with_elite.comparison, letter.comparison, pair, landscape_table(context)},
-                              {{"table-6-4", plot}, {"figure-6-7", figure_6_7()}});
+               table_6_4_panel("as in the thesis: roulette, no elite", letter.tallies)}};
+    Replay replay = replay_of(
+        {with_elite.comparison, letter.comparison, pair, landscape_table(context), near_optimum_claims(context)},
+        {{"table-6-4", plot}, {"figure-6-7", figure_6_7()}});
     replay.drawings = {{"figure-6-6", draw_pair(pair_settings(24, 4), plant_search_problem().parameter_names())}};
     return replay;
 }
@@ -200,7 +229,8 @@ Replay replay_coarse_fine(const ReplayContext& context) {
 
 extern const Experiment coarse_fine_experiment{
     .name = "coarse-fine",
-    .about = "a coarse and a fine search in the place of one, and all strings of the coarse one: Tables 6.3, 6.4",
+    .about =
+        "a coarse and a fine search in place of a single search, and all strings of the coarse search: Tables 6.3, 6.4",
     .chapter = "6",
     .number = 3,
     .run = replay_coarse_fine,

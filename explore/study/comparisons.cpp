@@ -1,6 +1,7 @@
 #include "explore/study/comparisons.hpp"
 
 #include "explore/study/canonical_settings.hpp"
+#include "explore/study/summary.hpp"
 #include "explore/study/summary_cells.hpp"
 #include "runtime/kernel.hpp"
 #include "text/user_error.hpp"
@@ -46,12 +47,15 @@ public:
         Comparison comparison{.name = table.name, .against = table.against, .judged = table.judged};
         std::vector<FiguresByName> above(table.columns.size());
         MissingFigures missing;
-        for (const StudyRow& row : table.rows)
+        for (const StudyRow& row : table.rows) {
             for (std::size_t i = 0; i < table.columns.size(); ++i) {
                 const Overrides set = spellings_.of(table.set(row, table.columns[i]));
                 comparison.add(cell(row, table.columns[i].name, set, i, above[i], missing));
                 above[i][row.runs.name] = comparison.cells.back().simulated;
             }
+            if (row.interval)
+                add_interval(comparison, row, table.columns.size());
+        }
         comparison.notes = missing.print() + (table.fit ? print_fit(comparison.cells) : "") + table.notes;
         return comparison;
     }
@@ -62,13 +66,17 @@ private:
         Cell cell{
             .row = row.runs.name, .column = column, .unit = row.unit, .decimals = row.decimals, .judge = row.judge};
         try {
-            cell.simulated = mean(row, set, above);
+            set_figure(cell, row, set, above);
         } catch (const UserError& why) {
             cell.simulated = std::nan("");
             missing.add(set, why);
         }
         if (place < row.origins.size())
             cell.origin = row.origins[place];
+        if (place < row.at_least.size() && row.at_least[place])
+            cell.at_least = row.at_least[place].value(set, {});
+        if (place < row.at_most.size() && row.at_most[place])
+            cell.at_most = row.at_most[place].value(set, {});
         if (place >= row.known.size() || !row.known[place])
             return cell;
         cell.reference = row.known[place].value(set, {});
@@ -80,11 +88,34 @@ private:
         return cell;
     }
 
-    double mean(const StudyRow& row, const Overrides& set, const FiguresByName& above) {
-        double sum = 0;
-        for (std::uint64_t i = 0; i < study_.seeds; ++i)
-            sum += figure_of(row, {set, study_.first_seed + i}, above);
-        return sum / static_cast<double>(study_.seeds);
+    /// Sets the mean over the seeds and its interval. If a percentage is 0 or 100 in every run, the interval is that of
+    /// a share of the runs.
+    void set_figure(Cell& cell, const StudyRow& row, const Overrides& set, const FiguresByName& above) {
+        StudyCell figures;
+        std::size_t none = 0, all = 0;
+        for (std::uint64_t i = 0; i < study_.seeds; ++i) {
+            const double figure = figure_of(row, {set, study_.first_seed + i}, above);
+            figures.add(figure);
+            none += figure == 0;
+            all += figure == 100;
+        }
+        figures.close();
+        cell.simulated = figures.mean;
+        cell.interval = none + all == figures.runs && cell.unit == "%"
+                            ? success_interval(all, figures.runs)
+                            : Interval{figures.mean - figures.half_width, figures.mean + figures.half_width};
+    }
+
+    /// Adds two rows with the ends of the intervals of the last `columns` cells.
+    static void add_interval(Comparison& comparison, const StudyRow& row, std::size_t columns) {
+        const std::vector<Cell> cells(comparison.cells.end() - static_cast<std::ptrdiff_t>(columns),
+                                      comparison.cells.end());
+        for (const bool upper : {false, true})
+            for (const Cell& each : cells) {
+                const Interval ends = each.interval.value_or(Interval{std::nan(""), std::nan("")});
+                comparison.add(plain_cell(row.runs.name + (upper ? ", to" : ", 95 % from"), each.column, row.unit,
+                                          upper ? ends.high : ends.low, row.decimals));
+            }
     }
 
     double figure_of(const StudyRow& row, const StudyRun& run, const FiguresByName& above) {

@@ -57,7 +57,9 @@ private:
         handlers["use"] = [&](const toml::node& node) { read_programs(node); };
         handlers["search"] = [&](const toml::node& node) { read_search(node); };
         handlers["relative_to"] = [&](const toml::node& node) { read_reference(node); };
-        handlers["until"] = [&](const toml::node& node) { study_.until = time(node); };
+        handlers["until"] = [&](const toml::node& node) {
+            attempt_at(node, [&] { study_.until = parse_time(text(node)); });
+        };
         of_whole_study_ = names_of(handlers);
         read_table(top, handlers);
         if (top.contains("table"))
@@ -90,7 +92,9 @@ private:
     /// Returns the handlers for a product's members.
     Handlers of_product(StudyProduct& product) {
         return {{"set", [&](const toml::node& node) { read_axes(node, "", product.axes); }},
-                {"where", [&](const toml::node& node) { read_condition(node, product); }}};
+                {"where", [&](const toml::node& node) {
+                     attempt_at(node, [&] { product.where = StudyExpression(text(node)); });
+                 }}};
     }
 
     /// Registers the tables of a list: all tables of [[also]] and [[table]] are read in the order of the file.
@@ -183,7 +187,8 @@ private:
     /// Returns handlers that only store a row's members, which are read later, when the columns are known.
     static Handlers noted(Members& members) {
         Handlers handlers;
-        for (const char* name : {"figure", "unit", "decimals", "relative_to", "known", "tolerance", "origin", "judge"})
+        for (const char* name : {"figure", "unit", "decimals", "relative_to", "known", "tolerance", "origin", "judge",
+                                 "interval", "at_least", "at_most"})
             handlers[name] = [&members, name](const toml::node& node) { members[name] = &node; };
         return handlers;
     }
@@ -240,6 +245,9 @@ private:
                 settings.require(row.known[column], {});
                 known["known"] = row.known[column].value(set, {});
             });
+        for (const auto& [name, bounds] : {std::pair("at_least", &row.at_least), std::pair("at_most", &row.at_most)})
+            if (column < bounds->size() && (*bounds)[column])
+                attempt_at(value_at(members, name, column), [&] { settings.require((*bounds)[column], {}); });
         if (column < row.tolerances.size() && row.tolerances[column].amount)
             attempt_at(value_at(members, "tolerance", column),
                        [&] { check_tolerance(row.tolerances[column].amount, settings, set, known); });
@@ -278,6 +286,9 @@ private:
             {"tolerance",
              [&](const toml::node& node) { row.tolerances = by_column(node, columns, &StudyReader::tolerance); }},
             {"judge", [&](const toml::node& node) { row.judge = judge(node); }},
+            {"interval", [&](const toml::node& node) { row.interval = truth(node); }},
+            {"at_least", [&](const toml::node& node) { row.at_least = by_column(node, columns, &StudyReader::known); }},
+            {"at_most", [&](const toml::node& node) { row.at_most = by_column(node, columns, &StudyReader::known); }},
             {"origin", [&](const toml::node& node) { row.origins = by_column(node, columns, &StudyReader::origin); }}};
     }
 
@@ -454,10 +465,6 @@ private:
         attempt_at(node, [&] { axes.push_back({name, read_values(name, values)}); });
     }
 
-    void read_condition(const toml::node& node, StudyProduct& product) {
-        attempt_at(node, [&] { product.where = StudyExpression(text(node)); });
-    }
-
     void read_programs(const toml::node& node) {
         if (const toml::table* table = node.as_table())
             for (const auto& [key, value] : *table)
@@ -472,12 +479,6 @@ private:
         for (const std::string& each : names)
             attempt_at(node, [&] { StudyMeasure{each}; });
         return names;
-    }
-
-    Time time(const toml::node& node) {
-        Time until = Time::max();
-        attempt_at(node, [&] { until = parse_time(text(node)); });
-        return until;
     }
 
     std::string beside(const std::string& path) const { return (folder_ / path).lexically_normal().string(); }

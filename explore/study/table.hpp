@@ -30,6 +30,8 @@ struct StudyRow {
     int decimals = 2;
     std::vector<StudyExpression> known = {}; ///< expressions of the settings
     std::vector<StudyTolerance> tolerances = {};
+    std::vector<StudyExpression> at_least = {}, at_most = {}; ///< bounds of the figure, as expressions of the settings
+    bool interval = false; ///< whether two rows below give the 95 % intervals of the figures
     std::vector<Origin> origins = {};
     std::optional<Judge> judge = {}; ///< empty: the judge that the table's `against` names
     Overrides relative_to = {};      ///< each measure is divided by the measure of the run that differs only in these

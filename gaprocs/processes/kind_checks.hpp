@@ -12,8 +12,8 @@ namespace placedpar {
 // These functions check a netlist before it runs, after ranges and ports have been checked. They refuse settings with
 // which a process cannot work, and connections on which a process would wait for ever.
 
-/// Checks that the problem exists, that its record has the samples that the host is to send, and that each estimate
-/// comes from a search that gets its samples from this host.
+/// Checks that the problem exists, that its record has the samples that the host or the sensors are to send, and that
+/// each estimate comes from a search that gets its samples from this process.
 std::vector<Complaint> check_host(const Network&, std::size_t process, const ProblemRegistry&);
 /// Checks that the problem exists, that the slave gets tasks from one process, and that it is not part of a circle of
 /// slaves.

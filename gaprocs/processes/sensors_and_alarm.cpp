@@ -1,5 +1,6 @@
 #include "gaprocs/processes/kinds.hpp"
 
+#include "gaprocs/processes/kind_checks.hpp"
 #include "gaprocs/processes/messages.hpp"
 #include "gaprocs/processes/search_description.hpp"
 #include "netlist/kinds/description.hpp"
@@ -20,7 +21,7 @@ namespace {
 void read_sensors(ProcessEnvironment& environment, const ProblemRegistry& problems) {
     const auto& record = problems.find(environment.text("problem")).record();
     const auto asked = static_cast<std::size_t>(environment.integer("samples"));
-    const auto count = asked == 0 ? record.size() : std::min(asked, record.size());
+    const auto count = asked == 0 ? record.size() : asked;
     const Time period(static_cast<std::int64_t>(std::llround(environment.real("period") * 1e9)));
     auto host = environment.output<HostMessage>("to_host");
     HostMessage message;
@@ -28,7 +29,7 @@ void read_sensors(ProcessEnvironment& environment, const ProblemRegistry& proble
     Time latest{};
     for (std::size_t i = 0; i < count; ++i) {
         message.read_at = static_cast<std::int64_t>(i + 1) * period;
-        message.sample = record[i];
+        message.sample = record.at(i);
         wait_until(message.read_at);
         host.output(message);
         latest = std::max(latest, now() - message.read_at);
@@ -89,6 +90,8 @@ ProcessKind sensors_kind(const ProblemRegistry& problems) {
             .measurements = {{"samples", "", "number of samples that were read"},
                              {"longest_wait", "ms", "the longest time from reading a sample until the host had it"}},
             .body = [&problems](ProcessEnvironment& environment) { read_sensors(environment, problems); },
+            .check = [&problems](const Network& network,
+                                 std::size_t process) { return check_host(network, process, problems); },
             .is_determinate = always};
 }
 
@@ -105,9 +108,9 @@ ProcessKind alarm_kind(const ProblemRegistry&) {
             .measurements = {{"findings", "", "number of findings that came from the host"},
                              {"raised", "ms", "time at which the alarm was raised; \"no\" if it was not raised"},
                              {"raised_after", "ms", "time from when the sensors read the sample that raised the alarm"},
-                             {"sample", "", "the number of that sample"},
-                             {"value", "", "the parameter in that finding"},
-                             {"from_host", "ms", "mean time of a finding from the host"},
+                             {"sample", "", "number of the sample that raised the alarm"},
+                             {"value", "", "value of the parameter in the finding that raised the alarm"},
+                             {"from_host", "ms", "mean time that a finding took from the host to this process"},
                              {"from_sensors", "ms", "mean time from when a sample was read until its finding came"},
                              {"longest_from_sensors", "ms", "the longest of these times"}},
             .body = watch,

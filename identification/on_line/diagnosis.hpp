@@ -96,6 +96,10 @@ public:
     const hydraulics::Sampling& sampling() const { return sampling_; }
     /// Returns the mean time of the last complete sample; nullopt after the windows have restarted.
     std::optional<double> sample_s() const { return state_.sample_s; }
+    /// Returns the state of the link two samples before sample_s(); nullopt if the windows have begun since.
+    std::optional<hydraulics::LinkSample> centre(hydraulics::Link link) const {
+        return state_.tracks[index_of(link)].centre(fit_, state_.parameters.links[index_of(link)]);
+    }
     const std::map<hydraulics::LinkSet, PopulationSet>& sets() const { return sets_; }
     /// Returns the compliance of the healthy link: the value that the control system has set, or else the value for the
     /// machine's kind.

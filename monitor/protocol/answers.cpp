@@ -202,6 +202,38 @@ std::string status_line(const Diagnosis& diagnosis, const DiagnosisSettings& set
                       {"alarms", std::move(alarms)}});
 }
 
+std::string print_netlist_answer(const NetlistAnswer& answer) {
+    if (!answer.wrong.empty())
+        return answer.wrong;
+    std::string text;
+    for (std::size_t i = 0; i < answer.circuit.size(); ++i)
+        text += fmt::format("{} {:.5f} in^3/psi, ", symbol_of(answer.circuit[i].link),
+                            answer.found.compliance_in3_per_psi[i]);
+    return fmt::format("{}{:.3f} s after the sample at {:.2f} s; keeps pace: {}", text, answer.found.after_s,
+                       answer.found.sample_s, answer.found.keeps_pace ? "yes" : "no");
+}
+
+std::string netlist_line(const NetlistAnswer& answer) {
+    json::object object{{"type", "netlist"},
+                        {"machine", answer.machine},
+                        {"set", name_of_set(answer.set)},
+                        {"from_s", time_json(answer.from_s)},
+                        {"to_s", time_json(answer.to_s)},
+                        {"text", print_netlist_answer(answer)},
+                        {"warnings", answer.found.warnings}};
+    if (!answer.wrong.empty())
+        return json_line(object);
+    json::object links;
+    for (std::size_t i = 0; i < answer.circuit.size(); ++i)
+        links[symbol_of(answer.circuit[i].link)] = rounded(answer.found.compliance_in3_per_psi[i]);
+    object["compliance_in3_per_psi"] = std::move(links);
+    object["process"] = answer.found.process;
+    object["sample_s"] = time_json(answer.found.sample_s);
+    object["after_s"] = rounded(answer.found.after_s);
+    object["keeps_pace"] = answer.found.keeps_pace;
+    return json_line(object);
+}
+
 std::string load_line(const Load& load) {
     return json_line({{"type", "load"},
                       {"over_s", rounded(load.rates.over_s)},

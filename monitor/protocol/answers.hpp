@@ -1,6 +1,7 @@
 #pragma once
 
 #include "identification/on_line/diagnosis.hpp"
+#include "identification/transient_search.hpp"
 #include "monitor/protocol/bad_message.hpp"
 
 #include <cstddef>
@@ -32,6 +33,16 @@ struct Load {
     double longest_turn_s = 0; ///< longest turn of the event loop, during which no client was served
 };
 
+/// What the processes of the netlist of --on answered to a movement.
+struct NetlistAnswer {
+    std::string machine;
+    hydraulics::LinkSet set;
+    double from_s = 0, to_s = 0; ///< times of the movement's first and last reading
+    hydraulics::Circuit circuit;
+    std::string wrong;                  ///< why there is no answer; "" if there is one
+    identification::AnswerInTime found; ///< if there is one
+};
+
 /// Each function returns one answer of the monitor: a JSON object on one line, with its newline. docs/guides/monitor.md
 /// describes the answers.
 
@@ -42,6 +53,9 @@ std::string estimates_line(const identification::Diagnosis& diagnosis, const ide
 std::string alarm_line(const identification::Diagnosis& diagnosis, const identification::Alarm& alarm, bool raised);
 /// Returns everything known of a machine: all sets ever used, baselines, cross-checks and alarms.
 std::string status_line(const identification::Diagnosis& diagnosis, const identification::DiagnosisSettings& settings);
+std::string netlist_line(const NetlistAnswer& answer);
+/// Returns the "text" of the line above.
+std::string print_netlist_answer(const NetlistAnswer& answer);
 std::string load_line(const Load& load);
 /// States whether a restart would restore everything; if not, `text` gives the reason.
 std::string kept_line(bool kept, std::string_view text);

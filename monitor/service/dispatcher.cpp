@@ -5,6 +5,7 @@
 #include "monitor/protocol/link_words.hpp"
 #include "monitor/service/alarms_json.hpp"
 #include "monitor/service/clock.hpp"
+#include "monitor/service/netlist_searches.hpp"
 
 #include <fmt/format.h>
 
@@ -26,9 +27,9 @@ bool is_http(std::string_view line) { return line.ends_with(" HTTP/1.1") || line
 } // namespace
 
 Dispatcher::Dispatcher(Diagnoses& diagnoses, StateStore* store, const ServiceLimits& limits, Token token,
-                       std::function<void(const std::string&)> say)
+                       std::function<void(const std::string&)> say, NetlistSearches* searches)
     : diagnoses_(diagnoses), limits_(limits), token_(std::move(token)), say_(say), peers_(limits), places_(limits),
-      persistence_(store, outbox_, std::move(say)) {
+      persistence_(store, outbox_, std::move(say)), searches_(searches) {
     if (store)
         alarms_.restore(store->noted_alarms());
     std::multimap<std::uint64_t, std::string, std::greater<>> by_samples;
@@ -46,7 +47,7 @@ void Dispatcher::enter(Client& client) {
             return;
         auto silent = clients_.those([&](const Client& each) { return counted(each) && !each.hello; });
         if (Client* other = giving_way(silent, client.caller.peer, true))
-            evict(*other, "another client needs the place, and this connection has sent no hello yet");
+            evict(*other, "this connection has sent no hello yet, and is closed to make room for another client");
     };
     require(limits_.clients_per_peer, of_peer);
     require(limits_.clients, [](const Client&) { return true; });
@@ -89,11 +90,12 @@ void Dispatcher::require_place(Client& client, const Hello& hello) {
         if (client.leaving || others.size() < most)
             return;
         if (Client* other = giving_way(others, peer, client.keeps_place))
-            evict(*other, client.keeps_place ? "a client of a known machine needs the place"
-                                             : "a peer with fewer connections needs the place");
+            evict(*other, client.keeps_place
+                              ? "this connection is closed to make room for a client of a known machine"
+                              : "this connection is closed to make room for a peer with fewer connections");
         else
             evict(client, fmt::format("the monitor already has {} clients", most),
-                  fmt::format("a new connection later; {} allows more clients", option));
+                  fmt::format("a connection at a later time; {} allows more clients", option));
     };
     require(limits_.clients_per_peer, "--max-clients-per-peer",
             [&](const Client& each) { return each.caller.peer == peer; });
@@ -185,7 +187,7 @@ void Dispatcher::require_allowance(const Client& client, const Hello& hello) {
     } else if (clients_.control_of(hello.machine) && !peers_.take_over(peer, Peers::Clock::now()))
         throw BadMessage("machine",
                          fmt::format("{} has taken over {} machines within a minute", peer, limits_.takeovers_per_peer),
-                         "a pause; --max-takeovers allows more takeovers");
+                         "a pause before the next takeover; --max-takeovers allows more takeovers");
 }
 
 void Dispatcher::forget(const std::string& machine) {
@@ -193,6 +195,8 @@ void Dispatcher::forget(const std::string& machine) {
     alarms_.forget(machine);
     places_.forgotten(machine);
     persistence_.forget(machine);
+    if (searches_)
+        searches_->forget(machine);
 }
 
 void Dispatcher::forget_newcomers() {
@@ -209,7 +213,7 @@ void Dispatcher::make_room(const std::string& peer, bool only_own) {
         return;
     for (Client* client : clients_.of(*machine))
         if (!client->leaving)
-            evict(*client, "a machine of a peer with fewer machines needs the place");
+            evict(*client, "this machine is forgotten to make room for a peer with fewer machines");
     if (std::uint64_t samples = diagnoses_.named(*machine).samples(); samples > 0)
         say_(fmt::format("{}: forgotten after {} samples to make room for a new machine", *machine, samples));
     forget(*machine);
@@ -231,6 +235,8 @@ void Dispatcher::answer(Client& client, const Hello& hello, std::string_view) {
     SampleOutcome forgotten;
     if (known && hello.anew)
         forgotten.cleared = diagnoses_.named(hello.machine).alarms();
+    if (hello.anew && searches_)
+        searches_->forget(hello.machine);
     Diagnosis& diagnosis = diagnoses_.greet(hello);
     if (!known)
         places_.introduced(hello.machine, client.caller.peer, MachinePlaces::Clock::now());
@@ -272,6 +278,8 @@ void Dispatcher::answer(Client& client, const ConfigurationChange& change, std::
     std::ranges::move(settled.ended(diagnosis, now_at()), std::back_inserter(history));
     persistence_.record(client, diagnosis.name(), line, 0, std::move(history));
     tell_watchers(diagnosis.name(), configured_line(diagnosis), [](const Hello&) { return true; });
+    if (searches_)
+        searches_->follow(diagnosis);
 }
 
 void Dispatcher::answer(Client& client, const ExcavatorSample& sample, std::string_view line) {
@@ -290,6 +298,8 @@ void Dispatcher::answer(Client& client, const ExcavatorSample& sample, std::stri
         return hello.answers == Answers::all || (hello.answers == Answers::moved && outcome.generations > 0);
     });
     tell_alarms(diagnosis, outcome);
+    if (searches_)
+        searches_->follow(diagnosis);
 }
 
 void Dispatcher::answer(Client& client, const Baseline& baseline, std::string_view line) {
@@ -368,6 +378,14 @@ void Dispatcher::change_alarm(Client& client, const AlarmName& name, std::option
     outbox_.send(client, alarms_line(alarms_.all()));
 }
 
+void Dispatcher::tell(const NetlistAnswer& answer) {
+    const std::string text = print_netlist_answer(answer);
+    say_(fmt::format("{}: the netlist on {} from {:.2f} to {:.2f} s: {}", answer.machine, words_of(answer.set),
+                     answer.from_s, answer.to_s, text.substr(0, text.find('\n'))));
+    tell_watchers(answer.machine, netlist_line(answer),
+                  [](const Hello& hello) { return hello.answers != Answers::none; });
+}
+
 void Dispatcher::tell_watchers(const std::string& machine, const std::string& line,
                                const std::function<bool(const Hello&)>& to) {
     for (Client* client : clients_.of(machine))
@@ -407,7 +425,7 @@ void Dispatcher::note(const WriteProgress& progress) {
 }
 
 ServiceSnapshot Dispatcher::snapshot() const {
-    return {&diagnoses_, load(), alarms_.all(), persistence_.well(), persistence_.trouble()};
+    return {&diagnoses_, load(), alarms_.all(), persistence_.well(), persistence_.trouble(), searches_};
 }
 
 Load Dispatcher::load() const {

@@ -22,10 +22,10 @@ namespace placedpar::monitor {
 /// of answer() for each message of the protocol.
 class Dispatcher {
 public:
-    /// `store` may be null: then nothing is stored. `say` receives messages for the operator. REQUIRES: the limits
-    /// outlive this object.
+    /// `store` may be null: then nothing is stored. `say` receives messages for the operator. `searches` may be null:
+    /// then no netlist searches. REQUIRES: the limits outlive this object.
     Dispatcher(Diagnoses& diagnoses, StateStore* store, const ServiceLimits& limits, Token token,
-               std::function<void(const std::string&)> say);
+               std::function<void(const std::string&)> say, NetlistSearches* searches = nullptr);
 
     /// Admits a client. If its peer, or all peers together, have too many clients, closes a client that has sent no
     /// hello yet.
@@ -38,6 +38,8 @@ public:
     void tick();
     /// Processes a progress report of the state file's writer.
     void note(const WriteProgress& progress);
+    /// Sends the answer of the netlist's processes to the clients of the machine.
+    void tell(const NetlistAnswer& answer);
     /// Sends a last message to all clients and closes them.
     void say_goodbye();
     /// Stores everything. Throws UserError.
@@ -108,6 +110,7 @@ private:
     Outbox outbox_;
     AlarmBoard alarms_;
     Persistence persistence_;
+    NetlistSearches* searches_;
 };
 
 } // namespace placedpar::monitor

@@ -4,6 +4,7 @@
 #include "monitor/protocol/json_text.hpp"
 #include "monitor/service/alarms_json.hpp"
 #include "monitor/service/clock.hpp"
+#include "monitor/service/netlist_searches.hpp"
 
 #include <boost/json.hpp>
 #include <fmt/format.h>
@@ -47,9 +48,10 @@ std::string load_metrics(const Load& load) {
            metric("samples_total", "counter", "Samples taken.", number(load.samples)) +
            metric("generations_total", "counter", "Generations searched.", number(load.generations)) +
            metric("work_seconds_total", "counter", "Time spent on messages.", load.work_s) +
-           metric("cpu_seconds_total", "counter", "Processor time of the thread that serves.", load.cpu_s) +
+           metric("cpu_seconds_total", "counter", "Processor time of the thread that serves the clients, in seconds.",
+                  load.cpu_s) +
            metric("uptime_seconds", "gauge", "Seconds since the start.", load.uptime_s) +
-           metric("longest_turn_seconds", "gauge", "The longest time in which no client was served.",
+           metric("longest_turn_seconds", "gauge", "The longest time in which no client was served, in seconds.",
                   load.longest_turn_s);
 }
 
@@ -93,17 +95,20 @@ json::array verdicts_json(const Diagnosis& diagnosis) {
     return verdicts;
 }
 
-json::object machine_json(const Diagnosis& diagnosis) {
+json::object machine_json(const Diagnosis& diagnosis, const NetlistSearches* searches) {
     json::value configuration;
     if (diagnosis.configuration())
         configuration = std::string(1, name_of(*diagnosis.configuration()));
     json::object healthy;
     for (Link link : all_links)
         healthy[symbol_of(link)] = diagnosis.baseline_in3_per_psi(link);
+    json::array netlist;
+    for (const NetlistAnswer& answer : searches ? searches->answers(diagnosis.name()) : std::vector<NetlistAnswer>{})
+        netlist.push_back(json::parse(netlist_line(answer)));
     return {{"machine", diagnosis.name()},    {"healthy", healthy},
             {"samples", diagnosis.samples()}, {"time_s", or_null(diagnosis.time_s())},
             {"configuration", configuration}, {"verdicts", verdicts_json(diagnosis)},
-            {"estimates", json::array()}};
+            {"estimates", json::array()},     {"netlist", std::move(netlist)}};
 }
 
 } // namespace
@@ -117,7 +122,7 @@ std::string metrics_text(const ServiceSnapshot& snapshot) {
 std::string snapshot_json(const ServiceSnapshot& snapshot) {
     json::array machines;
     for (const auto& [name, diagnosis] : snapshot.diagnoses->all())
-        machines.push_back(machine_json(diagnosis));
+        machines.push_back(machine_json(diagnosis, snapshot.searches));
     std::size_t place = 0;
     for_each_estimate(*snapshot.diagnoses, [&](const Diagnosis& diagnosis, std::string_view set, std::string_view link,
                                                const LinkEstimate& estimate) {

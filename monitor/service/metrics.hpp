@@ -9,13 +9,16 @@
 
 namespace placedpar::monitor {
 
+class NetlistSearches; // monitor/service/netlist_searches.hpp
+
 /// The state of the service for web clients.
 struct ServiceSnapshot {
     const Diagnoses* diagnoses;
     Load load;
-    std::vector<KeptAlarm> alarms; ///< active alarms
-    bool kept;                     ///< whether a restart would restore everything
-    std::string trouble;           ///< if `kept` is false, the reason
+    std::vector<KeptAlarm> alarms;   ///< active alarms
+    bool kept;                       ///< whether a restart would restore everything
+    std::string trouble;             ///< if `kept` is false, the reason
+    const NetlistSearches* searches; ///< may be null
 };
 
 /// Returns the snapshot in Prometheus' text format, version 0.0.4.

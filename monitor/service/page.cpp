@@ -79,6 +79,7 @@ const alarmHeads = ["raised", "machine", "alarm", "links", "", "state"];
 function showMachines(d) {
   const rows = d.machines.map(m => {
     const found = m.estimates.filter(e => e.settled !== null).map(e => `${e.link} ${compliance(e.settled)} (${e.set})`);
+    found.push(...m.netlist.map(n => `netlist: ${n.text.split("\n")[0]} (${n.set})`));
     const said = m.verdicts.map(v => `${v.link} ${v.verdict}${v.sure && ", "}${v.sure}`);
     const alarms = d.alarms.filter(a => a.machine === m.machine).length;
     const tr = row([m.machine, m.configuration ?? "", String(m.samples), said.join("; "), found.join(", "),

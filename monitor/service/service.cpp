@@ -4,6 +4,7 @@
 #include "monitor/service/connection.hpp"
 #include "monitor/service/dispatcher.hpp"
 #include "monitor/service/listener.hpp"
+#include "monitor/service/netlist_searches.hpp"
 #include "monitor/service/site.hpp"
 #include "monitor/service/systemd.hpp"
 #include "monitor/service/token.hpp"
@@ -67,7 +68,11 @@ public:
         if (!settings.unix_path.empty())
             doors_.push_back(Listener::at_path(io_, settings.unix_path));
         auto say = [this](const std::string& sentence) { log_.say(sentence); };
-        dispatcher_.emplace(diagnoses_, store_ ? &*store_ : nullptr, settings_.limits, token, say);
+        if (settings.netlist)
+            searches_.emplace(settings.netlist, settings.diagnosis.bits, io_,
+                              [this](const NetlistAnswer& answer) { dispatcher_->tell(answer); });
+        dispatcher_.emplace(diagnoses_, store_ ? &*store_ : nullptr, settings_.limits, token, say,
+                            searches_ ? &*searches_ : nullptr);
         site_.emplace(io_, *dispatcher_, store_ ? &*store_ : nullptr, std::move(token),
                       HostNames(settings.address, settings.host_names), say);
         if (store_)
@@ -234,6 +239,7 @@ private:
     std::optional<Dispatcher> dispatcher_;
     std::map<Connection*, Guest> guests_;
     std::optional<Site> site_;
+    std::optional<NetlistSearches> searches_;
     Clock::time_point stop_at_{}, next_sign_of_life_{};
     bool stopping_ = false;
 };

@@ -5,10 +5,16 @@
 #include "monitor/service/log.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace placedpar::identification {
+struct AnswerInTime;     // identification/transient_search.hpp
+struct ComplianceSearch; // identification/compliance_search.hpp
+} // namespace placedpar::identification
 
 namespace placedpar::monitor {
 
@@ -23,10 +29,12 @@ struct ServiceSettings {
     std::uint64_t seed = 1;
     ServiceLimits limits;
     identification::DiagnosisSettings diagnosis;
+    /// Searches each movement by the processes of a netlist (NetlistSearches::Search); may be empty.
+    std::function<identification::AnswerInTime(identification::ComplianceSearch, double period_s)> netlist;
 };
 
-/// The on-line diagnosis as a service over TCP and Unix-domain sockets. One thread does all work; a second thread
-/// writes the state file.
+/// The on-line diagnosis as a service over TCP and Unix-domain sockets. One thread does all work. A second thread
+/// writes the state file, and a third one searches movements by a netlist.
 class Service {
 public:
     /// Restores the state and listens. The log receives messages for the operator. REQUIRES: the log outlives this

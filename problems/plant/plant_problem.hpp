@@ -40,7 +40,7 @@ struct PoleZeroPlantOf {
 private:
     using Numerator = std::array<T, 3>;
 
-    void behind_the_delay(const Numerator& numerator, Weights& weights) const requires std::same_as<T, double> {
+    void behind_the_delay(const Numerator& numerator, Weights& weights) const requires std::constructible_from<int, T> {
         std::copy(numerator.begin(), numerator.end(), weights.begin() + 1 + static_cast<int>(d));
     }
     /// Sets the weights of several plants, which may have different delays. Adds the numerator at each possible delay,

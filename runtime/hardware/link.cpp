@@ -86,7 +86,7 @@ void LinkDirection::move_messages_of(LinkEngineMemory& memory) {
 void LinkDirection::serve(AnyChannel& channel) {
     if (counts_)
         throw std::logic_error(
-            fmt::format("channel {} uses {}, whose bytes are moved by counts, not by messages", channel.name(), name_));
+            fmt::format("channel {} uses {}, which give() and take() already use", channel.name(), name_));
     if (channel_ && channel_ != &channel)
         throw std::logic_error(fmt::format("channels {} and {} use the same direction of a link: "
                                            "several channels need routers",
@@ -128,7 +128,7 @@ void LinkDirection::input(AnyChannel& channel, const SourceLocation& where) {
     do {
         input_.where = where;
         charge_and_communicate(self, &OperationCosts::hard_communication, input_);
-    } while (!took_last_part_ && !input_given_up_);
+    } while (!delivered_last_part_ && !input_given_up_);
 }
 
 void LinkDirection::begin_writing(AnyChannel& channel) {
@@ -211,19 +211,19 @@ bool LinkDirection::receiver_asks(LinkCourse::Touch& touch) {
 
 /// Hands the part over, before the receiving or the sending process continues.
 void LinkDirection::deliver() {
-    took_last_part_ = last_part_;
+    delivered_last_part_ = last_part_;
     if (last_part_)
         channel_->hand_over();
 }
 
 void LinkDirection::is_written_by(RegisterUser& user) {
     writer_ = &user;
-    LinkCourse::Touch(course_)->directions[number_].sender_is = LinkState::User::program;
+    LinkCourse::Touch(course_)->users[number_].sender = LinkState::User::program;
 }
 
 void LinkDirection::is_read_by(RegisterUser& user) {
     reader_ = &user;
-    LinkCourse::Touch(course_)->directions[number_].receiver_is = LinkState::User::program;
+    LinkCourse::Touch(course_)->users[number_].receiver = LinkState::User::program;
 }
 
 void LinkDirection::begin_part(AnyChannel& channel, std::uint32_t bytes, bool last_part) {
@@ -235,7 +235,7 @@ void LinkDirection::begin_part(AnyChannel& channel, std::uint32_t bytes, bool la
 
 void LinkDirection::write_byte() {
     LinkCourse::Touch touch(course_);
-    touch->ask_for_byte(number_, kernel_.now());
+    touch->ask_for_byte(number_, std::max(touch->may_start(number_), kernel_.now()));
     touch.begin_if_free(number_);
 }
 

@@ -121,7 +121,7 @@ public:
     std::string why_not_given_up() const override { return ""; }
     bool give_up_output(AnyChannel&) override;
     bool give_up_input(AnyChannel&) override;
-    /// Returns how many bytes were acknowledged (output) or taken (input) of the message that was given up.
+    /// Returns how many bytes were acknowledged (output) or received (input) of the message that was given up.
     std::uint64_t reset_output(AnyChannel&) override;
     std::uint64_t reset_input(AnyChannel&) override;
 
@@ -199,7 +199,7 @@ private:
     void step_performed_by_counts(LinkState&, LinkStep, const LinkState::Outcome&);
 
     // These members handle messages that are given up: link_recovery.cpp.
-    std::uint64_t bytes_taken() const;
+    std::uint64_t bytes_received() const;
     std::uint64_t bytes_acknowledged() const;
     void break_off(LinkCourse::Touch&);
     void drop_output(LinkCourse::Touch&);
@@ -214,15 +214,15 @@ private:
     // The members are in the order of use, which saves cache lines. These are needed for every packet.
     Kernel& kernel_;
     LinkCourse& course_;
-    Process* sender_ = nullptr;     ///< set from the start of a part until the acknowledge of its last byte
-    Process* receiver_ = nullptr;   ///< set while a process waits for a part
-    AnyChannel* channel_ = nullptr; ///< the channel that uses the direction; null before its first message
-    LinkFaults* faults_ = nullptr;  ///< null if the link has no faults
-    const std::uint8_t number_;     ///< 0 or 1: index in the link
-    bool last_part_ = false;        ///< the current part ends its message
-    bool took_last_part_ = false;   ///< the last part that was delivered ended its message
-    bool output_given_up_ = false;  ///< the sender has given up the current message
-    bool input_given_up_ = false;   ///< the receiver has given up the current message
+    Process* sender_ = nullptr;        ///< set from the start of a part until the acknowledge of its last byte
+    Process* receiver_ = nullptr;      ///< set while a process waits for a part
+    AnyChannel* channel_ = nullptr;    ///< the channel that uses the direction; null before its first message
+    LinkFaults* faults_ = nullptr;     ///< null if the link has no faults
+    const std::uint8_t number_;        ///< 0 or 1: index in the link
+    bool last_part_ = false;           ///< the current part ends its message
+    bool delivered_last_part_ = false; ///< the last part that was delivered ended its message
+    bool output_given_up_ = false;     ///< the sender has given up the current message
+    bool input_given_up_ = false;      ///< the receiver has given up the current message
 
     // These are needed for every message.
     In input_{*this};
@@ -237,9 +237,9 @@ private:
     std::unique_ptr<Counts> counts_;                     ///< null if the direction carries messages
     std::uint64_t bytes_left_over_ = 0;        ///< bytes that arrived of a message that its sender has given up
     std::uint64_t acknowledged_when_left_ = 0; ///< bytes acknowledged of a message that its receiver has given up
-    std::uint64_t sent_when_given_up_ = 0, taken_when_given_up_ = 0; ///< bytes of a message that was given up; kept
-                                                                     ///< until the end is reset
-    std::uint64_t bytes_at_old_speed_ = 0;                           ///< bytes carried before the last change of speed
+    std::uint64_t sent_when_given_up_ = 0, received_when_given_up_ = 0; ///< bytes of a message that was given up; kept
+                                                                        ///< until the end is reset
+    std::uint64_t bytes_at_old_speed_ = 0; ///< bytes carried before the last change of speed
     Time occupied_at_old_speed_{}, old_speed_until_{};
     std::uint64_t bytes_traced_ = 0; ///< bytes that the trace has shown
     std::string name_;

@@ -48,7 +48,6 @@ void LinkCourse::happen() noexcept {
     if (where_next_ == Ahead::after_others)
         std::swap(state_, ahead_);
     forget_run();
-    quiet_until_ = later(kernel_.now(), Time{1});
     Process* woken = perform(next_);
     look_ahead();
     if (woken)
@@ -107,8 +106,7 @@ void LinkCourse::look_ahead() {
     const LinkState::Next next = state_->next();
     quiet_until_ = next.at;
     if (next.at == never) {
-        where_next_ = Ahead::nowhere;
-        stand_still();
+        kernel_.future().cancel(*this);
     } else if (is_visible(*state_, next)) {
         where_next_ = Ahead::at_once;
         schedule(next);
@@ -122,58 +120,45 @@ void LinkCourse::look_ahead() {
 void LinkCourse::run_ahead(LinkState::Next next) {
     *ahead_ = *state_;
     where_next_ = Ahead::after_others;
-    LinkState::Next last;
     do {
-        if (period_.since == never && begins_packet(next.step) && may_run(next) && run_packets(*ahead_)) {
-            last.at = ahead_->packets.now;
-        } else {
-            last = next;
+        if (!begins_packet(next.step) || !run_packets(next.at))
             ahead_->perform(next, times_);
-        }
         next = ahead_->next();
     } while (next.at != never && !is_visible(*ahead_, next));
     if (next.at == never)
-        next = {LinkStep::falls_silent, last.direction, last.order, last.at};
+        next.at = ahead_->packets.now;
     schedule(next);
 }
 
-/// Returns whether this packet and the following ones may be computed together.
-bool LinkCourse::may_run(const LinkState::Next& next) const {
-    if (next.at >= ahead_->runs_before(next.direction, times_))
-        return false;
-    if (!kernel_.trace())
-        return true;
-    auto is_told = [this](std::size_t direction) {
+/// Returns a time up to which several packets of the copy can be computed together, because only their times must be
+/// computed.
+Time LinkCourse::runs_before() const {
+    Time before = std::min({end_of_time, steady_until_, ahead_->arrivals[ahead_->first_arrival()]});
+    for (std::size_t direction : {0u, 1u}) {
         const LinkPackets::Stream& stream = ahead_->packets.streams[direction];
-        return trace_carries_[direction] || stream.bytes_left == 0 || !stream.flows();
-    };
-    return is_told(0) && is_told(1);
+        if (kernel_.trace() && !trace_carries_[direction] && stream.bytes_left > 0 && stream.flows())
+            return Time{};
+        before = std::min(before, ahead_->runs_before(direction, times_));
+    }
+    return before;
 }
 
-/// Computes several packets together, as long as only their times must be computed. Returns whether any packet
-/// has begun.
-bool LinkCourse::run_packets(LinkState& state) {
-    Time before = std::min({end_of_time, steady_until_, state.arrivals[state.first_arrival()]});
-    for (std::size_t direction : {0u, 1u})
-        before = std::min(before, state.runs_before(direction, times_));
-    const std::array<std::uint32_t, 2> bytes_left_before = state.bytes_left();
-    const Time from = state.packets.now;
-    if (!period_.find(state.packets, times_, {.before = before, .last_bytes_stop = kernel_.trace() != nullptr}))
+/// Computes several packets of the copy together; the first begins at `from`. Does nothing if only one packet can be
+/// computed, or if a period is known already, because then catch_up() needs it. Returns whether any packet has begun.
+bool LinkCourse::run_packets(Time from) {
+    if (period_.since != never)
         return false;
-    runs_from_ = from;
-    runs_until_ = state.packets.now;
-    state.note_last_bytes(bytes_left_before, times_);
+    const LinkLimit limit{.before = runs_before(), .last_bytes_stop = kernel_.trace() != nullptr};
+    if (from >= limit.before)
+        return false;
+    const std::array<std::uint32_t, 2> bytes_left_before = ahead_->bytes_left();
+    const Time now = ahead_->packets.now;
+    if (!period_.find(ahead_->packets, times_, limit))
+        return false;
+    runs_from_ = now;
+    runs_until_ = ahead_->packets.now;
+    ahead_->note_last_bytes(bytes_left_before, times_);
     return true;
-}
-
-/// Removes the link's event from the kernel's queue, because no step is due. If a step would come after the end of
-/// virtual time, keeps the event there, so that the kernel reports the error.
-void LinkCourse::stand_still() {
-    next_ = {};
-    if (state_->lasts_too_long)
-        kernel_.future().reschedule(*this, Time::max(), EventQueue::arrival, first_rank_);
-    else
-        kernel_.future().cancel(*this);
 }
 
 void LinkCourse::schedule(const LinkState::Next& next) {
@@ -183,12 +168,13 @@ void LinkCourse::schedule(const LinkState::Next& next) {
         return;
     }
     next_ = next;
-    future.reschedule(*this, next.at, next.priority(), first_rank_ + next.rank());
+    const Time at = next.at == too_late ? Time::max() : next.at; // an event at Time::max() is an error of the run
+    future.reschedule(*this, at, next.priority(), first_rank_ + next.rank());
 }
 
 bool LinkCourse::is_visible(const LinkState& state, const LinkState::Next& next) const {
     using Phase = LinkState::Phase;
-    if (shows_every_step_)
+    if (next.at >= every_step_from_)
         return true;
     const LinkState::Direction& direction = state.directions[next.direction];
     switch (next.step) {
@@ -197,13 +183,13 @@ bool LinkCourse::is_visible(const LinkState& state, const LinkState::Next& next)
         return next.at >= steady_until_ ||
                (state.packets.streams[next.direction].bytes_left == 0 && direction.phase != Phase::delivered);
     case LinkStep::byte_is_noticed:
-        return direction.receiver_is == LinkState::User::program ||
+        return state.users[next.direction].receiver == LinkState::User::program ||
                (kernel_.trace() && state.packets.streams[next.direction].bytes_left > 0);
     case LinkStep::first_byte_arrives: return direction.receiver == LinkState::Receiver::absent;
     case LinkStep::last_byte_arrives: return direction.receiver == LinkState::Receiver::waits;
     case LinkStep::register_is_free:
-    case LinkStep::sending_ends: return true;
-    case LinkStep::falls_silent: return false;
+    case LinkStep::sending_ends:
+    case LinkStep::falls_silent: return true;
     }
     return true;
 }
@@ -212,7 +198,7 @@ bool LinkCourse::trace_sees_byte(const LinkState& state, std::size_t d) const {
     const LinkState::Direction& direction = state.directions[d];
     return kernel_.trace() &&
            (!trace_carries_[d] || state.packets.streams[d].bytes_left == 1 ||
-            direction.sender_is == LinkState::User::program || direction.ends != LinkState::Ends::agree);
+            state.users[d].sender == LinkState::User::program || direction.ends != LinkState::Ends::agree);
 }
 
 } // namespace placedpar::hardware

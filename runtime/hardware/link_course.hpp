@@ -82,7 +82,7 @@ public:
 
     // The following functions make more steps visible. Call the first two before the run.
     /// Makes every step an event. Tests compare such a run with a usual run.
-    void show_every_step() { shows_every_step_ = true; }
+    void show_every_step() { every_step_from_ = Time{0}; }
     /// Makes each packet visible that a fault may strike.
     void show_faults() { state_->may_lose_packets = true; }
     /// States whether the trace shows the direction as carrying bytes. If it does not, the direction's next byte is
@@ -107,12 +107,11 @@ private:
     }
     void look_ahead();
     void run_ahead(LinkState::Next);
-    bool run_packets(LinkState&);
+    Time runs_before() const;
+    bool run_packets(Time from);
     void schedule(const LinkState::Next&);
-    void stand_still();
     bool is_visible(const LinkState&, const LinkState::Next&) const;
     bool trace_sees_byte(const LinkState&, std::size_t direction) const;
-    bool may_run(const LinkState::Next&) const;
 
     // The members are in the order of use, which saves cache lines.
     Time quiet_until_{};                    ///< no step happens before this time, so `state_` is the state now
@@ -122,12 +121,12 @@ private:
     LinkPeriod period_;                     ///< period of the packets between these two states
     std::array<LinkState, 2> states_;
     LinkState::Next next_; ///< the next visible step
-    /// Whether there is a next visible step. It is the next step of `state_` (at_once) or of `ahead_` (after_others).
-    enum class Ahead : std::uint8_t { nowhere, at_once, after_others };
-    Ahead where_next_ = Ahead::nowhere;
-    bool shows_every_step_ = false;
+    /// Whether the next visible step is the next step of `state_` (at_once) or of `ahead_` (after_others).
+    enum class Ahead : std::uint8_t { at_once, after_others };
+    Ahead where_next_ = Ahead::at_once;
     std::array<bool, 2> trace_carries_{};
-    Time steady_until_ = never; ///< result of LinkObserver::steady_until()
+    Time every_step_from_ = too_late; ///< from this time on every step is visible; a step that is too late always is
+    Time steady_until_ = never;       ///< result of LinkObserver::steady_until()
     std::uint64_t first_rank_;
     Kernel& kernel_;
     const PacketTimes& times_;

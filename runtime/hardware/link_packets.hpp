@@ -12,6 +12,11 @@ namespace placedpar::hardware {
 
 /// A time that never comes.
 inline constexpr Time never = Time::max();
+/// The time of each step that would come after the end of virtual time. If no other event is left, it ends the run with
+/// an error.
+inline constexpr Time too_late = never - Time{1};
+/// Returns `t + by`, at most too_late. REQUIRES: 0 <= t <= too_late.
+constexpr Time time_of_step(Time t, Time by) { return by > too_late - t ? too_late : t + by; }
 
 /// The packets of a link's two directions, with their times. In each direction bytes and their acknowledges alternate.
 /// A packet is requested at the time `due`, and begins when its wire is free. LinkState defines the consequences.
@@ -23,7 +28,6 @@ struct LinkPackets {
                                       ///< the next byte
         Time last_start{};            ///< start of the last byte that began
         Time due = never;             ///< time at which the next packet is requested; never: there is no next packet
-        Time start_before{};          ///< start of the byte before the last one that began
         bool flows() const { return due != never; }
         /// Returns whether the next packet is the last byte of the part, or the acknowledge of this byte.
         bool ends_part() const { return bytes_left == std::uint32_t{!acknowledge}; }
@@ -45,12 +49,11 @@ struct LinkPackets {
         Stream& stream = streams[direction];
         const bool acknowledge = stream.acknowledge;
         const PacketTimes::Packet& packet = times.packets[acknowledge];
-        const Time last_start = stream.last_start, start_before = stream.start_before;
-        free_at[wire_of(direction)] = later(now, packet.carried);
-        stream.due = later(now, packet.to_answer);
+        const Time last_start = stream.last_start;
+        free_at[wire_of(direction)] = time_of_step(now, packet.carried);
+        stream.due = time_of_step(now, packet.to_answer);
         stream.bytes_left -= std::uint32_t{!acknowledge};
         stream.last_start = acknowledge ? last_start : now;
-        stream.start_before = acknowledge ? start_before : last_start;
         stream.acknowledge = !acknowledge;
     }
 };

@@ -1,30 +1,27 @@
 #include "runtime/hardware/link_period.hpp"
 
+#include <utility>
+
 namespace placedpar::hardware {
 
 namespace {
 
 constexpr std::size_t none = 2;
 
-/// Returns the direction whose packet begins next, or `none` if the limit excludes this packet. If both directions need
-/// the same wire, the acknowledge goes first, as in comes_before() of link_state.cpp. Simultaneous packets on different
-/// wires do not affect each other.
-std::size_t next_within(const LinkPackets& packets, const LinkLimit& limit) {
-    Time begins[] = {packets.begin_of_next(0), packets.begin_of_next(1)};
-    bool first = begins[0] < begins[1] || (begins[0] == begins[1] && packets.streams[0].acknowledge);
-    std::size_t direction = first ? 0 : 1;
-    const LinkPackets::Stream& stream = packets.streams[direction];
-    bool stops = stream.ends_part() && (stream.acknowledge || limit.last_bytes_stop);
-    return begins[direction] >= limit.before || stops ? none : direction;
-}
-
-/// Begins the next packet and returns its direction, or returns `none` if the limit excludes the packet.
+/// Begins the next packet and returns its direction, or returns `none` if the limit excludes the packet. Of a byte and
+/// an acknowledge that begin together, the acknowledge goes first, because both need the same wire (`orders` in
+/// link_state.cpp). Two bytes or two acknowledges are on different wires and do not affect each other.
 std::size_t begin_next(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) {
-    std::size_t direction = next_within(packets, limit);
-    if (direction != none) {
-        packets.now = packets.begin_of_next(direction);
-        packets.begin(times, direction);
-    }
+    const Time forth = packets.begin_of_next(0), back = packets.begin_of_next(1);
+    const bool first = forth < back || (forth == back && packets.streams[0].acknowledge);
+    const std::size_t direction = first ? 0 : 1;
+    const Time begin = first ? forth : back;
+    const LinkPackets::Stream& stream = packets.streams[direction];
+    const bool stops = stream.ends_part() && (stream.acknowledge || limit.last_bytes_stop);
+    if (begin >= limit.before || stops)
+        return none;
+    packets.now = begin;
+    packets.begin(times, direction);
     return direction;
 }
 
@@ -63,7 +60,7 @@ void run_each(LinkPackets& packets, const PacketTimes& times, const LinkLimit& l
 void LinkPeriod::replay(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) const {
     if (since < limit.before) {
         if (packets.now < since)
-            packets = first;
+            packets = {since, streams, free_at};
         pass_periods(packets, limit.before);
     }
     run_each(packets, times, limit);
@@ -74,13 +71,17 @@ void LinkPeriod::replay(LinkPackets& packets, const PacketTimes& times, const Li
 bool LinkPeriod::find(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) {
     since = never;
     LinkPackets noted;
+    std::array<Time, 2> starts{}, starts_before{}; // of the last byte that began, and of the byte before it
     std::uint32_t bytes_until_note = 1, bytes_between_notes = 1;
     bool any = false;
     for (std::size_t next; (next = begin_next(packets, times, limit)) != none;) {
         any = true;
-        const bool marks = packets.streams[next].acknowledge && (next == 0 || !packets.streams[0].flows());
+        const bool is_byte = packets.streams[next].acknowledge;
+        if (is_byte)
+            starts_before[next] = std::exchange(starts[next], packets.now);
+        const bool marks = is_byte && (next == 0 || !packets.streams[0].flows());
         if (marks && bytes_between_notes > 1 && is_in_phase(packets, noted, 1 - next)) {
-            begin(noted, packets);
+            begin(noted, packets, starts_before);
             pass_periods(packets, limit.before);
             if (!has_begun_last_byte(packets.streams[next]))
                 run_each(packets, times, limit);
@@ -97,18 +98,21 @@ bool LinkPeriod::find(LinkPackets& packets, const PacketTimes& times, const Link
     return any;
 }
 
-/// Stores the period between `then` and `now`. A short period is known from its first occurrence on.
-void LinkPeriod::begin(const LinkPackets& then, const LinkPackets& now) {
+/// Stores the period between `then` and `now`. A short period is known from its first occurrence on. `starts_before`:
+/// the starts of each direction's last byte but one.
+void LinkPeriod::begin(const LinkPackets& then, const LinkPackets& now, const std::array<Time, 2>& starts_before) {
     length = now.now - then.now;
-    first = length <= longest_simple ? then : now;
+    const LinkPackets& first = length <= longest_simple ? then : now;
     since = first.now;
+    streams = first.streams;
+    free_at = first.free_at;
     for (std::size_t i : {0u, 1u}) {
         const LinkPackets::Stream& stream = now.streams[i];
         std::uint32_t bytes = then.streams[i].bytes_left - stream.bytes_left;
         auto counted = [from = bytes > 0 ? now.now : since](Time start) {
             return static_cast<std::int32_t>(std::max(start - from, -longest_simple).count());
         };
-        paces[i] = {then.streams[i].bytes_left, bytes, counted(stream.last_start), counted(stream.start_before)};
+        paces[i] = {then.streams[i].bytes_left, bytes, counted(stream.last_start), counted(starts_before[i])};
     }
 }
 
@@ -133,7 +137,6 @@ void LinkPeriod::pass_periods(LinkPackets& packets, Time before) const {
             // A byte that began before the first period may have begun at another distance.
             bool extrapolated = stream.last_start < since && length <= longest_simple;
             stream.last_start = by + (extrapolated ? since + Time{paces[i].last_start} : stream.last_start);
-            stream.start_before += by;
         }
     }
 }

@@ -34,7 +34,9 @@ struct alignas(64) LinkPeriod {
     };
     std::array<Pace, 2> paces;
     std::array<std::uint32_t, 2> part_bytes{}; ///< lengths of the current parts, copied for bytes_begun_before()
-    LinkPackets first;                         ///< the packets at the time `since`
+    // The packets at the time `since`.
+    std::array<LinkPackets::Stream, 2> streams;
+    std::array<Time, 2> free_at{};
 
     /// Begins all packets within the limit, up to the last byte of a part. Stores the period with which they repeat.
     /// Returns whether any packet has begun.
@@ -65,7 +67,7 @@ private:
     bool needs_no_passing() const {
         return length <= longest_simple && std::max(paces[0].bytes_a_period, paces[1].bytes_a_period) <= 2;
     }
-    void begin(const LinkPackets& then, const LinkPackets& now);
+    void begin(const LinkPackets& then, const LinkPackets& now, const std::array<Time, 2>& starts_before);
 };
 
 } // namespace placedpar::hardware

@@ -36,7 +36,7 @@ bool LinkDirection::gets_no_further() const {
 }
 
 bool LinkDirection::input_is_lost(const AnyChannel& channel) const {
-    return input_must_be_reset(channel) || (gets_no_further() && bytes_taken() > 0);
+    return input_must_be_reset(channel) || (gets_no_further() && bytes_received() > 0);
 }
 
 bool LinkDirection::output_must_be_reset(const AnyChannel&) const {
@@ -49,7 +49,7 @@ bool LinkDirection::input_must_be_reset(const AnyChannel&) const {
 
 /// Returns how many bytes of the current message the receiving end has. A byte that no process has asked for counts
 /// when the whole byte has arrived.
-std::uint64_t LinkDirection::bytes_taken() const {
+std::uint64_t LinkDirection::bytes_received() const {
     const LinkState::Direction& direction = state().directions[number_];
     const LinkPackets::Stream& stream = state().packets.streams[number_];
     if (direction.ends == Ends::sender_left)
@@ -83,7 +83,7 @@ void LinkDirection::break_off(LinkCourse::Touch& touch) {
 void LinkDirection::drop_output(LinkCourse::Touch& touch) {
     LinkState::Direction& direction = touch->directions[number_];
     if (channel_->output_waits()) {
-        bytes_left_over_ = bytes_taken();
+        bytes_left_over_ = bytes_received();
         if (bytes_left_over_ > 0)
             direction.ends = Ends::sender_left;
         break_off(touch);
@@ -116,7 +116,7 @@ bool LinkDirection::give_up_output(AnyChannel& channel) {
 /// Takes the receiving end out of its message. The sender's current message cannot continue.
 void LinkDirection::receiver_leaves(LinkCourse::Touch& touch) {
     LinkState::Direction& direction = touch->directions[number_];
-    const bool in_message = bytes_taken() > 0;
+    const bool in_message = bytes_received() > 0;
     if (in_message && direction.ends == Ends::agree) {
         acknowledged_when_left_ = bytes_acknowledged();
         break_off(touch);
@@ -148,7 +148,7 @@ bool LinkDirection::give_up_input(AnyChannel& channel) {
             if (bytes_started() == 1 && times_.overlaps() && !touch->expects_first_byte(number_))
                 touch->expect_first_byte(number_, times_);
         }
-        taken_when_given_up_ = bytes_taken();
+        received_when_given_up_ = bytes_received();
         receiver_leaves(touch);
         receiver = std::exchange(receiver_, nullptr);
     }
@@ -163,7 +163,7 @@ std::uint64_t LinkDirection::reset_output(AnyChannel&) { return std::exchange(se
 
 std::uint64_t LinkDirection::reset_input(AnyChannel&) {
     LinkCourse::Touch touch(course_);
-    std::uint64_t taken = std::max(std::exchange(taken_when_given_up_, 0), bytes_taken());
+    std::uint64_t taken = std::max(std::exchange(received_when_given_up_, 0), bytes_received());
     receiver_leaves(touch);
     if (LinkState::Direction& direction = touch->directions[number_]; direction.ends == Ends::sender_left)
         direction.ends = Ends::agree;

@@ -11,14 +11,14 @@ constexpr std::uint8_t order_of(EventQueue::Priority priority, std::size_t rank)
     return static_cast<std::uint8_t>(priority * LinkState::ranks + rank);
 }
 
-/// The order of a direction's steps among simultaneous steps: its requests for wires, and the end of a packet on its
-/// own wire.
+/// The order of a direction's packets among simultaneous steps. If two packets can begin on the same wire, the
+/// acknowledge goes first, also if it waited for the wire. begin_next() in link_period.cpp follows the same rule.
 struct Orders {
-    std::uint8_t acknowledge_asks, byte_asks, wire_is_free;
+    std::uint8_t acknowledge, acknowledge_that_waited, byte;
 };
 constexpr std::array<Orders, 2> orders{{
-    {order_of(EventQueue::request, 1), order_of(EventQueue::start, 1), order_of(EventQueue::start, 0)},
-    {order_of(EventQueue::request, 5), order_of(EventQueue::start, 5), order_of(EventQueue::start, 4)},
+    {order_of(EventQueue::request, 1), order_of(EventQueue::start, 4), order_of(EventQueue::start, 1)},
+    {order_of(EventQueue::request, 5), order_of(EventQueue::start, 0), order_of(EventQueue::start, 5)},
 }};
 
 /// The meaning of an entry of LinkState::arrivals.
@@ -29,23 +29,11 @@ struct Arrival {
 constexpr std::array<Arrival, LinkState::most_arrivals> kinds_of_arrivals{{
     {LinkStep::first_byte_arrives, 0, order_of(EventQueue::arrival, 1)},
     {LinkStep::last_byte_arrives, 0, order_of(EventQueue::arrival, 2)},
-    {LinkStep::last_byte_arrives, 0, order_of(EventQueue::arrival, 2)},
     {LinkStep::sending_ends, 0, order_of(EventQueue::arrival, 3)},
     {LinkStep::first_byte_arrives, 1, order_of(EventQueue::arrival, 5)},
     {LinkStep::last_byte_arrives, 1, order_of(EventQueue::arrival, 6)},
-    {LinkStep::last_byte_arrives, 1, order_of(EventQueue::arrival, 6)},
     {LinkStep::sending_ends, 1, order_of(EventQueue::arrival, 7)},
-    {LinkStep::falls_silent, 0, order_of(EventQueue::arrival, 0)},
-    {LinkStep::falls_silent, 1, order_of(EventQueue::arrival, 4)},
 }};
-
-/// Returns whether step a comes before step b. If two packets wait for the same wire, the acknowledge goes first.
-/// next_within() in link_period.cpp follows the same rule.
-bool comes_before(const LinkState::Next& a, const LinkState::Next& b) {
-    if (a.at != b.at) [[likely]]
-        return a.at < b.at;
-    return a.order != b.order ? a.order < b.order : a.step == LinkStep::acknowledge_begins;
-}
 
 } // namespace
 
@@ -55,26 +43,29 @@ LinkState::Next LinkState::next_packet(std::size_t d) const {
     if (!stream.flows()) {
         const Phase phase = directions[d].phase;
         if (phase == Phase::unnoticed)
-            return {LinkStep::byte_is_noticed, direction, orders[d].acknowledge_asks, directions[d].at};
+            return {LinkStep::byte_is_noticed, direction, orders[d].acknowledge, directions[d].at};
         if (phase == Phase::restarts)
-            return {LinkStep::register_is_free, direction, orders[d].byte_asks, directions[d].at};
+            return {LinkStep::register_is_free, direction, orders[d].byte, directions[d].at};
         return {.direction = direction};
     }
-    const std::size_t wire = packets.wire_of(d);
-    const bool waited = stream.due < packets.free_at[wire];
-    const std::uint8_t asks = stream.acknowledge ? orders[d].acknowledge_asks : orders[d].byte_asks;
-    return {stream.acknowledge ? LinkStep::acknowledge_begins : LinkStep::byte_begins, direction,
-            waited ? orders[wire].wire_is_free : asks, packets.begin_of_next(d)};
+    const Time begin = packets.begin_of_next(d);
+    if (!stream.acknowledge)
+        return {LinkStep::byte_begins, direction, orders[d].byte, begin};
+    const bool waited = stream.due < begin;
+    return {LinkStep::acknowledge_begins, direction, waited ? orders[d].acknowledge_that_waited : orders[d].acknowledge,
+            begin};
 }
 
 LinkState::Next LinkState::next() const {
-    Next forth = next_packet(0), back = next_packet(1);
-    Next next = comes_before(back, forth) ? back : forth;
+    const Next forth = next_packet(0), back = next_packet(1);
+    Next next = back.at < forth.at || (back.at == forth.at && back.order < forth.order) ? back : forth;
     const std::size_t arrival = first_arrival();
     if (arrivals[arrival] < next.at) {
         const Arrival& kind = kinds_of_arrivals[arrival];
         next = {kind.step, kind.direction, kind.order, arrivals[arrival]};
     }
+    if (next.at == never && busy_until > packets.now)
+        next.at = busy_until; // the link falls silent
     return next;
 }
 
@@ -106,7 +97,7 @@ LinkState::Outcome LinkState::perform(const Next& next, const PacketTimes& times
         break;
     case LinkStep::last_byte_arrives: return last_byte_arrives(d);
     case LinkStep::sending_ends: drop_end_of_sending(d); break;
-    case LinkStep::falls_silent: arrivals[silence(d)] = never; break;
+    case LinkStep::falls_silent: break;
     }
     return {};
 }
@@ -117,7 +108,6 @@ LinkState::Outcome LinkState::begin_byte(std::size_t d, const PacketTimes& times
     Direction& direction = directions[d];
     LinkPackets::Stream& stream = packets.streams[d];
     packets.begin(times, d);
-    lasts_too_long = lasts_too_long || stream.due == never;
     if (fate == Fate::is_lost || direction.ends != Ends::agree) {
         direction.phase = Phase::byte_lost;
         stream.due = never;
@@ -126,7 +116,7 @@ LinkState::Outcome LinkState::begin_byte(std::size_t d, const PacketTimes& times
     const bool is_first = stream.bytes_left + 1 == direction.part_bytes;
     if (is_first && !is_first_byte_foreseen(d, times))
         expect_first_byte(d, times);
-    if (direction.receiver_is == User::program || (is_first && !is_sure_of_receiver(d))) {
+    if (users[d].receiver == User::program || (is_first && !is_sure_of_receiver(d))) {
         direction.phase = Phase::unnoticed;
         direction.at = std::exchange(stream.due, never);
     }
@@ -141,16 +131,15 @@ LinkState::Outcome LinkState::begin_acknowledge(std::size_t d, const PacketTimes
     const bool is_last = stream.bytes_left == 0;
     const bool delivers = is_last && direction.phase != Phase::delivered;
     packets.begin(times, d);
-    lasts_too_long = lasts_too_long || stream.due == never;
     if (fate == Fate::is_lost) {
         direction.phase = Phase::acknowledge_lost;
         stream.due = never;
         return {.delivers = delivers, .is_lost = true};
     }
     if (is_last)
-        expect(end_of_sending(d), later(packets.now, times.acknowledge_arrival()));
-    if (is_last || direction.sender_is == User::program) {
-        direction.phase = direction.sender_is == User::program ? Phase::restarts : Phase::idle;
+        arrivals[end_of_sending(d)] = time_of_step(packets.now, times.acknowledge_arrival());
+    if (is_last || users[d].sender == User::program) {
+        direction.phase = users[d].sender == User::program ? Phase::restarts : Phase::idle;
         direction.at = std::exchange(stream.due, never);
     }
     return {.delivers = delivers};
@@ -161,7 +150,7 @@ LinkState::Outcome LinkState::begin_acknowledge(std::size_t d, const PacketTimes
 LinkState::Outcome LinkState::last_byte_arrives(std::size_t d) {
     Direction& direction = directions[d];
     const LinkPackets::Stream& stream = packets.streams[d];
-    arrivals[last(d)] = std::exchange(arrivals[last(d) + 1], never);
+    arrivals[last(d)] = std::exchange(last_bytes_after[d], never);
     if (direction.receiver == Receiver::absent)
         return {};
     direction.receiver = Receiver::absent;
@@ -200,25 +189,23 @@ Time LinkState::may_start(std::size_t d) const {
     return phase == Phase::travels && !stream.acknowledge ? stream.due : stream.last_start;
 }
 
-/// Withdraws the next packet. If it waited for its wire, keeps the end of the packet ahead of it as an arrival, because
-/// the link is busy until then.
+/// Withdraws the next packet. If it waited for its wire, the link is busy until the end of the packet ahead of it.
 void LinkState::stop(std::size_t d, Phase phase) {
     directions[d].at = may_start(d);
     directions[d].phase = phase;
     LinkPackets::Stream& stream = packets.streams[d];
-    const std::size_t wire = packets.wire_of(d);
-    if (stream.due <= packets.now && packets.free_at[wire] > packets.now)
-        arrivals[silence(wire)] = packets.free_at[wire];
+    if (stream.due <= packets.now)
+        busy_until = std::max(busy_until, packets.free_at[packets.wire_of(d)]);
     stream.due = never;
 }
 
 void LinkState::expect_last_byte(std::size_t d, const PacketTimes& times) {
-    expect(last(d) + std::size_t{expects_last_byte(d)}, later(packets.streams[d].last_start, times.arrival()));
+    (expects_last_byte(d) ? last_bytes_after[d] : arrivals[last(d)]) =
+        time_of_step(packets.streams[d].last_start, times.arrival());
 }
 
 void LinkState::drop_last_byte(std::size_t d) {
-    Time& younger = arrivals[last(d) + 1];
-    (younger != never ? younger : arrivals[last(d)]) = never;
+    (last_bytes_after[d] != never ? last_bytes_after[d] : arrivals[last(d)]) = never;
 }
 
 bool LinkState::is_unacknowledged(std::size_t d) const {
@@ -238,7 +225,7 @@ Time LinkState::runs_before(std::size_t d, const PacketTimes& times) const {
     const LinkPackets::Stream& stream = packets.streams[d];
     if (!stream.flows())
         return direction.phase == Phase::unnoticed || direction.phase == Phase::restarts ? direction.at : never;
-    if (direction.sender_is == User::program || direction.receiver_is == User::program || direction.ends != Ends::agree)
+    if (users[d].sender == User::program || users[d].receiver == User::program || direction.ends != Ends::agree)
         return stream.due;
     const bool first_byte_is_next = !stream.acknowledge && stream.bytes_left == direction.part_bytes;
     return first_byte_is_next && !is_first_byte_foreseen(d, times) ? stream.due : never;

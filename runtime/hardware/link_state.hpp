@@ -30,7 +30,7 @@ enum class LinkStep : std::uint8_t {
 /// receiving end acknowledges it. The acknowledge allows the next byte to start. A message travels in one or several
 /// parts. A part ends for its receiver when its last byte has arrived, and for its sender when the acknowledge of this
 /// byte has arrived.
-struct LinkState {
+struct alignas(64) LinkState {
     /// The activity of a direction.
     enum class Phase : std::uint8_t {
         idle,             ///< no packet is due; a byte may be sent from the time `at` on
@@ -56,21 +56,25 @@ struct LinkState {
         Receiver receiver = Receiver::absent;
         FirstByte first_byte = FirstByte::asked_for;
         Ends ends = Ends::agree;
-        User sender_is = User::engine, receiver_is = User::engine;
         std::uint32_t part_bytes = 0; ///< length of the current part; 0 between two parts
         Time at{};                    ///< a time, whose meaning depends on the phase
+    };
+    struct Users {
+        User sender = User::engine, receiver = User::engine;
     };
 
     LinkPackets packets;
     std::array<Direction, 2> directions;
-    bool lasts_too_long = false;   ///< a step would come after the end of virtual time; this ends the run
+    /// The times of arrivals; `never` if nothing will arrive. Each direction has three entries: first byte, last byte,
+    /// end of sending. If they are simultaneous, they happen in this order.
+    static constexpr std::size_t arrivals_of_a_direction = 3, most_arrivals = 6;
+    std::array<Time, most_arrivals> arrivals = {never, never, never, never, never, never};
+    /// The arrivals of the last bytes of the next part. This part can begin before the last byte of the current part
+    /// has arrived.
+    std::array<Time, 2> last_bytes_after = {never, never};
+    Time busy_until{}; ///< the wires are busy until then, if no step comes later; set if a waiting packet is withdrawn
+    std::array<Users, 2> users;
     bool may_lose_packets = false; ///< the link has faults, or leads through a device that may stop packets
-    /// The times of arrivals; `never` if nothing will arrive. Each direction has four entries: first byte, last byte,
-    /// last byte of the next part, end of sending. If they are simultaneous, they happen in this order. The next part
-    /// can begin before the last byte of the current part has arrived. The last two entries belong to the two wires. If
-    /// a packet that waits for its wire is withdrawn, the end of the packet on this wire is entered.
-    static constexpr std::size_t arrivals_of_a_direction = 4, most_arrivals = 10;
-    std::array<Time, most_arrivals> arrivals = {never, never, never, never, never, never, never, never, never, never};
 
     /// A step that has not happened yet, with its time and its order among simultaneous steps.
     struct Next {
@@ -117,12 +121,12 @@ struct LinkState {
     void stop(std::size_t direction, Phase);
     /// Schedules the arrival of the last byte that began, which is the first byte of its part.
     void expect_first_byte(std::size_t direction, const PacketTimes& times) {
-        expect(first(direction), later(packets.streams[direction].last_start, times.arrival()));
+        arrivals[first(direction)] = time_of_step(packets.streams[direction].last_start, times.arrival());
     }
     void expect_last_byte(std::size_t direction, const PacketTimes&);
     void drop_first_byte(std::size_t direction) { arrivals[first(direction)] = never; }
     bool expects_first_byte(std::size_t direction) const { return arrivals[first(direction)] != never; }
-    void drop_last_bytes(std::size_t direction) { arrivals[last(direction)] = arrivals[last(direction) + 1] = never; }
+    void drop_last_bytes(std::size_t direction) { arrivals[last(direction)] = last_bytes_after[direction] = never; }
     /// Drops the arrival of the last byte of the current part. Keeps the arrival for the previous part.
     void drop_last_byte(std::size_t direction);
     void drop_end_of_sending(std::size_t direction) { arrivals[end_of_sending(direction)] = never; }
@@ -145,12 +149,7 @@ struct LinkState {
 private:
     static constexpr std::size_t first(std::size_t direction) { return direction * arrivals_of_a_direction; }
     static constexpr std::size_t last(std::size_t direction) { return first(direction) + 1; }
-    static constexpr std::size_t silence(std::size_t wire) { return 2 * arrivals_of_a_direction + wire; }
-    static constexpr std::size_t end_of_sending(std::size_t direction) { return first(direction) + 3; }
-    void expect(std::size_t arrival, Time at) {
-        arrivals[arrival] = at;
-        lasts_too_long = lasts_too_long || at == never;
-    }
+    static constexpr std::size_t end_of_sending(std::size_t direction) { return first(direction) + 2; }
     bool is_first_byte_foreseen(std::size_t direction, const PacketTimes& times) const {
         return is_sure_of_receiver(direction) && times.overlaps() && !may_lose_packets;
     }

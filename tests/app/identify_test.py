@@ -102,7 +102,7 @@ class Identification(unittest.TestCase):
         draw = random.Random(1)
         jittered = self.rows(lambda row: [f"{float(row[0]) + draw.uniform(-0.001, 0.001):.5f}"] + row[1:])
         run = by_thesis(jittered)
-        self.assertIn("off whole periods of 0.02 s", run.stderr)
+        self.assertIn("from whole periods of 0.02 s", run.stderr)
         self.assertAlmostEqual(self.boom(jittered)["compliance"], TRUTH, delta=0.1 * TRUTH)
 
     def test_strict_tells_a_script_that_an_answer_is_doubted(self):
@@ -194,17 +194,17 @@ class Identification(unittest.TestCase):
             result = self.result(STEP, "--on", CLUSTER, *way)
             self.assertEqual(result["by_processes"], result["estimates"][-1]["compliance"], way)
         printed = self.identify(STEP, "--on", CLUSTER, "--set", "slaves=1")
-        self.assertRegex(printed, r"(?m)^C_BOi: 0\.00(\d+) in\^3/psi by the direct search, 0\.00\1 by the netlist's processes: equal$")
+        self.assertRegex(printed, r"(?m)^C_BOi: 0\.00(\d+) in\^3/psi from the direct search, 0\.00\1 from the netlist's processes: equal$")
 
     def test_a_netlist_that_fixes_a_setting_otherwise_is_refused_with_its_place(self):
         text = CLUSTER.read_text(encoding="utf-8").replace('"../', f'"{EXAMPLES}/thesis/')
         fixed = self.file("fixed.cfs", text.replace("elite = elite,", "elite = elite, trials = 4,"))
         said = self.refused(STEP, "--on", fixed).splitlines()
-        self.assertRegex(said[0], r'fixed\.cfs:\d+:\d+: error: trials = 4 in the netlist for "master", but identify searches with 5$')
+        self.assertRegex(said[0], r'fixed\.cfs:\d+:\d+: error: trials = 4 in the netlist for "master", but the identification has 5$')
         self.assertEqual(said[2].strip(), "^")
         self.assertTrue(said[1][len(said[2]) - 1:].startswith("trials = 4"), said)
         self.assertIn("equal\n", self.identify(STEP, "--on", fixed, "--trials", 4))
-        self.assertIn('population = 60 in the netlist for "master", but identify searches with 120',
+        self.assertIn('population = 60 in the netlist for "master", but the identification has 120',
                       self.refused(STEP, "--on", CLUSTER, "--set", "population=60"))
         self.assertIn("samples = 15", self.refused(STEP, "--on", CLUSTER, "--set", "samples=15"))
 
@@ -230,10 +230,10 @@ class Identification(unittest.TestCase):
 
     def test_several_searches_divide_the_population(self):
         printed = self.identify(STEP, "--on", FIGURE_E2, "--set", "clusters=2")
-        self.assertRegex(printed, r"(?m)^C_BOi: 0\.00\d+ in\^3/psi by the direct search, 0\.00\d+ by master\[\d\], "
+        self.assertRegex(printed, r"(?m)^C_BOi: 0\.00\d+ in\^3/psi from the direct search, 0\.00\d+ from master\[\d\], "
                                   r"the fittest of 2 searches, which differ by up to 0\.0\d+$")
         said = self.refused(STEP, "--on", FIGURE_E2, "--set", "population=20")
-        self.assertIn("its searches have 80 individuals together, but identify has 120: give identify --population 80",
+        self.assertIn("the netlist's searches have 80 individuals in all, but the identification has 120: give --population 80",
                       said)
         self.identify(STEP, "--on", FIGURE_E2, "--set", "population=20", "--population", 80)
 

@@ -25,6 +25,16 @@ class SensorToAlarm(unittest.TestCase):
             self.assertIsInstance(self.run_with(*IN_TIME, seed=seed)["alarm.raised"], float)
             self.assertEqual(self.run_with(*IN_TIME, "problem=boom", seed=seed)["alarm.raised"], "no")
 
+    def test_sensors_that_read_more_samples_than_the_record_has_are_refused_with_its_length(self):
+        with tempfile.TemporaryDirectory() as folder:
+            netlist = pathlib.Path(folder) / "more.cfs"
+            netlist.write_text(f'#include "{NETLIST}"\nsensors (samples = 21);\n', encoding="utf-8")
+            refused = placedpar("check", netlist)
+            self.assertEqual(refused.returncode, 1)
+            self.assertIn('more.cfs:2:10: error: samples = 21, but the record of "leaking-boom" has 20', refused.stderr)
+            netlist.write_text(netlist.read_text(encoding="utf-8").replace("21", "20"), encoding="utf-8")
+            self.assertEqual(placedpar("check", netlist).returncode, 0)
+
     def test_the_stages_add_up(self):
         found = self.run_with(*IN_TIME)
         self.assertEqual(found["sensors.samples"], 20)

@@ -140,7 +140,7 @@ class Set(unittest.TestCase):
         fixed = self.changed(CLUSTER, "population = population", "population = 60")
         run = placedpar("identify", RECORD, "--way", "thesis", "--on", fixed)  # without a question, the netlist's own value is kept
         self.assertEqual(run.returncode, 1)
-        self.assertIn("identify searches with 120", run.stderr)
+        self.assertIn("the identification has 120", run.stderr)
         run = placedpar("identify", RECORD, "--way", "thesis", "--on", fixed, "--set", "master.population=120")
         self.assertEqual(run.returncode, 0, run.stderr)
 

@@ -53,6 +53,14 @@ class Tables(unittest.TestCase):
                          ["Equation 1.1: the thesis has no such item", "Equation 1.2: the thesis has no such item"])
         self.assertEqual(self.faults(ROW, ROW), ["Figure 1.1: two rows"])
 
+    def test_a_statement_in_words_may_have_a_row(self):
+        claim = self.row(of="Claim of section 1.2: growth", picture=None, verdict="differs", why="so")
+        self.assertEqual(self.faults(ROW, claim), [])
+        self.assertEqual(thesis.chapter_of(claim), "1")
+        self.assertEqual(thesis.chapter_of({"of": "Claim of appendix E: a time"}), "E")
+        self.assertEqual(self.faults(ROW, claim, claim), ["Claim of section 1.2: growth: two rows"])
+        self.assertEqual(len(self.faults(ROW, self.row(of="Claim of growth"))), 1)
+
     def test_a_verdict_is_one_of_the_list_and_has_what_it_needs(self):
         for changes, fault in (({"verdict": "fine"}, 'Figure 1.1: "fine" is none of the verdicts'),
                                ({"verdict": "differs"}, 'Figure 1.1: "differs" without a reason'),

@@ -29,7 +29,8 @@ double solve(double compliance_in3_per_psi, double low, double high, double prec
         return *value - compliance_in3_per_psi;
     };
     if (beyond(low) > 0 || beyond(high) < 0)
-        throw UserError(fmt::format("nothing from {} to {} finds {} in^3/psi", low, high, compliance_in3_per_psi));
+        throw UserError(fmt::format("no value from {} to {} makes the identification find {} in^3/psi", low, high,
+                                    compliance_in3_per_psi));
     // The usable samples change with x, so the function has jumps, which bisection tolerates best.
     auto [below, above] =
         boost::math::tools::bisect(beyond, low, high, [=](double a, double b) { return b - a < precision; });
@@ -52,17 +53,8 @@ double lag_that_finds(double compliance_in3_per_psi, const BoomData& data) {
                  [&](double lag) { return found_with(with_lag(lag), data); });
 }
 
-double offset_that_finds(double compliance_in3_per_psi, const BoomData& data) {
-    // Leaving an offset of -d in the readings equals subtracting d from correct readings.
-    return solve(compliance_in3_per_psi, -0.015, 0, 1e-6, [&](double offset) {
-        BoomModel model = model_of(data, AreasFrom::spool);
-        model.spool_offset_in = -offset;
-        return found_with(model, data);
-    });
-}
-
 Panel panel_of_lag(std::span<const BoomData> machines) {
-    Panel panel{"Compliance that the voltage gives, over the a_0 believed in",
+    Panel panel{"Compliance identified from the voltage, over the assumed a_0",
                 {"a_0 of A.2 [1/s]", 5, 16},
                 {"compliance [0.001 in³/psi]", 0, 20},
                 {},

@@ -5,16 +5,11 @@
 
 namespace placedpar {
 
-/// These functions compute which error explains a given compliance: in experiment 2 a wrong a_0, in experiment 1 a
-/// spool sensor that reads too low.
+/// These functions compute the effect of a wrong a_0 on experiment 2.
 
 /// Returns the a_0 with which least squares from the voltage gives this compliance, while the pressure rises. Throws
 /// UserError if no a_0 from .75 to 4 times the machine's own does.
 double lag_that_finds(double compliance_in3_per_psi, const BoomData& data);
-
-/// Returns the offset of uncorrected spool readings with which least squares gives this compliance, while the pressure
-/// rises. Throws UserError if no offset from -.015 in to 0 does.
-double offset_that_finds(double compliance_in3_per_psi, const BoomData& data);
 
 /// Plots the compliance over the assumed a_0 for each machine, with the thesis's two compliances.
 Panel panel_of_lag(std::span<const BoomData> machines);

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -53,7 +54,8 @@ struct MachineSearch {
 
 MachineSearch search_on(const ReplayContext& context, const Overrides& set, const ComplianceSearch& prepared,
                         std::uint64_t seed) {
-    NetlistAsked netlist{context.examples / "thesis/figure-e2/figure-e2.cfs", set, {}, {}};
+    const std::filesystem::path path = context.examples / "thesis/figure-e2/figure-e2.cfs";
+    NetlistAsked netlist{path, set, ParsedNetlist(path), {}};
     ProcessSearch search = search_by_processes(netlist, prepared, rising_way(), context.warn);
     SearchAnswers answers = search.answers();
     run_netlist(search.network, search.problems, {.seed = seed, .observer = &answers});
@@ -192,11 +194,10 @@ void add_differences(Comparison& comparison, const BothFound& found, BoomWay way
 
 Comparison difference_table(const RecordedBoom& machine, const std::vector<Figures>& runs, double truth) {
     Comparison comparison{
-        .name = fmt::format("{}: PGA less GA on the same records, mean of {}", machine.name, runs.size()),
-        .notes =
-            "\"almost identical\" allows 5 points fewer records, 2 % of the true C_BOi either way, one sample of 5\n"
-            "generations. It is shown if the whole 95 % interval of the mean is within the bound, and refuted if\n"
-            "the whole interval is beyond it. One that is refuted misses its bound.\n",
+        .name = fmt::format("{}: PGA minus GA on the same records, mean of {}", machine.name, runs.size()),
+        .notes = "\"almost identical\" allows 5 percentage points fewer records, 2 % of the true C_BOi either way, one "
+                 "sample of 5\ngenerations. A claim is shown if the whole 95 % interval of the mean is within the "
+                 "bound, and refuted if\nthe whole interval is beyond it. A refuted claim misses its bound.\n",
         .against = "claim",
         .judged = true};
     for (BoomWay way : {pga_fittest, pga_first})

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 namespace placedpar {
 
 namespace {
-
-// The initial variance, which is large because nothing is known about the weights.
-constexpr double unknown = 1e6;
 
 LinearPlant least_squares_of_delay(std::span<const Sample> window, std::size_t delay) {
     auto rows = static_cast<Eigen::Index>(window.size());
@@ -47,24 +46,19 @@ LinearPlant least_squares(std::span<const Sample> window) {
 }
 
 RecursiveLeastSquares::RecursiveLeastSquares(std::size_t delay, double forgetting, NoiseTerms noise_terms)
-    : forgetting_(forgetting), noise_terms_(noise_terms == NoiseTerms::two), plant_{.delay = delay} {
-    Eigen::Index size = LinearPlant::coefficients + (noise_terms_ ? 2 : 0);
-    weights_ = Eigen::VectorXd::Zero(size);
-    covariance_ = unknown * Eigen::MatrixXd::Identity(size, size);
-}
+    : forgetting_(forgetting), noise_terms_(noise_terms == NoiseTerms::two), plant_{.delay = delay},
+      estimate_(LinearPlant::coefficients + (noise_terms_ ? 2 : 0)) {}
 
 void RecursiveLeastSquares::push(const Sample& sample) {
-    Eigen::VectorXd inputs(weights_.size());
-    inputs.head<LinearPlant::coefficients>() = LinearPlant::inputs(sample, plant_.delay);
+    LinearPlant::Coefficients of_plant = LinearPlant::inputs(sample, plant_.delay);
+    std::vector<double> inputs(of_plant.begin(), of_plant.end());
     if (noise_terms_)
-        inputs.tail<2>() << unexplained_[0], unexplained_[1];
-    double error = sample[0] - weights_.dot(inputs);
-    Eigen::VectorXd scaled = covariance_ * inputs;
-    weights_ += scaled * (error / (forgetting_ + inputs.dot(scaled)));
-    covariance_ = (covariance_ - scaled * scaled.transpose() / (forgetting_ + inputs.dot(scaled))) / forgetting_;
-    covariance_ = (0.5 * (covariance_ + covariance_.transpose())).eval(); // without this, a forgetting of .9 diverges
-    unexplained_ = {sample[0] - weights_.dot(inputs), unexplained_[0]};
-    plant_.weights = weights_.head<LinearPlant::coefficients>();
+        inputs.insert(inputs.end(), unexplained_.begin(), unexplained_.end());
+    double error = estimate_.take(inputs, sample[0], forgetting_);
+    unexplained_ = {std::inner_product(inputs.begin(), inputs.end(), estimate_.weights.begin(), sample[0], std::plus(),
+                                       [](double input, double weight) { return -input * weight; }),
+                    unexplained_[0]};
+    std::copy_n(estimate_.weights.begin(), LinearPlant::coefficients, plant_.weights.begin());
     plant_.squared_error = forgetting_ * plant_.squared_error + error * error;
 }
 

@@ -33,6 +33,43 @@ struct LinearPlant {
 /// criterion can find a better plant. REQUIRES: the window is not empty.
 LinearPlant least_squares(std::span<const Sample> window);
 
+/// The state of recursive least squares: the estimated weights and their covariance.
+template <typename T>
+struct RecursiveEstimate {
+    std::vector<T> weights;
+    std::vector<T> covariance; ///< symmetric, row by row
+    std::vector<T> scaled;     ///< covariance * inputs
+
+    explicit RecursiveEstimate(std::size_t unknowns)
+        : weights(unknowns), covariance(unknowns * unknowns), scaled(unknowns) {
+        for (std::size_t i = 0; i < unknowns; ++i)
+            covariance[i * unknowns + i] = 1e6; // large, because nothing is known about the weights
+    }
+
+    /// Takes an output, and the inputs that the weights multiply. Returns the error with which the output was
+    /// predicted. Only half of the covariance is computed: with both halves computed, rounding makes a forgetting of .9
+    /// diverge.
+    T take(std::span<const T> inputs, T output, T forgetting) {
+        const std::size_t size = weights.size();
+        T scale = forgetting, error = output;
+        for (std::size_t i = 0; i < size; ++i) {
+            scaled[i] = covariance[i * size] * inputs[0];
+            for (std::size_t j = 1; j < size; ++j)
+                scaled[i] += covariance[i * size + j] * inputs[j];
+            scale += inputs[i] * scaled[i];
+            error -= weights[i] * inputs[i];
+        }
+        for (std::size_t i = 0; i < size; ++i) {
+            T gain = scaled[i] / scale;
+            weights[i] += gain * error;
+            for (std::size_t j = 0; j <= i; ++j)
+                covariance[i * size + j] = covariance[j * size + i] =
+                    (covariance[i * size + j] - gain * scaled[j]) / forgetting;
+        }
+        return error;
+    }
+};
+
 /// Recursive least squares over all samples, each with the weight `forgetting` to the power of its age. For coloured
 /// noise, NoiseTerms::two also estimates c1 and c2 of the terms c1 e(k-1) + c2 e(k-2), where e is the residual
 /// (extended least squares).
@@ -51,8 +88,7 @@ private:
     double forgetting_;
     bool noise_terms_;
     LinearPlant plant_;
-    Eigen::VectorXd weights_;
-    Eigen::MatrixXd covariance_;
+    RecursiveEstimate<double> estimate_;
     std::array<double, 2> unexplained_{};
 };
 

@@ -107,6 +107,18 @@ Errors errors_of_all(const Recoding& reading, const WindowMoments& moments) {
     return errors;
 }
 
+/// Returns the string whose parameters are the nearest to the plant's.
+Genome string_of_plant(const ParameterCoding& coding) {
+    std::vector<double> parameters = parameters_of(Plant());
+    Genome genome(coding.bits());
+    for (std::size_t i = 0, first = 0; i < parameters.size(); first += coding.field(i++).bits) {
+        const ParameterField& field = coding.field(i);
+        auto code = std::lround((parameters[i] - field.low) / field.resolution());
+        genome.set_field(first, field.bits, static_cast<std::uint64_t>(code));
+    }
+    return genome;
+}
+
 } // namespace
 
 WindowMoments::WindowMoments(std::span<const Sample> window)
@@ -126,6 +138,20 @@ double WindowMoments::squared_error(const Genome& genome) const {
             for (std::size_t j = 0; j < channels_; ++j)
                 sum += of_i * weight(j) * products_[i * channels_ + j];
     return std::max(sum, 0.0);
+}
+
+std::vector<double> fitness_by_low_bits(double noise, std::uint64_t seed) {
+    std::vector<Sample> samples = plant_record({.noise = noise}, RandomStream(seed, "plant"));
+    const WindowSettings window = plant_settings(2).window;
+    WindowMoments moments(std::span<const Sample>(samples).first(window.length));
+    Genome string = string_of_plant(PlantProblem().coding());
+    std::vector<double> fitness(std::size_t{1} << (5 * low_bits));
+    for (std::size_t i = 0; i < fitness.size(); ++i) {
+        for (std::size_t parameter = 0; parameter < 5; ++parameter)
+            string.set_field(6 + 7 * parameter, low_bits, i >> (low_bits * parameter) & 7);
+        fitness[i] = window.bias * static_cast<double>(window.length) - moments.squared_error(string);
+    }
+    return fitness;
 }
 
 LandscapeFacts enumerate_landscape(const Recoding& reading, std::uint64_t seed) {

@@ -39,6 +39,13 @@ struct LandscapeFacts {
                             ///< best string
 };
 
+/// The number of "don't care" bits of thesis 6.2: the lowest bits of each of the five parameters of 7 bits.
+inline constexpr std::size_t low_bits = 3;
+
+/// Returns the fitness of all 2^15 strings that differ only in "don't care" bits from the string nearest to the plant.
+/// The window is that at generation 0 of the record of this seed, with white noise.
+std::vector<double> fitness_by_low_bits(double noise, std::uint64_t seed);
+
 /// Evaluates every string over the window at generation 0 of the record of this seed. REQUIRES: a reading of at most 24
 /// bits.
 LandscapeFacts enumerate_landscape(const Recoding& reading, std::uint64_t seed);

@@ -86,6 +86,7 @@ TEST_CASE("an ambiguous or unknown name in an expression is refused when the fil
     check_farm_refused(rows("{name = \"b\", figure = \"a\"}, {name = \"a\", figure = \"rate\"}"),
                        "the name \"a\" is undefined");
     check_farm_refused(farm_head + farm_columns + farm_rows("known = \"rate\""), "the name \"rate\" is undefined");
+    check_farm_refused(farm_head + farm_columns + farm_rows("at_least = \"rate\""), "the name \"rate\" is undefined");
     check_farm_refused(farm_head + farm_columns + farm_rows("known = \"1 / slaves\""), "division by zero");
     check_farm_refused(farm_head + farm_columns + farm_rows("known = 1, tolerance = \"knwon\""),
                        "did you mean \"known\"?");

@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -123,6 +124,34 @@ TEST_CASE("figures can be relative to a run and can use the rows above") {
 TEST_CASE("a figure is the mean over the seeds") {
     const std::string table = "[[table]]\nname = \"x\"\n" + columns + "rows = [{name = \"a\", figure = \"rate\"}]\n";
     CHECK(simulated(tables_of(study_in("seeds = 3\n" + head + table)).at(0)) == std::vector<double>{11, 19, 25});
+}
+
+TEST_CASE("a row can show the 95 % interval of its mean, and must miss a bound with all of it to miss it") {
+    Comparison table = tables_of(study_in("seeds = 3\n" + head + "[[table]]\nname = \"x\"\n" + columns +
+                                          "rows = [{name = \"a\", figure = \"rate\", interval = true, at_least = [13, "
+                                          "nan, \"slaves + 11\"], at_most = [nan, 16, nan]}]\n"))
+                           .at(0);
+    // The rates of seeds 0 to 2 are 10, 11 and 12 with one processor. Student's t of two degrees of freedom is 4.303.
+    const double half_width = 4.302653 / std::sqrt(3);
+    REQUIRE(table.cells.size() == 9);
+    CHECK(table.cells[3].row == "a, 95 % from");
+    CHECK(table.cells[3].column == "alone");
+    CHECK(table.cells[3].simulated == doctest::Approx(11 - half_width));
+    CHECK(table.cells[6].row == "a, to");
+    CHECK(table.cells[6].simulated == doctest::Approx(11 + half_width));
+    CHECK(table.cells[0].within_tolerance());
+    CHECK_FALSE(table.cells[1].within_tolerance());
+    CHECK(table.cells[2].at_least == 13);
+}
+
+TEST_CASE("a figure in percent that is 0 or 100 in each run is a share of the runs") {
+    Comparison table = tables_of(study_in("seeds = 3\n" + head + "[[table]]\nname = \"x\"\n" + columns +
+                                          "rows = [{name = \"a\", figure = \"100 * (rate > 10)\", unit = \"%\", "
+                                          "interval = true}]\n"))
+                           .at(0);
+    CHECK(simulated(table).at(0) == doctest::Approx(200. / 3));
+    CHECK(simulated(table).at(3) == doctest::Approx(9.43).epsilon(.001)); // Clopper and Pearson's interval for 2 of 3
+    CHECK(simulated(table).at(6) == doctest::Approx(99.16).epsilon(.001));
 }
 
 TEST_CASE("a table can copy another table, and rows inherit from the table, except for stated keys") {

@@ -203,6 +203,38 @@ TEST_CASE("a message to an adapter that is given up while its acknowledge waits 
     }
 }
 
+// At 10 kbit/s without overlap, an acknowledge begins 16.2 bits after its byte. The next byte begins 5.6 bits and 120
+// ns later.
+TEST_CASE(
+    "an adapter whose message is given up while its register restarts writes no byte before the restart is over") {
+    for (Time given_up = microseconds{1640}; given_up < microseconds{2180}; given_up += microseconds{20}) {
+        CAPTURE(given_up.count());
+        Host host(32, LinkTiming{.bits_per_second = 10'000, .overlapped_acknowledge = false});
+        Channel<std::uint8_t> c("c", host.driver.to_link());
+        std::vector<Time> arrived;
+        host.simulation.process(
+            "sender",
+            [&] {
+                if (!output_or_fail(c.out(), std::uint8_t{1}, given_up))
+                    reset(c.out());
+                c.out().output(2);
+            },
+            &host.sun);
+        host.simulation.process(
+            "receiver",
+            [&] {
+                for (int number : {1, 2}) {
+                    CHECK(c.in().input() == number);
+                    arrived.push_back(now());
+                }
+            },
+            &host.t800);
+        CHECK(host.simulation.run().ending == Ending::completed);
+        REQUIRE(arrived.size() == 2);
+        CHECK(arrived[1] - arrived[0] >= std::chrono::nanoseconds{2'180'120});
+    }
+}
+
 TEST_CASE("a broadcast message cannot be given up") {
     Host host;
     auto& all = host.simulation.add<AdapterBroadcast>(std::vector{&host.driver});

@@ -1,14 +1,17 @@
-// Tests that a link has only one event in the queue: its next step that others can observe.
+// Tests that a link has only one event in the queue: its next step that others can observe. Tests that the state
+// between two such steps is known at once.
 
 #include "runtime/hardware/link.hpp"
 #include "runtime/kernel.hpp"
 #include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 
 using namespace placedpar;
@@ -34,7 +37,8 @@ private:
 };
 
 struct Packetful {
-    WireForm wire_form() const { return WireForm(20); }
+    std::uint32_t bytes = 20;
+    WireForm wire_form() const { return WireForm(bytes); }
 };
 
 } // namespace
@@ -60,4 +64,24 @@ TEST_CASE("a busy link has one event in the queue") {
     }
     simulation.run();
     CHECK(onlooker.most() == links);
+}
+
+// The first half of the messages has more than two billion packets. To perform each would take more than half a
+// minute.
+TEST_CASE("the state of a link in the middle of long messages is known without a simulation of their packets" *
+          doctest::timeout(10)) {
+    constexpr std::uint32_t gigabyte = 1'000'000'000;
+    Simulation simulation;
+    Link& link = simulation.add<Link>();
+    Channel<Packetful> there("there", link.from_a_to_b()), back("back", link.from_b_to_a());
+    simulation.process("sender", [&] { there.out().output({gigabyte}); });
+    simulation.process("sender back", [&] { back.out().output({gigabyte + 7}); });
+    simulation.process("receiver", [&] { there.in().input(); });
+    simulation.process("receiver back", [&] { back.in().input(); });
+    simulation.process("observer", [&] {
+        wait_until(Time{500s});
+        CHECK(link.from_a_to_b().bytes_carried() == 500s / 850ns + 1); // both directions begin a byte every 17 bits
+        CHECK(link.from_b_to_a().bytes_carried() == 500s / 850ns + 1);
+    });
+    CHECK(simulation.run().ending == Ending::completed);
 }

@@ -69,6 +69,7 @@ std::string drawing() {
     std::string ruler(column_of(1200ns), ' ');
     for (Time at{}; at < 1200ns; at += 200ns)
         ruler.replace(column_of(at), 1, "|");
+    ruler.erase(ruler.find_last_of('|') + 1);
     std::string text = "               " + ruler + "\n";
     text += "bytes, a to b  " + wire(trace, LinkStep::byte_begins, times.byte().carried, '=') + "\n";
     text += "acks, b to a   " + wire(trace, LinkStep::acknowledge_begins, times.acknowledge().carried, '=') + "\n\n";

@@ -16,6 +16,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 using namespace placedpar;
@@ -99,6 +100,46 @@ TEST_CASE("a packet that was requested early and is withdrawn leaves the other p
     CHECK(end_after_withdrawals(true) == 1610ns);
 }
 
+// At 10 Mbit/s a byte occupies its wire for 1100 ns. The acknowledge of direction a to b is requested at 520 ns, and
+// waits for the byte of the other direction, from 510 ns to 1610 ns.
+TEST_CASE("a receiver that leaves a message whose acknowledge waits for its wire leaves the packet on this wire") {
+    for (bool every_byte : {false, true}) {
+        CAPTURE(every_byte);
+        TwoWays ways({.bits_per_second = 10'000'000}, every_byte);
+        TwoParts received;
+        ways.simulation.process("sender", [&] { ways.there.out().output({.bytes = 100}); });
+        ways.simulation.process("receiver", [&] { input_or_fail(ways.there.in(), received, 700ns); });
+        ways.simulation.process("sender back",
+                                [&] { wait_until(510ns), output_or_fail(ways.back.out(), {.bytes = 50}, 600ns); });
+        ways.simulation.process("receiver back", [&] { ways.back.in().input(); });
+        RunResult result = ways.simulation.run();
+        CHECK(result.ending == Ending::stuck);
+        CHECK(result.time == 1610ns);
+    }
+}
+
+// At 10 Mbit/s, over a wire of 50 ns, the first message arrives at 1150 ns. Its acknowledge has reached the sender at
+// 820 ns, and the byte of the second message begins at 1100 ns.
+TEST_CASE("a message arrives although the next one is lost and given up before the end of its last byte") {
+    for (bool every_byte : {false, true}) {
+        CAPTURE(every_byte);
+        TwoWays ways({.bits_per_second = 10'000'000, .wire_delay = 50ns}, every_byte);
+        ways.link.suffer({.from = 1us, .wire_from_b = false});
+        Time arrived{};
+        ways.simulation.process("sender", [&] {
+            ways.there.out().output({.bytes = 1});
+            CHECK(now() == 820ns);
+            CHECK_FALSE(output_or_fail(ways.there.out(), {.bytes = 1}, 1120ns));
+        });
+        ways.simulation.process("receiver", [&] {
+            ways.there.in().input();
+            arrived = now();
+        });
+        CHECK(ways.simulation.run().ending == Ending::completed);
+        CHECK(arrived == 1150ns);
+    }
+}
+
 TEST_CASE("a message that its receiver has given up twice does not arrive") {
     for (bool every_byte : {false, true}) {
         CAPTURE(every_byte);
@@ -121,25 +162,55 @@ TEST_CASE("a message that its receiver has given up twice does not arrive") {
 }
 
 TEST_CASE("a first byte on the wire when the speed changes arrives at the old speed, also if its receiver gives up") {
+    for (bool every_byte : {false, true})
+        for (Time begin : {0ns, 20ns}) { // before the receiver asks for the byte, or after
+            CAPTURE(every_byte);
+            CAPTURE(begin.count());
+            TwoWays ways({}, every_byte);
+            ways.link.suffer({.kind = LinkFault::Kind::slow, .from = 100ns, .factor = 8});
+            TwoParts received;
+            Time announced{};
+            ways.simulation.process("sender", [&] { wait_until(begin), ways.there.out().output({.bytes = 2}); });
+            ways.simulation.process("receiver", [&] {
+                CHECK_FALSE(input_or_fail(ways.there.in(), received, Time{200ns}));
+                CHECK(reset(ways.there.in()) == 0);
+                std::vector<Guard> guards{{Guard::input, &ways.there}, {Guard::timeout, nullptr, Time{50us}}};
+                CHECK(select(guards) == 0);
+                announced = now();
+            });
+            // This byte begins at the new speed before the receiver gives up.
+            ways.simulation.process("sender back", [&] { wait_until(150ns), ways.back.out().output({.bytes = 1}); });
+            ways.simulation.process("receiver back", [&] { ways.back.in().input(); });
+            ways.simulation.run();
+            CHECK(announced == begin + 550ns); // 11 bits at the usual speed
+        }
+}
+
+// The second byte begins 440 ns before the end of virtual time, and its acknowledge 180 ns before. The third byte would
+// begin after the end.
+TEST_CASE("a message that would pass the end of virtual time, and is given up before, leaves no error") {
     for (bool every_byte : {false, true}) {
         CAPTURE(every_byte);
         TwoWays ways({}, every_byte);
-        ways.link.suffer({.kind = LinkFault::Kind::slow, .from = 100ns, .factor = 8});
-        TwoParts received;
-        Time announced{};
-        ways.simulation.process("sender", [&] { ways.there.out().output({.bytes = 2}); });
-        ways.simulation.process("receiver", [&] {
-            CHECK_FALSE(input_or_fail(ways.there.in(), received, Time{200ns}));
-            CHECK(reset(ways.there.in()) == 0);
-            std::vector<Guard> guards{{Guard::input, &ways.there}, {Guard::timeout, nullptr, Time{50us}}};
-            CHECK(select(guards) == 0);
-            announced = now();
+        ways.simulation.process("sender", [&] {
+            wait_until(Time::max() - 1us);
+            CHECK_FALSE(output_or_fail(ways.there.out(), {.bytes = 100}, Time::max() - 100ns));
         });
-        // The byte begins at the new speed before the receiver gives up.
-        ways.simulation.process("sender back", [&] { wait_until(Time{150ns}), ways.back.out().output({.bytes = 1}); });
-        ways.simulation.process("receiver back", [&] { ways.back.in().input(); });
-        ways.simulation.run();
-        CHECK(announced == 550ns); // 11 bits at the usual speed
+        ways.simulation.process("receiver", [&] { ways.there.in().input(); });
+        CHECK(ways.simulation.run().ending == Ending::stuck);
+    }
+}
+
+TEST_CASE("a long message that would pass the end of virtual time ends the run with an error") {
+    for (bool every_byte : {false, true}) {
+        CAPTURE(every_byte);
+        TwoWays ways({}, every_byte);
+        ways.simulation.process("sender", [&] {
+            wait_until(Time::max() - 1us);
+            ways.there.out().output({.bytes = 4'000'000'000});
+        });
+        ways.simulation.process("receiver", [&] { ways.there.in().input(); });
+        CHECK_THROWS_AS(ways.simulation.run(), std::overflow_error);
     }
 }
 

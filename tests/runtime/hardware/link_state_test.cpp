@@ -78,7 +78,6 @@ TEST_CASE("link state: a part of two bytes to a receiver that waits takes the st
     CHECK(state.directions[1].phase == Phase::idle);
     CHECK(state.directions[1].receiver == Receiver::absent);
     CHECK(state.may_start(1) == 1280ns);
-    CHECK(!state.lasts_too_long);
 }
 
 TEST_CASE("link state: a receiver has a part from its last acknowledge on, and continues when its last byte arrives") {
@@ -190,6 +189,7 @@ TEST_CASE("link state: within an instant acknowledges are requested, then packet
 TEST_CASE("link state: simultaneous arrivals and packets are ordered") {
     LinkState state;
     state.arrivals.fill(1us);
+    state.last_bytes_after.fill(1us);
     state.ask_for_byte(1, 1us);
     CHECK(shown(state.next()) == Step{LinkStep::byte_begins, 1, 1us});
     state.packets.streams[1].due = never;
@@ -202,9 +202,7 @@ TEST_CASE("link state: simultaneous arrivals and packets are ordered") {
                                 {LinkStep::first_byte_arrives, 1, 1us},
                                 {LinkStep::last_byte_arrives, 1, 1us},
                                 {LinkStep::last_byte_arrives, 1, 1us},
-                                {LinkStep::sending_ends, 1, 1us},
-                                {LinkStep::falls_silent, 0, 1us},
-                                {LinkStep::falls_silent, 1, 1us}});
+                                {LinkStep::sending_ends, 1, 1us}});
 }
 
 TEST_CASE("link state: of two last bytes on a long wire the older arrives first, and the younger can be dropped") {
@@ -261,7 +259,7 @@ TEST_CASE("link state: no packet follows a lost packet") {
 
 TEST_CASE("link state: a program writes the next byte when its register is free, and reads each byte itself") {
     LinkState state;
-    state.directions[0].sender_is = state.directions[0].receiver_is = LinkState::User::program;
+    state.users[0] = {LinkState::User::program, LinkState::User::program};
     begin_part(state, 0, 2, Receiver::waits);
     CHECK(state.runs_before(0, usual) == 0ns);
     take_next(state), take_next(state); // the byte begins and is noticed
@@ -276,21 +274,22 @@ TEST_CASE("link state: a program writes the next byte when its register is free,
     CHECK(state.directions[0].phase == Phase::idle);
 }
 
-TEST_CASE("link state: a step after the end of virtual time is recorded") {
-    auto lasts_too_long = [](Time before_the_end, int steps) {
+TEST_CASE("link state: the first step that would come after the end of virtual time is too late") {
+    auto steps_in_time = [](Time before_the_end) {
         LinkState state;
         state.packets.now = never - before_the_end;
         begin_part(state, 0, 2, Receiver::waits);
-        for (int i = 0; i < steps; ++i)
+        int steps = 0;
+        for (; state.next().at < too_late; ++steps)
             take_next(state);
-        return state.lasts_too_long;
+        CHECK(state.next().at == (steps < 6 ? too_late : never));
+        return steps;
     };
-    CHECK(lasts_too_long(299ns, 1)); // the byte's acknowledge
-    CHECK(!lasts_too_long(301ns, 1));
-    CHECK(lasts_too_long(639ns, 2)); // the next byte
-    CHECK(!lasts_too_long(641ns, 2));
-    CHECK(lasts_too_long(1229ns, 3)); // that byte's arrival
-    CHECK(!lasts_too_long(1231ns, 3));
+    int steps = 0;
+    for (Time step : {300ns, 640ns, 940ns, 1080ns, 1230ns}) { // the steps after the first, as above
+        CHECK(steps_in_time(step - 1ns) == ++steps);
+        CHECK(steps_in_time(step + 1ns) == steps + 1);
+    }
 }
 
 TEST_CASE("link packets: the number of bytes that have begun is known at every moment of a run") {
@@ -361,7 +360,6 @@ TEST_CASE("link packets: two busy directions that begin 100 ns apart repeat afte
     CHECK(packets.now == last);
     CHECK(packets.streams[0].bytes_left == 41);
     CHECK(packets.streams[0].last_start == 29 * 1780ns);
-    CHECK(packets.streams[0].start_before == 28 * 1780ns + 990ns);
     CHECK(packets.streams[1].bytes_left == 0);
     CHECK(packets.free_at == std::array<Time, 2>{29 * 1780ns + 650ns, last + 550ns});
     CHECK(period.until == last);
@@ -421,6 +419,25 @@ void check_same(const LinkPackets& one, const LinkPackets& other) {
 }
 
 } // namespace
+
+// At a distance of 250 ns, the acknowledge of direction 1 waits for the first byte of direction 0. Before the second
+// byte, the next packet of direction 1 is again 250 ns away, but it is a byte.
+TEST_CASE(
+    "link packets: packets repeat only if the same kinds of packets follow, at every distance of the directions") {
+    for (std::size_t first : {0u, 1u})
+        for (bool acknowledge : {false, true})
+            for (Time distance{}; distance <= 1300ns; distance += 5ns) {
+                CAPTURE(first);
+                CAPTURE(acknowledge);
+                CAPTURE(distance.count());
+                LinkPackets start;
+                start.streams[first] = {.bytes_left = 30, .due = 0ns};
+                start.streams[1 - first] = {.bytes_left = 40, .acknowledge = acknowledge, .due = distance};
+                LinkPackets found = start;
+                LinkPeriod().find(found, usual, {});
+                check_same(found, run_each(start, usual, {}));
+            }
+}
 
 TEST_CASE("link packets: skipped periods have the effect of single packets, from any initial state") {
     int simple = 0;

@@ -84,10 +84,10 @@ void check_that_they_have_everything(Tally& tally, std::uint64_t machines) {
 TEST_CASE("random machines have the same log, to the picosecond, with the closed form and with every byte") {
     // These are the fingerprints of the logs of each hundred machines. A change that alters one must explain why.
     constexpr std::array<std::string_view, 20> fingerprints{
-        "ed6191c60fbbaffa", "832d23d43d03ff11", "60552bf693d994e3", "67c77b1e54180c3f", "fd816ce136f70da0",
-        "8c6c4400d5e80612", "e6ee69470ad42205", "7ecf4c6ba6f9cfb2", "57158845b9d601ad", "728759a917c19ee3",
-        "0068f2318c0ba3fc", "1508651a40d69607", "3990d23ce76f865f", "af8991fe550d7a41", "dfb9d7fc4d306d6d",
-        "ec419e37e24929d1", "fe05180d61c3fc86", "020f8cd3c26631db", "0cf3e59af5041578", "8dc3b0f9097a6c8a"};
+        "1c871d41e8881059", "bd593de27bf02ce5", "391e4850e6efcfe0", "365199e1ea37a87e", "d08375f7b96ffb60",
+        "d39e96dae3360b69", "e6ee69470ad42205", "eb2ab3b01ae9508b", "cdfd003bd1468c4c", "3e2718cbc8711101",
+        "3b5692108c69d013", "33dcbd9aea0a45b4", "0db987a776ad243d", "dfdc8f6412647b47", "d7ce18a1447026f9",
+        "b15a8a7fe97641b4", "6d896890ba7673af", "126730121cd75189", "0cf3e59af5041578", "8dc3b0f9097a6c8a"};
     constexpr std::size_t hundreds = sanitized ? 1 : fingerprints.size();
     Tally tally;
     if (!all_seeds())
@@ -112,26 +112,26 @@ TEST_CASE("a hundred thousand random machines have the same log with the closed 
           doctest::skip()) {
     // These are the fingerprints of the logs of each thousand machines.
     constexpr std::array<std::string_view, 100> fingerprints{
-        "8f9024c448682551", "0a3598e8a763eeb9", "73ee11e2837ec86e", "bde6f06d81ddb840", "28193fd6d18896d2",
-        "ea691fe65ad28598", "09bc021fb9fb0b19", "92daf183b71d606b", "6c2ca0b3c12c01b1", "6896e5f47085a9a1",
-        "22dc240e45120240", "c813e0ee7703eb51", "7b1d65d35492aad9", "5ae766cf8675680f", "f6b5e9317c0e101b",
-        "26890520b464161b", "7521ae903f98ddad", "ecdfffe9eb43c3d8", "55fdcbcdc2ef4562", "ad25f6269233c1e6",
-        "851aaaf3c3593cae", "a80a90f4ffc74c9f", "21cc24fdb3d6f7d8", "afb72a7e928c237c", "c595b38614d0d821",
-        "0ec3dc074b8f1fc5", "1316f2bfd92aeab8", "b3f94f03f274f7d3", "244d5c5c9b178b9a", "6323460a39b1c216",
-        "eed8964934d5728c", "09a32eefaafbce1f", "c62e88ec09b2897b", "71da9d0b263eac31", "64be65ea64fb7e20",
-        "941011a0842a9712", "487125f9f7052269", "4c1003360feaccad", "41aa262f7a1dfbcd", "ae2a0091163b69bc",
-        "b35921c44dfd06e5", "b857684d263915ec", "35cd200069658f8b", "3c8ab4d65ddc9142", "b39bfbb028967f90",
-        "a8c90b4a4d412b74", "44ce796b97faa14a", "3fcdf1d6dba4abf0", "3ca1ced1b67ae9a0", "3c1d9c27e2a06ba9",
-        "2c1b3b650469ffb6", "e41e6db9110ec9dc", "f6ff22d438090e94", "a054dfca3cdc9ce1", "d3d36f8c327956b9",
-        "e81e79da9c5fd40b", "f95a3430dd53b29a", "92334290dcf11340", "0ec9c47ca8eec1ce", "bb50210305b63f49",
-        "624ab5df690b64de", "be99ba3a40321665", "54cacd6356b279af", "db8f1e5e17692862", "40b410c93b7d24bf",
-        "159453b1bd948a0a", "012e78beb218334d", "6d702f7ff6d9231a", "58a9b22bab1601b7", "8c3d807e117182f4",
-        "8a108141d518cbd8", "b57ea65f7ff59bc5", "d89c694c4a6d223d", "72da44adf6b96a89", "45f30a84d880b788",
-        "5313a52a0da4004c", "88be8d42dc7ca77b", "8c90aaf5f030402c", "82679dd45ece5ed8", "c9bc6ca8483be52e",
-        "683003399fe5b772", "5a34edb13075aae1", "a10a7bf7d2a3f993", "0fe191315d35db59", "ed600fc32d80df34",
-        "01229db0af6baf7c", "b4191321a93412f8", "3d2182bac11e4ea1", "6dfcdeaef7549e57", "ee771f8b301ce721",
-        "ed22949fae249d38", "94cc016b696c316e", "e13e3c6d927b0ac7", "443fddb1767d6a29", "e129deae8aaa8c8b",
-        "df2ea21651d647ad", "7fe9693c680b33fa", "5580745c853bcb6d", "a19375367ca09193", "db0f976ea3c383bd"};
+        "9c5788ef7ee0cf64", "b400035bf710d5df", "64d109da8c72fa38", "69723f21085b320c", "147800997c305e24",
+        "bf329f2bbfdaaba0", "cdfdf650e02f6b45", "b1e936b18eb685e0", "fc0616b0a47ac39f", "04d92837e0fe7233",
+        "8875380166c34ae7", "c49a1cd7d4ac0d61", "4011e28f41174c78", "897a9c65a938e8ca", "d2349f6bed3a2969",
+        "6bd6c70ad4602db8", "39704ea800d3d23e", "a1f88b5c29544a24", "c0a2d3bdbef9168d", "e88883c4505ef289",
+        "5d0a9c096088d505", "ab5cfba089f51179", "539cb5d4c62298b3", "98d0c0f0c8776710", "1e17574b58088361",
+        "ba07f1c797aa36b6", "0c02e284ae7bf351", "049c0ed768106003", "461f30d61d4277a5", "9cf8bf95d839aea7",
+        "a52a6aa52769451f", "474005ce14842d73", "783a38658c8fe975", "742a3aa9630e6304", "a74fcf4c919defc5",
+        "e8961f4c820c20fe", "6304e94640641dbe", "a3e1d800ebd10792", "50910dfd4b0cadb1", "52473d184c5e2d69",
+        "45891d28c4c0e557", "787a902dee51d518", "fc286f36dd5c9d6c", "c5b5d89968731c0e", "1056de3cfbe77a8b",
+        "7502f0b8b26dc319", "88e5215ed261c3d6", "0a688192df61ba0d", "c466f6ffde55407a", "f7ae7e4446637280",
+        "e5ede2bcb86d5fcb", "f6cabe9de9a3ceb0", "1f35eb01389dcca7", "6af94be464f9c52e", "f27fa6f63b2696fe",
+        "12b5ad0fe6169bf1", "c2e9efbb070065d0", "beb813e8311ee49b", "2a71313e50e8e7dc", "f48a50afecfcd90d",
+        "d38ef1f453dd782e", "2fdd03605d310be9", "677291b8847eb3de", "a99a0ddb9e20bea2", "8a478d77b07b6716",
+        "bc945574818a5291", "2a98ec82ebaebc0b", "8d1ffdc822ba44c9", "1a959ff2ca9b0c78", "49b13c448e4f4632",
+        "6d5fba8feddfb3da", "d8a0b8bf05c7b93b", "6d27be6fa6cdef68", "4a60cd9cfd5c173b", "db408f6104ea9c87",
+        "9eaf6d0ef7d5f2a0", "4d9821fa333025c9", "b93757b78be72f36", "ee25e008e9d07e78", "d6886c7c8a32c249",
+        "86c8f75afecbf07f", "09accf7c5b1e92d0", "9e48992c18acbc19", "65ed4a6ab585082c", "abda8435bc6aabd6",
+        "1c5e4ff8cac2e705", "498b5c059f855521", "d086c5cc4b6f1bff", "db5e3949796716e1", "6e74231f63a6fad8",
+        "e5a2b343f4505338", "295e1e0cc500d427", "0b545d778f2f04a6", "cf3636e5dbdfb43e", "905a8fe97994e8af",
+        "1a534655697dd6a1", "22a2c89f675e7c0b", "49926323daf7ba58", "84fabac4eaba5a57", "67ce303037a06cef"};
     Tally tally;
     if (!all_seeds())
         return void(compare_random_machines(seeds(1), tally));

@@ -25,19 +25,12 @@ TEST_CASE("the lag that finds the true compliance is the machine's own lag") {
     CHECK(lag_that_finds(found, data) == doctest::Approx(data.boom.spool_lag_per_s).epsilon(1e-3));
 }
 
-TEST_CASE("the lag and the offset that find a compliance do find it") {
+TEST_CASE("the lag that finds a compliance does find it") {
     BoomData data = measure({BoomPlant::simple}, 1);
     CHECK(found_while_rising(data, {AreasFrom::servo, lag_that_finds(0.011, data), 0}) == test::nearly(0.011, 0.001));
-    double low = offset_that_finds(0.005, data);
-    CHECK(low < 0);
-    // The sensor reads too low by this much.
-    for (double& spool_in : data.record.of(Link::boom, Sensor::spool))
-        spool_in += low;
-    CHECK(found_while_rising(data, model_of(data, AreasFrom::spool)) == test::nearly(0.005, 0.001));
 }
 
 TEST_CASE("a compliance that no lag finds is refused") {
     BoomData data = measure({BoomPlant::simple}, 1);
     CHECK_THROWS_AS(lag_that_finds(0.09, data), UserError);
-    CHECK_THROWS_AS(offset_that_finds(0.02, data), UserError);
 }

@@ -58,3 +58,26 @@ TEST_CASE("a search of the plant is reproducible, and with good settings it conv
     CHECK(first.followed());
     CHECK(first.converged_at < 100);
 }
+
+TEST_CASE("the don't-care bits change the fitness as the problem itself computes it") {
+    const std::vector<double> found = fitness_by_low_bits(0, 4);
+    const SearchProblem& problem = plant_search_problem();
+    std::vector<Sample> window = plant_record({}, RandomStream(4, "plant"));
+    window.resize(30);
+    auto fitness = [&](std::size_t number) {
+        Genome string(37); // d = 1, and alpha .75, beta .375, gamma -.25, delta -.25, b0 1, plus the number's digits
+        std::size_t first = 2;
+        for (std::uint64_t code : {112u, 88u, 48u, 48u, 64u}) {
+            string.set_field(first, 7, code + number % 8);
+            number /= 8;
+            first += 7;
+        }
+        double sum = 0;
+        for (const Sample& sample : window)
+            sum += 10 - problem.error(string, sample) * problem.error(string, sample);
+        return sum;
+    };
+    REQUIRE(found.size() == 32768);
+    for (std::size_t i = 0; i < found.size(); i += 97)
+        CHECK(found[i] == doctest::Approx(fitness(i)));
+}

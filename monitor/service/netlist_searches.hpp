@@ -1,0 +1,62 @@
+#pragma once
+
+#include "identification/compliance_search.hpp"
+#include "monitor/protocol/answers.hpp"
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/thread_pool.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace placedpar::monitor {
+
+/// Records the movements of all machines. A thread of its own searches each movement that has ended.
+class NetlistSearches {
+public:
+    /// Searches all samples, which are `period_s` apart. Throws std::exception, which says why there is no answer.
+    using Search = std::function<identification::AnswerInTime(identification::ComplianceSearch, double period_s)>;
+
+    static constexpr std::size_t most_waiting = 16; ///< further movements are skipped; ours
+
+    /// `tell` receives each answer. REQUIRES: the thread of `io` calls all functions.
+    NetlistSearches(Search search, std::size_t bits, boost::asio::io_context& io,
+                    std::function<void(const NetlistAnswer&)> tell)
+        : search_(std::move(search)), bits_(bits), io_(io), tell_(std::move(tell)) {}
+
+    /// Must be called after each message that the diagnosis has accepted.
+    void follow(const identification::Diagnosis& diagnosis);
+    void forget(const std::string& machine) { machines_.erase(machine); }
+    /// Returns the newest answers about the sets of the machine.
+    std::vector<NetlistAnswer> answers(const std::string& machine) const;
+
+private:
+    /// The movements of a set of links.
+    struct Recording {
+        hydraulics::Circuit circuit;
+        std::vector<hydraulics::CircuitSample> samples; ///< of the movement, and up to a second before it
+        bool moves = false;
+        std::optional<NetlistAnswer> answer = {};
+    };
+    using Recordings = std::map<hydraulics::LinkSet, std::shared_ptr<Recording>>;
+
+    static void record(const identification::Diagnosis& diagnosis, hydraulics::LinkSet set, Recording& recording);
+    void search(const identification::Diagnosis& diagnosis, hydraulics::LinkSet set,
+                const std::shared_ptr<Recording>& recording);
+
+    Search search_;
+    std::size_t bits_;
+    boost::asio::io_context& io_;
+    std::function<void(const NetlistAnswer&)> tell_;
+    std::map<std::string, Recordings> machines_;
+    std::size_t waiting_ = 0;
+    boost::asio::thread_pool thread_{1}; ///< its destructor waits for the search under way
+};
+
+} // namespace placedpar::monitor
