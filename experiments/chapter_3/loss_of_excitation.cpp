@@ -85,9 +85,9 @@ Comparison low_noise_comparison(const TwoLinkMotion& motion, const Seeds& shown)
     return comparison;
 }
 
-/// Returns the generation in which a search loses the answer: both compliances were right within `percent`, and from
-/// this generation one of the two is wrong for `lost_for` samples in a row. Returns the generation after the last if
-/// the search keeps the answer; nullopt if both compliances are never right.
+/// Returns the generation in which a search loses the answer. Before it, both compliances were right within `percent`;
+/// from it on, one of the two is wrong for `lost_for` samples in a row. Returns the generation after the last if the
+/// search keeps the answer; nullopt if both compliances are never right.
 std::optional<double> lost_from(const SearchRun& run, double percent) {
     std::size_t off = 0;
     bool found = false;

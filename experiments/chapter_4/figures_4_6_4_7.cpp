@@ -24,9 +24,9 @@ constexpr std::array speedup_processors{2, 3, 4, 6, 8, 12, 16, 20, 24, 28};
 /// The factor by which computing takes longer, so that communication is negligible.
 constexpr int speedup_work_alone = 1000;
 
-/// Returns the master's share of the evaluations relative to a slave's share, such that evaluating and breeding take
-/// the master as long as evaluating takes a slave. Let s be a slave's share of t_p (equation 4.5) and m the master's
-/// share. With n slaves, n s + m = 1 and s = m + 1 / alpha give m / s = (alpha - n) / (alpha + 1).
+/// Returns m / s, where s is a slave's share of t_p (equation 4.5) and m the master's share, if all need the same time.
+/// The master breeds as well, so s = m + 1 / alpha. With n slaves, n s + m = 1. It follows that m / s = (alpha - n) /
+/// (alpha + 1).
 double balanced_share(int alpha, int slaves) { return std::max(0.0, 1.0 * (alpha - slaves) / (alpha + 1)); }
 
 constexpr std::size_t whole_evaluations = 30 * 10; ///< for a population of 30 and a window of 10

@@ -234,8 +234,8 @@ std::string draw_figure_6_1() {
                            {{VertexLook::parent, "maximum among its neighbours"}});
 }
 
-/// Draws the fitness of an impulse at 1011 over x. Also draws, over the bits of difference from the best string, this
-/// fitness and the share of right bits, which rises towards the best string.
+/// Draws the fitness of an impulse at 1011 over x. A second panel has the number of bits that differ from the best
+/// string as its axis. It shows the fitness, and the share of right bits, which rises towards the best string.
 Plot plot_figure_6_5() {
     auto fitness = [](std::uint32_t x) { return x == 0b1011 ? 1. : 0.; };
     Series impulse = curve({.name = "impulse at 1011"}, 15, [&](int x) {

@@ -21,8 +21,8 @@ struct StudyFigure {
     std::string unit;
 };
 
-/// Returns all figures of a run: "time" in ms, the numbers of "processors" and "links" used, the measurements of the
-/// processes such as "master[0].T_exe", and the load of each processor, "t[0][1].busy", in percent.
+/// Returns all figures of a run: "time" in ms, and the numbers of "processors" and "links" used. Also the measurements
+/// of processes, such as "master[0].T_exe", and the load of each processor in percent, such as "t[0][1].busy".
 using StudyFigures = std::map<std::string, StudyFigure>;
 StudyFigures figures_of(const RunReport&, const Network&);
 

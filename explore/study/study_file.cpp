@@ -331,8 +331,8 @@ private:
         return text == "nan" ? StudyExpression("") : expression(node, text);
     }
 
-    /// Reads a tolerance: "3 %" is a share of the known figure; ".05" or ".01 * known" is in the figure's unit; nan
-    /// means that the cell is not judged.
+    /// Reads a tolerance: "3 %" is a share of the known figure; ".05" or ".01 * known" is in the figure's unit. With
+    /// nan, the cell is not judged.
     StudyTolerance tolerance(const toml::node& node, std::string text) {
         const bool in_percent = text.ends_with('%');
         if (in_percent)
@@ -408,7 +408,7 @@ private:
         study_.relative_to = settings(node);
     }
 
-    /// Reads settings with one value each, as axes are read.
+    /// Reads settings as axes, each of which must have a single value.
     Overrides settings(const toml::node& node) {
         std::vector<StudyAxis> axes;
         read_axes(node, "", axes);

@@ -25,7 +25,7 @@ struct BoomData {
 };
 
 /// A step of the boom to 4 deg/s. The constants of the machine come from `excavator.csv`, except for the values set
-/// here. A spool offset does not change the motion: the controller uses A.1, which has the same error as the readings,
+/// here. A spool offset does not change the motion. The controller uses A.1, which has the same error as the readings,
 /// so the voltage still moves the spool to the right place.
 struct BoomMotion {
     BoomPlant plant = BoomPlant::simple;

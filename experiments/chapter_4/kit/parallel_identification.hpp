@@ -14,8 +14,8 @@ struct ParallelExperiment {
     hydraulics::AreasFrom from;
 };
 
-/// Identifies the boom of chapter 3's records by the parallel algorithm on the sixteen transputers of Figure E.2, and
-/// by the traditional algorithm on one transputer, with every seed of the replay. Judges the thesis's "the parameter
+/// Identifies the boom from chapter 3's records with every seed of the replay: by the parallel algorithm on the sixteen
+/// transputers of Figure E.2, and by the traditional algorithm on one transputer. Judges the thesis's "the parameter
 /// convergence rate and the estimated C_BOi from PGA are almost identical to that from traditional GA" (4.3).
 Replay replay_parallel_identification(const ReplayContext& context, const ParallelExperiment& experiment);
 
@@ -33,10 +33,11 @@ struct BothFound {
     std::vector<FoundInRecord> traditional, parallel;
 };
 
-/// Returns three mean differences over the records, parallel less traditional, each with its 95 % interval. The share
-/// of records within 10 % of the true compliance may be 5 percentage points less; the compliance may differ by 2 % of
-/// the true value; the compliance may take 5 generations (one sample) more until it stays within 10 %. A bound is
-/// missed if the whole interval is beyond it. REQUIRES: both algorithms have the same number of results, at least two.
+/// Returns three mean differences over the records, parallel less traditional, each with its 95 % interval. The
+/// differences and their bounds are: the percentage of records within 10 % of the true compliance, at most 5 points
+/// less; the compliance, at most 2 % of the true value less or more; the generations until the compliance stays within
+/// 10 %, at most 5 (one sample) more. A bound is missed if the whole interval is beyond it. REQUIRES: both algorithms
+/// have the same number of results, at least two.
 std::vector<Cell> cells_of_difference(const BothFound& found, const std::string& column);
 
 } // namespace placedpar

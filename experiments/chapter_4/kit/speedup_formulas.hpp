@@ -3,7 +3,7 @@
 namespace placedpar {
 
 // These are speedups of chapter 4 and appendix C of the thesis. `alpha` is t_p / t_s (4.5; in 4.7 also for a local
-// population). The thesis defines n as the number of slaves, but it computes with the number of processors, including
+// population). The thesis defines n as the number of slaves. But it computes with the number of processors, including
 // the master: equation E.2 gives 12 with n = 4.
 
 /// The times of a generation in any unit: computing on one processor, and communication between several processors.

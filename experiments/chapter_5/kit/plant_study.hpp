@@ -88,8 +88,8 @@ PlantIslands distributed_pga(std::string schedule, double noise);
 /// Returns the configuration with y-hat simulated inside the window, for which five generations a sample and B = 100
 /// are best.
 PlantIslands simulated_in_window(PlantIslands islands);
-/// Return a search with 100 individuals and a window of 30 samples (experiment #5), and a search that costs as much as
-/// the distributed islands, with a window of 20 samples.
+/// Return a search with 100 individuals and a window of 30 samples (experiment #5), and a search with a window of 20
+/// samples that costs as much as the distributed islands.
 PlantIslands single_ga(double noise);
 PlantIslands equal_cost_ga(double noise);
 

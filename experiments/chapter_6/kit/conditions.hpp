@@ -36,8 +36,8 @@ Tally tally_search(const ReplayContext&, const std::string& name, const PlantSea
 /// convergence, each with its 95 % interval. A share with an expected value is judged by share_tolerance(): four
 /// standard deviations of the difference of two samples.
 void add_tally(Comparison&, const Tally&, const Expected& = {});
-/// Adds a row with two 95 % intervals, in percentage points: by how much the share of converged runs, and the share of
-/// runs that followed the pole, exceed those of the control.
+/// Adds a row with two 95 % intervals, in percentage points: the gain over the control in the share of converged runs,
+/// and in the share of runs that followed the pole.
 void add_gain(Comparison&, const Tally& control, const Tally&);
 
 } // namespace placedpar

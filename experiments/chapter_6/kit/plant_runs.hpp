@@ -21,8 +21,9 @@ std::vector<std::size_t> plant_field_bits();
 /// parameters. With `bits` = 7 the reading is the whole string.
 Recoding plant_reading(std::size_t bits, Coding coding = Coding::natural);
 
-/// Returns the settings that all searches of this chapter share with chapter 5: a window of 30 samples, B = 10 per
-/// sample, stochastic universal sampling, one elite individual, crossover probability .8, mutation probability .01.
+/// Returns the settings that all searches of this chapter share with chapter 5: a window of 30 samples, B = 10 for a
+/// sample, stochastic universal sampling, and one elite individual. The probabilities are .8 for crossover and .01 for
+/// mutation.
 SearchSettings plant_settings(std::size_t population);
 
 /// How well a search followed the dominant pole while a1 changed (Table 5.4), without noise.
