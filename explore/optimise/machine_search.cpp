@@ -34,7 +34,7 @@ SearchSettings settings_of(const StudySearch& wanted, std::size_t bits) {
     settings.reproduction = UniversalReproduction{};
     settings.crossover = UniformCrossover{};
     settings.crossover_probability = 0.9;
-    settings.mutation_probability = 1 / static_cast<double>(bits); // on average, one bit of each offspring
+    settings.mutation_probability = 1 / static_cast<double>(bits); // mutates one bit of each offspring on average
     return settings;
 }
 

@@ -14,8 +14,8 @@
 
 namespace placedpar {
 
-/// The number of movements of a sound machine, and the number of movements of a faulty machine. Alarms of a sound
-/// machine are false. The fault must be found within the second number.
+/// A sound machine makes `sound_movements`; any alarm in them is false. A faulty machine makes `faulty_movements`, in
+/// which the fault must be found.
 inline constexpr std::size_t sound_movements = 20, faulty_movements = 8;
 
 /// A fault of a machine, and the alarm that it should raise.
