@@ -27,7 +27,7 @@ inline constexpr std::size_t most_faults_shown = 20;
 /// A function that receives a file's warnings as text in whole lines.
 using WarningSink = std::function<void(const std::string&)>;
 
-/// Reads a netlist with this program's kinds and the problems given. Throws RefusedInput.
+/// Reads a netlist with all kinds that this program knows. Throws RefusedInput.
 Network load_network(const std::filesystem::path&, const Overrides&, const ProblemRegistry&, const WarningSink&,
                      const ReadOptions& = {});
 /// Completes a parsed netlist with the kinds of a catalogue. Throws RefusedInput.

@@ -26,7 +26,6 @@ private:
     std::atomic<Simulation*> simulation_{nullptr}; ///< the simulation that is running, or null
 };
 
-/// The settings of a run.
 struct RunSettings {
     std::uint64_t seed = 1;
     Time until = Time::max();                  ///< latest end of the run
@@ -40,13 +39,13 @@ struct RunSettings {
 
 /// Runs the network. Throws what the processes throw.
 RunReport run_netlist(const Network&, const ProblemRegistry&, const RunSettings&);
-/// Runs the network with the kinds of a catalogue. These kinds already have their observer, so the settings' observer
+/// Runs the network with the kinds of a catalogue. The kinds already have an observer, so the observer in the settings
 /// is ignored.
 RunReport run_netlist(const Network&, const Catalogue&, const RunSettings&);
-/// Repeats a recorded run without simulating the machine, which is several times faster. Returns nothing if the
-/// processes communicate otherwise than in the record, or if the run cannot be repeated. If the run is interrupted, the
-/// report contains only this ending. REQUIRES: the record was made of this network, which is determinate; the settings
-/// have no trace, shuffle or record.
+/// Repeats a recorded run with another seed, without simulating the machine; this is several times faster. Returns
+/// nothing if a process behaves differently with this seed, or if the run would not complete. If the run is
+/// interrupted, the report says only that. REQUIRES: the record is of this network; the network is determinate; the
+/// settings have no trace, shuffle or record.
 std::optional<RunReport> repeat_netlist(const Network&, const Catalogue&, const RecordedRun&, const RunSettings&);
 
 } // namespace placedpar

@@ -10,9 +10,9 @@
 
 namespace placedpar {
 
-/// Returns the search problems that this program knows, with their records. The noise in the records depends on the
-/// seed. A record is simulated when a process first reads it. `around` may wrap each family that a program built on
-/// PlacedPar adds.
+/// Returns the search problems that this program knows, with their records of simulated measurements. The noise in the
+/// records depends on the seed. A record is simulated when a process first reads it. `around` is applied to each family
+/// that add_own_problems() has added.
 ProblemRegistry known_problems(std::uint64_t seed,
                                const std::function<ProblemFamily(const ProblemFamily&)>& around = std::identity{});
 

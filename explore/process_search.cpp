@@ -99,7 +99,8 @@ bool is_val(const std::string& name, const Network& network) {
     return set != nullptr && set->elements.empty();
 }
 
-/// Returns the names of the processes that search. Throws UserError if no process searches, or if one of a pair does.
+/// Returns the names of the processes that search. Throws UserError if no process searches, or if a searching process
+/// is one of a pair.
 std::vector<std::string> searching_processes(const Network& network, const NetlistAsked& netlist) {
     std::vector<std::string> names;
     for (const ProcessInstance& process : network.processes) {
@@ -117,7 +118,7 @@ std::vector<std::string> searching_processes(const Network& network, const Netli
     return names;
 }
 
-/// Reads the netlist with these settings as the defaults of its searches.
+/// Reads the netlist with these settings as the defaults of the searching processes.
 ReadResult read_with(const Settings& settings, const ParsedNetlist& parsed, const Overrides& overrides,
                      const ProblemRegistry& problems) {
     ReadResult read = parsed.read(kinds_with(settings, problems), overrides);
@@ -153,7 +154,7 @@ Network load_with(Settings settings, const NetlistAsked& netlist, const ProblemR
     return std::move(*read.network);
 }
 
-/// Returns the samples to be searched. Throws if they are not consecutive.
+/// Returns the samples to be searched. Throws UserError if the samples are not consecutive.
 std::vector<Sample> searched_samples(const ComplianceSearch& prepared) {
     std::vector<Sample> record;
     for (const hydraulics::CircuitSample& sample : prepared.samples) {

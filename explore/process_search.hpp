@@ -26,25 +26,25 @@ struct NetlistAsked {
 
 /// The first search of identify(), ready to run as the processes of a netlist.
 struct ProcessSearch {
-    ProblemRegistry problems; ///< "boom" and "boom-by-voltage" are the problem of the record
+    ProblemRegistry problems; ///< "boom" and "boom-by-voltage", both the problem of the measured record
     Network network;
     std::vector<std::string> searches; ///< the processes that search, at least one
-    std::size_t population = 0;        ///< individuals of all searches together
+    std::size_t population = 0;        ///< number of individuals of all searches together
     std::size_t first = 0;             ///< samples before the first generation
     std::size_t trials = 0;            ///< generations after each further sample
     Coding coding = Coding::natural;
 
-    /// Returns an observer that keeps the answers of the searches.
+    /// Returns an observer that keeps each search's best individual of every generation.
     SearchAnswers answers() const;
 };
 
-/// Passes the settings of the identification to the netlist: to parameters that its processes leave to their defaults,
-/// and to vals of the same name (population, elite) unless an override sets them. A single search also gets the random
-/// numbers of identify(). Several searches divide the population as the netlist says, and each search has its own
-/// random numbers. The processes handle neither gaps nor the gate, so they get only the samples before the gate froze
-/// the search for good. Throws UserError if the netlist cannot make the search: no process searches, a searching
-/// process is one of a pair, or the populations do not add up. Also throws UserError if the output is an included file,
-/// the netlist fixes a setting to another value, or the record has a gap.
+/// Reads the netlist with the settings of the identification. A setting replaces the default of the parameter of that
+/// name in every searching process. If the netlist fixes the parameter to another value, the setting replaces the val
+/// of that name (population, elite), unless an override sets this val. A single search also gets the random numbers of
+/// identify(). Several searches divide the population as the netlist says, and each search has its own random numbers.
+/// The processes search the samples of `prepared`. Throws UserError if no process searches, if a search is one of a
+/// coarse-fine pair, or if the populations do not add up. Also throws UserError if the output is an included file, if a
+/// setting cannot replace the netlist's value, or if the record has a gap.
 ProcessSearch search_by_processes(const NetlistAsked& netlist, const identification::ComplianceSearch& prepared,
                                   const identification::IdentificationWay& way, const WarningSink&);
 

@@ -21,7 +21,7 @@ struct SearchAnswer {
 /// Keeps the best individual of every generation of the searches of a run, such as the islands of Figure E.2.
 class SearchAnswers final : public SearchObserver {
 public:
-    /// `searches` names the processes. All of them search this problem in its coding.
+    /// `searches` has the names of the searching processes. REQUIRES: all of them search `problem`.
     SearchAnswers(std::vector<std::string> searches, std::shared_ptr<const SearchProblem> problem);
 
     /// Throws std::invalid_argument for a process that is not in searches().
@@ -31,15 +31,15 @@ public:
 
     const std::vector<std::string>& searches() const { return searches_; }
     const SearchProblem& problem() const { return *problem_; }
-    /// Returns how many generations all searches have completed.
+    /// Returns the number of generations that every search has completed.
     std::size_t generations() const;
 
     // REQUIRES: generation < generations(), counted from 0.
 
     const SearchAnswer& of(std::size_t search, std::size_t generation) const { return answers_[search][generation]; }
-    /// Returns the search with the greatest fitness; the first such search if there are several.
+    /// Returns the index of the search with the greatest fitness; if several have it, the first.
     std::size_t fittest(std::size_t generation) const;
-    /// Returns the difference between the greatest and the least answer of the searches for this parameter.
+    /// Returns the difference between the greatest and the least value that the searches found for this parameter.
     double spread(std::size_t generation, std::size_t parameter) const;
     /// Returns the time at which the last of the searches had completed the generation.
     Time ready(std::size_t generation) const;
@@ -47,7 +47,7 @@ public:
 private:
     std::vector<std::string> searches_;
     std::shared_ptr<const SearchProblem> problem_;
-    std::vector<std::vector<SearchAnswer>> answers_; ///< for each search
+    std::vector<std::vector<SearchAnswer>> answers_; ///< [search][generation]
 };
 
 } // namespace placedpar

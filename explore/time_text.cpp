@@ -29,7 +29,7 @@ struct TimeText {
     int exponent = 0;
 };
 
-/// Splits the text; returns nothing if it does not have that form.
+/// Splits the text; returns nothing if the text is not such a time.
 std::optional<TimeText> split(const std::string& text) {
     static const std::regex form(R"((\d*)(?:\.(\d+))?(?:[eE]([+-]?\d{1,3}))?([a-z]*))");
     std::smatch parts;

@@ -9,9 +9,9 @@ namespace placedpar {
 /// Returns the number of cores of the machine; at least 1.
 std::size_t count_cores();
 
-/// Calls work(0), work(1) and so on, each in its own thread, and returns when all have ended. Until then calls
-/// `meanwhile` at intervals of `often` in the thread of the caller. When all workers have ended, rethrows an exception
-/// of a worker; if several workers threw, the exception of the worker with the lowest number.
+/// Calls work(0), work(1) and so on, each in its own thread, and returns when all have ended. Until then, calls
+/// `meanwhile` at intervals of `often` in the thread of the caller. If workers threw exceptions, then rethrows the
+/// exception of the worker with the lowest number.
 void on_workers(
     std::size_t workers, const std::function<void(std::size_t)>& work, const std::function<void()>& meanwhile = [] {},
     std::chrono::milliseconds often = std::chrono::milliseconds(100));

@@ -10,7 +10,7 @@ namespace placedpar {
 
 namespace {
 
-/// A farm whose tasks are dealt out on demand, with several in progress for each slave.
+/// A farm that deals out tasks on demand. A slave may have several tasks at the same time.
 struct FarmOnDemand {
     const char* name;
     int slaves, links, branches;
@@ -29,7 +29,8 @@ Overrides overrides_of(const FarmOnDemand& farm, int under_way) {
             {"master.rehearsals", "0"}};
 }
 
-/// Adds figures that no measure gives, because the master's processor must be left out.
+/// Adds T_sr, and the mean and the least load of the slaves' processors. A measure of the study would include the
+/// master's processor in the load.
 void add_under_way(Comparison& comparison, const StudyReplay& study, const FarmOnDemand& farm, int under_way) {
     const Overrides set = overrides_of(farm, under_way);
     double least = 100, mean = 0;

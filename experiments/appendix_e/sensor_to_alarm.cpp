@@ -19,13 +19,11 @@ namespace placedpar {
 
 namespace {
 
-/// A way to run the netlist.
 struct AlarmCase {
     const char* name;
     Overrides set;
 };
 
-/// The measures of a run that are shown, in the order of the stages, after whether the alarm was raised.
 struct StageShown {
     const char *process, *measure, *row;
 };
@@ -35,7 +33,8 @@ constexpr std::array stages_shown{StageShown{"host", "from_sensors", "1: bus mas
                                   StageShown{"alarm", "from_host", "4: Sun to the other bus master"},
                                   StageShown{"alarm", "from_sensors", "sensors to alarm, mean of all samples"},
                                   StageShown{"alarm", "longest_from_sensors", "  the longest"}};
-constexpr std::size_t first_stage = 2; // of the figures: raised, and the bus's share, come before
+constexpr std::size_t first_stage = 2; // index of the first stage in the figures of a run, after whether the alarm was
+                                       // raised and the bus's load
 
 Figures run_to_alarm(const AlarmCase& way, const ReplayContext& context, std::uint64_t seed) {
     ReplayContext own = context;

@@ -21,7 +21,7 @@ const ProcessInstance& master_of(const Network& network) {
     throw UserError(fmt::format("{}: expected a process \"master\" of the kind ga.master", network.source_path));
 }
 
-/// States the origin of each constant, with the values of the netlist.
+/// Returns a text with the origin of each constant, and its value in the netlist.
 std::string print_constants(const ReplayContext& context) {
     auto load = [&](const Overrides& overrides) {
         return load_network(context.examples / "thesis/table-e1" / "cluster.cfs", overrides,
@@ -45,7 +45,7 @@ std::string print_constants(const ReplayContext& context) {
         value(at_120, "cycles_per_measurement_word"), at_120.nodes[master_of(at_120).node].integer("channelcall"));
 }
 
-/// A column of Table E.1. A cell that the study's file lacks is refused.
+/// A column of Table E.1. Functions throw UserError if the study's file lacks the cell.
 struct TimingColumn {
     const StudyReplay& study;
     const Comparison& table;
@@ -62,9 +62,11 @@ struct TimingColumn {
     double simulated(const char* row) const { return cell(row).simulated; }
 };
 
-/// Adds what one slave more costs, and what evaluation does not hide of the communication.
+/// Adds the communication time that one slave more costs, and the communication time during which the master does not
+/// evaluate.
 void add_communication(Comparison& comparison, const TimingColumn& slaves, const TimingColumn& fewer) {
-    // T_exe is off T_sr + S_time2 by up to 0.3 ms in the thesis, and each figure is rounded by up to 0.05 ms.
+    // In the thesis, T_exe differs from T_sr + S_time2 by up to 0.3 ms, and each figure has a rounding error of up to
+    // 0.05 ms.
     constexpr double noise_of_thesis_ms = 0.3 + 2 * 0.05;
     Cell more = compared_cell("increase of C_time2 with one more slave", slaves.name, "ms",
                               slaves.known("C_time2") - fewer.known("C_time2"),
@@ -80,8 +82,8 @@ void add_communication(Comparison& comparison, const TimingColumn& slaves, const
                                  rest([&](const char* row) { return slaves.simulated(row); }), 2));
 }
 
-/// Compares what depends on the communication alone. It is 1 to 3 % of the other rows of Table E.1, most of which are
-/// therefore within their tolerances without it.
+/// Compares differences that depend on the communication alone. Communication is 1 to 3 % of the times in Table E.1, so
+/// most of these would be within their tolerances without communication.
 Comparison communication_table(const StudyReplay& study, const Comparison& table_e1) {
     Comparison comparison{.name = "cells that judge the communication", .judged = true};
     const std::array columns{"0 slaves", "1 slave", "2 slaves", "3 slaves"};

@@ -8,8 +8,8 @@ namespace placedpar {
 
 namespace {
 
-/// States how the time of a generation on sixteen transputers is spent, compared with a sixteenth of the traditional
-/// time.
+/// Returns a text with the parts of the time of a generation on sixteen transputers, beside a sixteenth of the times of
+/// the traditional algorithm.
 std::string print_where_it_goes(const StudyReplay& study, const char* individuals) {
     auto figure = [&](const char* clusters, const char* slaves, const char* population, const char* name) {
         return study.measured(

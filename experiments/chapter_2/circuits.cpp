@@ -40,7 +40,6 @@ constexpr const char* flow_head =
     R"(<marker id="flow" viewBox="0 0 8 8" refX="8" refY="4" markerWidth="6" markerHeight="6" orient="auto">)"
     R"(<path d="M0 1 L8 4 L0 7 Z" fill="#3b5b7a"/></marker>)";
 
-/// Returns the names of the links of a group.
 std::string names_of(LinkSet links) {
     std::string names;
     for (Link link : all_links)
@@ -49,8 +48,8 @@ std::string names_of(LinkSet links) {
     return names;
 }
 
-/// Draws one circuit: flow runs from the left to the right, each junction one column before the junction that its
-/// bypass leads to. Where two bypasses meet, the second branch has a row of its own.
+/// Draws one circuit. The flow runs from left to right. Each junction is one column to the left of the junction that
+/// its bypass leads to. If two bypasses lead to one junction, the second branch has its own row.
 class CircuitDrawing {
 public:
     CircuitDrawing(SvgPen& pen, const Circuit& circuit, At corner)
@@ -62,7 +61,7 @@ public:
             draw(j);
     }
 
-    /// Returns the place of a link's junction. REQUIRES: the link is in the circuit.
+    /// Returns the position of a link's junction. REQUIRES: the link is in the circuit.
     At at(Link link) const {
         return at(static_cast<std::size_t>(std::ranges::find(circuit_, link, &Junction::link) - circuit_.begin()));
     }
@@ -72,7 +71,8 @@ public:
 private:
     static std::size_t most(const std::vector<std::size_t>& numbers) { return *std::ranges::max_element(numbers); }
 
-    /// Places a junction a column before the next. The last junction that leads there shares its row.
+    /// Places junction `j` one column to the left of `next`. Of the junctions that lead to `next`, the last shares the
+    /// row of `next`.
     void put_before(std::size_t j, std::size_t next) {
         steps_[j] = steps_[next] + 1;
         bool shares = std::none_of(
@@ -111,7 +111,7 @@ private:
         pen_.text(pump + At{0, 4}, "small", pumps == 1 ? "Q" : fmt::format("{} Q", pumps));
     }
 
-    /// Draws the way of the flow that the cylinder does not take: to the next junction, to the tank, or nowhere.
+    /// Draws the path of the flow that does not enter the cylinder: to the next junction, to the tank, or nowhere.
     void draw_bypass(At from, const Junction& junction, const std::string& name) {
         At straight = from + At{column_width - 4, 0};
         if (junction.through == Through::junction && at(junction.next).y != from.y) {
@@ -140,7 +140,7 @@ private:
     SvgPen& pen_;
     const Circuit& circuit_;
     At corner_;
-    std::vector<std::size_t> steps_; ///< junctions between this and the end
+    std::vector<std::size_t> steps_; ///< distance of each junction from the last junction, in columns
     std::vector<std::size_t> rows_;
 };
 
@@ -175,7 +175,8 @@ std::vector<CaptionedCircuit> circuits_of(Configuration configuration) {
     return circuits;
 }
 
-/// Returns the configurations, such as "b, d", whose circuits have a junction of this link for which `is` is true.
+/// Returns the names of configurations, such as "b, d": those with a circuit in which `is` holds for the junction of
+/// this link.
 template <class Is>
 std::string configurations_with(Link link, Is is) {
     std::string names;
@@ -188,7 +189,8 @@ std::string configurations_with(Link link, Is is) {
     return names;
 }
 
-/// Draws both branches as in configuration a, and by dashes what the other configurations add (Figure 2.10).
+/// Draws both branches as in configuration a. Dashed lines are the connections that other configurations add (Figure
+/// 2.10).
 std::string draw_cross_over() {
     constexpr At first_branch{0, 50};
     SvgPen pen;
@@ -230,7 +232,8 @@ std::vector<NamedDrawing> drawings() {
             {"figure-a-1", draw_circuits("The boom alone", {{"boom", boom_circuit()}})}};
 }
 
-/// What section 3.3 says of a configuration with all links active: the searches, and the links of the greatest one.
+/// What section 3.3 says about a configuration with all links active: the number of searches, and the number of links
+/// in the largest search.
 struct Said {
     Configuration configuration;
     std::optional<double> searches, links;

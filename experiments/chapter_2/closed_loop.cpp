@@ -25,7 +25,8 @@ using namespace identification;
 
 namespace {
 
-/// A fault of the measured machine. All begin when the reference begins to rise.
+/// A fault of the measured machine. A leak begins when the reference begins to rise; an offset or drift of the voltage
+/// begins at time 0.
 struct LoopFault {
     const char* name;
     double leak_in3_per_s_psi, bias_volts, drift_volts_per_s;
@@ -36,7 +37,8 @@ constexpr std::array loop_drifts{LoopFault{"-40 mV", 0, -0.040, 0}, LoopFault{"-
                                  LoopFault{"+20 mV", 0, 0.020, 0}, LoopFault{"+40 mV", 0, 0.040, 0},
                                  LoopFault{"10 mV/s", 0, 0, 0.010}};
 
-constexpr double end_s = 4, judged_for_s = 1; // the position error is that of the last second
+constexpr double end_s = 4, judged_for_s = 1; // length of the motion; the position error is the mean over the last
+                                              // second
 
 struct LoopFigure {
     enum : std::size_t { steady_deg, greatest_deg, by_spool, by_servo, leak_share, count };
@@ -56,13 +58,13 @@ ControlledMotion run_loop(const LoopFault& fault, bool closed, std::uint64_t see
                                [&] { return sensors.uniform(); });
 }
 
-/// Returns the angle that the boom lags behind the reference.
+/// Returns the angle by which the boom lags behind the reference.
 double lag_deg(const MeasuredState& state) {
     const static MeasuredExcavator excavator = measured_excavator();
     return boom_control().desired_deg(state.time_s) - excavator.boom.joint_deg(state.piston_in);
 }
 
-/// Returns the compliance that chapter 3 identifies during the pressure rise; nothing if the record lacks a rise.
+/// Returns the compliance identified during the pressure rise, as in chapter 3.
 double loop_compliance(const Record& record, AreasFrom from, std::uint64_t seed) {
     const Question question{Configuration::a, {Link::boom}, {}, from};
     const ComplianceSearch prepared = prepare(record, Parameters::excavator(), question, rising_way());
@@ -87,7 +89,6 @@ Figures figures_of_loop(const LoopFault& fault, bool closed, std::uint64_t seed)
             loop_compliance(motion.record, AreasFrom::servo, seed), 100 * leak / inlet};
 }
 
-/// The runs of one fault, in both loops.
 struct LoopRuns {
     std::string name;
     std::vector<Figures> closed, open;
@@ -101,7 +102,7 @@ LoopRuns run_both(const ReplayContext& context, const LoopFault& fault) {
     return {fault.name, run(true), run(false)};
 }
 
-/// Returns the change of a figure against the sound machine, seed by seed.
+/// Returns, for each seed, how much greater a figure is than with the sound machine.
 std::vector<double> changes(const std::vector<Figures>& runs, const std::vector<Figures>& sound, std::size_t figure) {
     std::vector<double> all;
     for (std::size_t i = 0; i < runs.size(); ++i)
@@ -135,7 +136,7 @@ std::string loop_column(const LoopRuns& runs, bool closed) {
     return fmt::format("{}, {}", runs.name, closed ? "closed" : "open");
 }
 
-/// Compares the position error and the compliance of a leak with those of the sound machine, seed by seed.
+/// Adds how much the position error and the compliance grow by a leak, as medians over the seeds.
 void add_leak(Comparison& comparison, const LoopRuns& sound, const LoopRuns& leak, bool closed) {
     const std::string name = loop_column(leak, closed);
     const std::vector<Figures>&runs = runs_of(leak, closed), &healthy = runs_of(sound, closed);
@@ -143,12 +144,12 @@ void add_leak(Comparison& comparison, const LoopRuns& sound, const LoopRuns& lea
         plain_cell("leak as a share of the inflow", name, "%", quantile(column(runs, LoopFigure::leak_share), 0.5), 1));
     add_median(comparison, "lag behind the reference grows by", name, "deg",
                changes(runs, healthy, LoopFigure::steady_deg), 3);
-    // 2.8: the compliance grows at least by the flow that leaks over the slope of the pressure.
+    // Section 2.8: the compliance grows at least by the leak's flow divided by the slope of the pressure.
     add_median(comparison, "compliance grows by", name, "%",
                percent_of(changes(runs, healthy, LoopFigure::by_spool), sound_in3_per_psi), 1, 5);
 }
 
-/// Compares how much of the leak the position shows in the open loop and in the closed loop.
+/// Compares how much a leak increases the lag and the compliance, in the open loop and in the closed loop.
 Comparison leak_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& leaks, std::size_t seeds) {
     Comparison comparison{
         .name = fmt::format("a leak: the lag that an operator sees, and the compliance identified; {} seeds", seeds),
@@ -161,7 +162,8 @@ Comparison leak_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& l
     return comparison;
 }
 
-/// Judges the claim that the closed loop masks the leak: the share of the open loop's lag that remains.
+/// Judges the claim that the closed loop masks the leak. The measure is the closed loop's additional lag as a share of
+/// the open loop's additional lag.
 Comparison mask_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& leaks) {
     Comparison comparison{.name = "the closed loop's additional lag as a share of the open loop's",
                           .notes = "judged: a quarter or less (a bound chosen here)\n",

@@ -29,10 +29,10 @@ constexpr ModulusRow known_moduli[]{
     {.air_fraction = .10, .exponent = 1.4, .modulus_kpsi = {5.0, 58.2, 119.1, 175.0}},
 };
 
-/// Absolute pressures, computed likewise, below which the mixture is softer than oil by a given factor.
+/// Absolute pressures below which the mixture is softer than oil by a given factor, also computed independently.
 struct ComplianceRow {
     const char* name;
-    double share; ///< relative to the oil's modulus
+    double share; ///< modulus of the mixture relative to the oil's
     std::array<double, 4> psia;
 };
 
@@ -56,7 +56,7 @@ void add_moduli(Comparison& comparison) {
         }
 }
 
-/// Adds C = V / beta relative to the compliance of the same volume of oil alone.
+/// Adds the compliance of the mixture, C = V / beta, relative to the compliance of the same volume of oil.
 void add_compliances(Comparison& comparison) {
     for (double air : air_fractions)
         for (double psia : pressures_psia)

@@ -33,7 +33,7 @@ Maybe of_pair(const PdLoop& loop, double Oscillation::*figure) {
     return pair ? Maybe((*pair).*figure) : std::nullopt;
 }
 
-/// Returns nullopt if the response does not settle, as at the limit itself.
+/// Returns nullopt if the response does not settle; at the limit of stability it does not.
 Maybe of_step(const PdLoop& loop, double StepFigures::*figure) {
     if (stability_margin(loop) < 1.0001)
         return std::nullopt;
@@ -50,8 +50,8 @@ Maybe pair_real_of(const PdLoop& loop) { return poles(loop)[2].real(); }
 Maybe pair_imaginary_of(const PdLoop& loop) { return poles(loop)[2].imag(); }
 Maybe margin_of(const PdLoop& loop) { return stability_margin(loop); }
 
-/// A figure of the loop, for each multiple of C. The known values were computed independently of this program, to the
-/// digits given.
+/// A figure of the loop, computed for each multiple of C. The known values were computed independently of this program,
+/// to the digits given.
 struct Row {
     const char* name;
     const char* unit = "";

@@ -54,7 +54,8 @@ double more_flow_percent(const SteadyFlowPoint& point, double spool_error_in, co
     return 100 * (flow_in3_per_s(point, spool_error_in, constants) / flow_in3_per_s(point, 0, constants) - 1);
 }
 
-/// Returns the flow by the thesis's own entries for a pressure: a parabola through the three of them.
+/// Returns the flow that the thesis's table gives at a pressure, by a parabola through the three entries of this
+/// pressure.
 double tabled_in3_per_s(double spool_in, double inlet_psi) {
     std::vector<SteadyFlowPoint> column;
     std::ranges::copy_if(table_2_6(), std::back_inserter(column),
@@ -92,7 +93,7 @@ void add_claims(Comparison& comparison, const FlowConstants& constants) {
             return boom_flow_sensitivity(point.spool_in, point.inlet_psi, constants).*of;
         };
     };
-    // The table ends at 60 in^3/s, so most of these flows lie beyond its entries.
+    // The table ends at 60 in^3/s, so most of these flows are beyond the table.
     add_more_flow("more flow for +0.02 in", 0.02, 3);
     add_more_flow("more flow for +0.01 in", 0.01, 1.5);
     add_rows(comparison, {"dQ_i/dx", "in^3/s/in", 0, sensitivity(&FlowSensitivity::to_spool_in3_per_s_in)});
@@ -110,7 +111,7 @@ Comparison half_the_flow(const FlowConstants& constants) {
     return comparison;
 }
 
-/// A figure of a fit and the value that was found independently of this program, to the digits given.
+/// A figure of a fit, and its value computed independently of this program, to the digits given.
 struct FitFigure {
     const char* name;
     const char* unit = "";
@@ -165,7 +166,7 @@ constexpr FitFigure fit_figures[]{
      .tolerance = 0.01},
 };
 
-/// The residuals that were found independently, in 1e-4 in.
+/// Residuals that were computed independently of this program, in 1e-4 in.
 using Residuals = std::array<double, 9>;
 constexpr Residuals known_fitted{-0.61, -0.22, -0.29, 0.65, 1.38, 0.07, -0.47, -0.50, -0.12};
 constexpr Residuals known_rounded{-0.39, -0.24, -0.62, 0.82, 1.29, -0.37, -0.35, -0.66, -0.65};
@@ -247,7 +248,6 @@ Panel error_panel() {
     return panel;
 }
 
-/// Returns the table for one set of constants.
 Comparison with_constants(std::string name, const FlowConstants& constants) {
     Comparison comparison{.name = std::move(name)};
     add_table(comparison, constants);

@@ -26,11 +26,10 @@ namespace {
 // These values are printed in the thesis.
 constexpr double by_spool_in3_per_psi = 0.005, by_voltage_in3_per_psi = 0.0086;
 
-constexpr double stated_offset_in = 0.01; // of the spool, before its calibration
+constexpr double stated_offset_in = 0.01; // offset of the spool, before the calibration
 
 constexpr double shown_s = 1.2; // length of the plots
 
-/// One of the thesis's two experiments.
 struct ThesisExperiment {
     const char* name;
     AreasFrom from;
@@ -40,7 +39,6 @@ constexpr ThesisExperiment thesis_experiments[]{
     {.name = "2: voltage", .from = AreasFrom::servo},
 };
 
-/// A plant and the noise of its sensors.
 struct Source {
     const char* name;
     BoomPlant plant;
@@ -64,7 +62,7 @@ std::vector<double> found_in(const std::vector<BoomData>& motions, const BoomMod
     return found;
 }
 
-/// Returns the least rms error of all codes in each window of the search.
+/// Returns, for each window of the search, the least rms error of all codes.
 std::vector<double> least_errors(const BoomData& data, std::span<const CircuitSample> samples,
                                  const IdentificationWay& way) {
     std::vector<double> errors;
@@ -97,7 +95,7 @@ double within_percent_of(const std::vector<double>& found, double truth, double 
     return percent_within(errors, percent);
 }
 
-/// Adds the course of the error during the search.
+/// Adds the errors in the first and the last generation of the search.
 void add_errors(Comparison& comparison, const ThesisExperiment& way, const BoomData& data, std::uint64_t seed) {
     BoomModel model = model_of(data, way.from);
     auto identified = identify_boom(data, model, rising_way(), seed);
@@ -117,8 +115,8 @@ void add_clean_errors(Comparison& comparison, const ThesisExperiment& way, const
     comparison.add(judged_cell("  how often it rises", way.name, "", 0, static_cast<double>(rises(least)), 0, 0));
 }
 
-/// The largest allowed relative error of an experiment's compliance, for one record and for the median of many. Of
-/// 3,000 records, one in a thousand exceeds the limit for one record.
+/// The largest allowed relative error of an experiment's compliance, for one record and for the median of many. One in
+/// a thousand of 3,000 records exceeded the limit for one record.
 struct Allowed {
     double record, median;
 };
@@ -151,8 +149,8 @@ Comparison simple_comparison(const std::vector<BoomData>& motions, const Seeds& 
     return comparison;
 }
 
-/// Compares both experiments on the measured machine. The model ignores its hoses, stiction and ripple, and its 10 ms
-/// of dead time, which in experiment 2 act like an a_0 that is too high.
+/// Compares both experiments on the measured machine. The model ignores the machine's hoses, stiction, ripple and dead
+/// time of 10 ms. In experiment 2, these omissions act like an a_0 that is too high.
 Comparison measured_comparison(const std::vector<BoomData>& motions, const Seeds& seeds) {
     Comparison comparison{.name = fmt::format("{}: the compliance that each experiment finds", measured.name),
                           .against = "true",
@@ -195,11 +193,12 @@ Comparison lag_comparison(const std::vector<BoomData>& motions, const Seeds& see
     return comparison;
 }
 
-/// Returns, for each record of the measured machine, the compliance by the voltage over that by the spool. As in 3.1.3,
-/// spool and A.1 have an offset, which is calibrated from each record; `left_in` of it stays in the spool's readings.
+/// Returns, for each record of the measured machine, the quotient of the compliances identified from the voltage and
+/// from the spool. As in 3.1.3, the spool and A.1 have an offset, which is calibrated from each record. An offset of
+/// `left_in` stays in the spool's readings.
 std::vector<double> voltage_over_spool(const MeasurementNoise& noise, double left_in, const Seeds& seeds) {
     BoomMotion motion{BoomPlant::measured, noise, stated_offset_in};
-    motion.duration_s = 4; // with a second of steady motion
+    motion.duration_s = 4; // includes a second of steady motion
     std::vector<double> quotients;
     for (std::uint64_t seed : seeds) {
         BoomData data = measure(motion, seed);
@@ -213,8 +212,8 @@ std::vector<double> voltage_over_spool(const MeasurementNoise& noise, double lef
     return quotients;
 }
 
-/// Judges .0086 over .005, 1.56 to 1.91 by the printed digits. The thesis has it from one record for each experiment,
-/// so the range of single records is judged.
+/// Judges the thesis's quotient .0086 / .005, which is 1.56 to 1.91 given the rounding of both values. The thesis has a
+/// single record for each experiment, so the range of the quotients of single records is judged.
 Comparison quotient_comparison(std::uint64_t seed) {
     Comparison comparison{.name =
                               "measured machine, .01 in of offset calibrated, 60 records: C by voltage over C by spool",

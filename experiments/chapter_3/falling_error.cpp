@@ -15,7 +15,7 @@ using namespace identification;
 
 namespace {
 
-/// One of the thesis's two experiments, as in the thesis or with an elite.
+/// One of the thesis's two experiments, without an elite as in the thesis, or with an elite.
 struct FallingSearch {
     const char* name;
     AreasFrom from;
@@ -26,8 +26,8 @@ constexpr FallingSearch falling_searches[]{{"1: spool", AreasFrom::spool, 0},
                                            {"2: voltage", AreasFrom::servo, 0},
                                            {"2: voltage, an elite of one", AreasFrom::servo, 1}};
 
-/// Returns the percentage of the generations in which the best individual's Error is greater than in the one before,
-/// and the Error of the last generation by that of the first.
+/// Returns the percentage of generations in which the best individual's Error is greater than in the generation before.
+/// Also returns the Error of the last generation, divided by the Error of the first generation.
 Figures course_of(const BoomData& data, const FallingSearch& search, std::uint64_t seed) {
     IdentificationWay way = rising_way();
     way.search.elite = search.elite;
@@ -41,8 +41,8 @@ Figures course_of(const BoomData& data, const FallingSearch& search, std::uint64
             generations.back().best_error_in3_per_s / generations.front().best_error_in3_per_s};
 }
 
-/// Tests "the Error was decreasing monotonically", as an Error that rises in at most 1 % of the generations. Only
-/// without noise and with an elite it is expected to hold.
+/// Tests "the Error was decreasing monotonically": the Error rises in at most 1 % of the generations. This is expected
+/// to hold only without noise and with an elite.
 Comparison falling_claims(const ReplayContext& context, const char* name, const BoomMotion& motion) {
     std::vector<Claim> claims, ends;
     const bool clean = motion.noise.pressure_psi == 0;

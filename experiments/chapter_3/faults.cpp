@@ -25,7 +25,7 @@ constexpr double off_by = 0.12;
 const RecordSource simple_plant{"scenario-a", "low", false}, measured_machine{"excavator", "mid", true},
     two_links{"links", "mid", false};
 
-/// A fault and its expected effect on the compliance, as a ratio to the sound machine's.
+/// A fault and the expected compliance, relative to the sound machine's.
 struct Case {
     PlantFault fault;
     double known_ratio, tolerance;
@@ -38,12 +38,12 @@ std::vector<Case> cases() {
         {doubled_compliance(), 2, 0.15, false},
         {leak_of("leak of 5 %", 0.0014), 1.13, 0.05, false},
         {leak_of("leak of 10 %", 0.0028), 1.27, 0.05, false},
-        // 21 mV move the spool by 0.01 in in the working range, which is 20 % of the flow.
+        // In the working range, 21 mV move the spool by 0.01 in, which changes the flow by 20 %.
         {drift_of(0.021), 1, 0.05, true},
     };
 }
 
-/// Returns the compliances of all records, by the spool or by the voltage.
+/// Returns the compliances identified from all records, with areas from the spool or from the voltage.
 std::vector<double> found_in(const PlantFault& fault, const RecordSource& source, AreasFrom from, const Seeds& seeds) {
     std::vector<double> found;
     for (std::uint64_t seed : seeds)
@@ -90,7 +90,8 @@ Comparison fault_comparison(const char* where, const RecordSource& source, const
     return comparison;
 }
 
-/// Compares the effect of a leak on least squares over the rise with the known effect.
+/// Compares with known values how much the compliance grows by a leak. The compliance comes from least squares while
+/// the pressure rises.
 Comparison leak_comparison() {
     Comparison comparison{
         .name = "scenario A without noise: growth of C by least squares while the pressure rises, if the model knows "

@@ -40,9 +40,9 @@ BoomMotion motion_at(double deg_per_s, BoomPlant plant, const MeasurementNoise& 
 
 MeasurementNoise noise_of(BoomPlant plant) { return plant == BoomPlant::simple ? low_noise : mid_noise; }
 
-/// The check of scenario A against figures of an independent prototype.
+/// A compliance, and the figures of scenario A that an independent prototype gives with it.
 struct KnownCheck {
-    double factor; ///< relative to the true compliance
+    double factor; ///< compliance relative to the true compliance
     double rms_psi, tolerance_psi;
     std::optional<double> peak_psi = {};
 };
@@ -72,18 +72,17 @@ Comparison known_comparison() {
     return comparison;
 }
 
-/// The three curves of Figure 3.8.
 struct Curve {
     const char* name;
-    double factor;
+    double factor; ///< compliance relative to the identified compliance
 };
 constexpr std::array<Curve, 3> curves{{{"identified C", 1}, {"half of that C", 0.5}, {"twice that C", 2}}};
 
 // Our value for the thesis's "significant difference".
 constexpr double significant_psi = 80;
 
-/// One of the other motions and the limit for an "excellent" simulation of it. The limit is the mean of 400 records
-/// simulated with the identified compliance, plus four of their standard deviations (docs/reference/hydraulics.md).
+/// Another motion, and the rms difference up to which its simulation counts as "excellent". This limit is the mean over
+/// 400 records simulated with the identified compliance, plus four standard deviations (docs/reference/hydraulics.md).
 struct OtherMotion {
     double deg_per_s, simple_psi, measured_psi;
 
@@ -91,7 +90,7 @@ struct OtherMotion {
 };
 constexpr std::array other_motions{OtherMotion{3, 9, 18}, OtherMotion{5, 13, 25}};
 
-/// Adds one motion, simulated with the compliance identified from another.
+/// Adds one motion, simulated with the compliance identified from another motion.
 void add_motion(Comparison& comparison, double deg_per_s, const BoomData& data, double identified_in3_per_psi,
                 double excellent_psi) {
     auto row = [&](const char* what) { return fmt::format("{} deg/s: {}", deg_per_s, what); };
@@ -107,15 +106,15 @@ void add_motion(Comparison& comparison, double deg_per_s, const BoomData& data, 
     }
 }
 
-/// The other motions, with their own noise.
 struct OtherRecords {
     BoomPlant plant;
-    double identified_in3_per_psi; ///< identified by experiment 2 at 4 deg/s: the median of many records
+    double identified_in3_per_psi; ///< median of the compliances that experiment 2 identifies from many records at 4
+                                   ///< deg/s
     std::vector<BoomData> motions; ///< in the order of other_motions
 };
 
-/// Measures the other motions with the last seeds. The others give the compliance as a median, since a single search
-/// may be off by a tenth.
+/// Measures the other motions with the last seeds. The first seeds give the identified compliance, as a median, since a
+/// single search may be off by a tenth.
 OtherRecords other_records(BoomPlant plant, const Seeds& seeds) {
     const std::span all(seeds);
     const auto searched = all.first(all.size() - other_motions.size()), others = all.last(other_motions.size());
@@ -147,8 +146,8 @@ Comparison other_comparison(const OtherRecords& other) {
     return comparison;
 }
 
-/// Simulates with the voltage from which the compliance was identified, as the thesis does. This cannot reveal an a_0
-/// that is wrong in both.
+/// Simulates with the spool computed from the voltage. As in the thesis, the compliance was identified from the
+/// voltage, too. This cannot reveal a wrong a_0, since identification and simulation use the same a_0.
 Comparison blind_comparison(const Seeds& seeds) {
     BoomData clean = measure(motion_at(4, BoomPlant::simple, no_noise, found_by_spool_in3_per_psi), seeds[0]);
     double lag = lag_that_finds(thesis_in3_per_psi, clean);
@@ -183,7 +182,8 @@ Series measured_series(const PressureCheck& check) {
     return series;
 }
 
-/// Plots the pressures; with `all`, also for half and twice the compliance.
+/// Plots the measured and the simulated pressure; with `all`, also the pressures simulated with half and twice the
+/// compliance.
 Panel pressure_panel(std::string title, const BoomData& data, double identified_in3_per_psi, bool all) {
     Panel panel;
     panel.title = std::move(title);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t samples_in_figure_3_9 = 84; // 20 ms each, from the valves' opening to 2 s
 
-/// Compares the steady state of scenario R2 with an independent prototype's.
+/// Compares the steady state of scenario R2 with that of an independent prototype.
 Comparison steady_comparison(const TwoLinkMotion& motion) {
     const ExcavatorState& end = motion.motion.states.back();
     InternalStates states = true_states(end);
@@ -91,8 +91,8 @@ Comparison noise_comparison(const TwoLinkMotion& motion, const Seeds& seeds) {
 
 using StateErrors = std::array<double, InternalStates::count>;
 
-/// Returns the greatest error of each state in one search, in percent, from the sixth sample on. Before that the search
-/// has not converged: the first answer comes from five generations on five samples.
+/// Returns the greatest error of each state in one search, in percent, from the sixth sample on. Earlier answers have
+/// not converged: the first answer comes from five generations on five samples.
 StateErrors worst_errors(const TwoLinkMotion& motion, const IdentificationWay& way, std::uint64_t seed) {
     ComplianceSearch prepared = measure_two_links(motion, no_noise, way, seed);
     SearchRun run = search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master"));
@@ -128,7 +128,8 @@ Comparison states_comparison(const TwoLinkMotion& motion, std::uint64_t seed) {
     return comparison;
 }
 
-/// Plots one search without noise over the whole of Figure 3.9; once nothing moves, the gate keeps the estimate.
+/// Plots one search without noise over the whole time of Figure 3.9. Once the motion is steady, the gate keeps the
+/// estimate.
 Plot plot_of_found_states(const TwoLinkMotion& motion, std::uint64_t seed) {
     IdentificationWay way = gray_way();
     way.usable.count = samples_in_figure_3_9;

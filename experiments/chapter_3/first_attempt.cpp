@@ -32,7 +32,8 @@ std::vector<BoomData> motions_with(double offset_in, const MeasurementNoise& noi
     return measure(motion, seeds);
 }
 
-/// An offset and the results of an independent prototype with it, for the rising part of scenario A at low noise.
+/// An offset, and the results of an independent prototype with this offset, for the rising part of scenario A at low
+/// noise.
 struct KnownOffset {
     double offset_in;
     std::optional<double> fit_percent, fit_tolerance; ///< without a tolerance only the sign is judged
@@ -43,7 +44,7 @@ constexpr KnownOffset known_offsets[]{
 
 std::string inches(double offset_in) { return offset_in == 0 ? "no offset" : fmt::format("{:+} in", offset_in); }
 
-/// The results of identification from many records with one offset.
+/// The compliances identified from many records with one offset.
 struct Found {
     std::vector<double> searched_in3_per_psi, fit_in3_per_psi;
     double flagged_percent;
@@ -74,8 +75,8 @@ SpoolOffset calibrate(const BoomData& motion, const FlowConstants& flow) {
     return *found;
 }
 
-/// Adds least squares over the rising samples by the spool. In the fast scenario A, an offset of -.01 in does not make
-/// the compliance negative; -.02 in does.
+/// Adds the compliance by least squares from the spool, while the pressure rises. In the fast scenario A, an offset of
+/// -.01 in does not make the compliance negative; -.02 in does.
 void add_fit(Comparison& comparison, const KnownOffset& known, double fit, double truth) {
     std::string column = inches(known.offset_in);
     comparison.add(plain_cell("C by least squares", column, "in^3/psi", fit, 5));
@@ -120,7 +121,7 @@ Comparison attempt_comparison(const Seeds& seeds) {
     return comparison;
 }
 
-/// Compares the error of the steady flow if the spool's reading is believed.
+/// Compares the error of the steady flow that is computed from the spool's readings.
 Comparison flow_comparison() {
     Comparison comparison{.name = "scenario A: steady flow computed from a spool reading with an offset",
                           .against = "thesis",
@@ -187,7 +188,7 @@ Comparison calibration_comparison(const Seeds& seeds) {
     return comparison;
 }
 
-/// Adds the identification after subtracting the offset.
+/// Adds the compliances identified after subtracting the calibrated offset.
 void add_cured(Comparison& comparison, const std::string& column, const std::vector<BoomData>& motions,
                double calibrated_in, const Seeds& seeds, bool simple) {
     double truth = motions.front().boom.inlet_compliance_in3_per_psi;
@@ -227,7 +228,8 @@ Comparison cure_comparison(BoomPlant plant, const Seeds& seeds) {
     return comparison;
 }
 
-/// Adds an offset in the slower motion. At -.01 in the compliance is just positive; at -.015 in it is negative.
+/// Adds the compliance with an offset in the slower motion. At -.01 in the compliance is just positive; at -.015 in it
+/// is negative.
 void add_slow(Comparison& comparison, double offset_in) {
     BoomMotion motion{BoomPlant::simple, no_noise, offset_in};
     motion.slow = true;
@@ -243,7 +245,8 @@ void add_slow(Comparison& comparison, double offset_in) {
     comparison.add(cell_of("  negative (1: yes)", column, "", negative, fit < 0 ? 1 : 0, 0, 0));
 }
 
-/// Compares scenario B: the slower the pressure rises, the greater the effect of an offset, about 1050 d / (dP/dt).
+/// Compares the effect of an offset d in scenario B. The effect is about 1050 d / (dP/dt), so it is greater if the
+/// pressure rises more slowly.
 Comparison slow_comparison() {
     Comparison comparison{.name = "scenario B, a slower motion, no noise: least squares while the pressure rises",
                           .against = "known",

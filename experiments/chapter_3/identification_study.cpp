@@ -18,7 +18,7 @@ using namespace identification;
 
 namespace {
 
-/// A figure of an independent prototype, and an upper limit for a sound identification.
+/// A figure of an independent prototype, and the upper limit for our figure.
 struct Bound {
     double known;
     std::optional<double> most;
@@ -76,7 +76,8 @@ void add_level(Comparison& comparison, const NoiseLevel& level, const Seeds& see
         comparison.cells.back().at_least = too_much_percent;
     comparison.add(
         compared_cell("  seeds within 10 %", level.name, "%", level.within_ten_percent, all.within_ten_percent(), 0));
-    // One search in thirty is off by at least 5 codes. In one of 400 studies at least a tenth of its 50 searches are.
+    // One search in thirty is off by at least 5 codes. In one of 400 studies, at least a tenth of the 50 searches are
+    // off by at least 5 codes.
     add("codes from the best code, 90th percentile", "", {0, 5}, quantile(all.codes_from_optimum, 0.9), 0);
     add("best codes in psi and SI differ by, greatest", "", {0, 1}, quantile(all.si_codes, 1), 0);
     SearchStudy rising = study(measure_transients(level.noise, rising_way().usable, seeds), rising_way(), seeds);

@@ -53,7 +53,6 @@ CoupledMotion simulate_coupled(Configuration configuration) {
     return {configuration, links, std::move(name), std::move(scenario), std::move(motion)};
 }
 
-/// A noise level, the samples used, and whether the results are judged.
 struct LinksLevel {
     const char *name, *noise;
     std::optional<std::size_t> samples; ///< nullopt: the whole movement
@@ -69,7 +68,7 @@ struct LinksFigure {
     enum : std::size_t { within, silent, flagged, limit, generations, t800_s, t800_16_s };
 };
 
-/// Records the motion with the sensors of a seed, and identifies all compliances.
+/// Measures the motion with the sensor noise of a seed, and identifies all compliances.
 Figures identify_coupled(const CoupledMotion& moving, const LinksLevel& level, std::uint64_t seed) {
     Parameters machine = Parameters::excavator();
     for (Parameter& row : noise_rows(machine, level.noise))

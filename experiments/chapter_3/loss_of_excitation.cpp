@@ -20,8 +20,8 @@ namespace {
 using Runs = std::vector<SearchRun>;
 
 constexpr std::size_t trials_a_sample = 5;
-constexpr std::size_t records_shown = 50; // for the ways that are not judged
-constexpr std::size_t lost_for = 20;      // samples: 100 generations, a sixth of the figure
+constexpr std::size_t records_shown = 50; // number of records for the ways that are not judged
+constexpr std::size_t lost_for = 20;      // number of samples: 100 generations, a sixth of the figure
 
 /// Extends a way to 600 generations, well past the 425 of Figure 3.11.
 IdentificationWay prolonged(IdentificationWay way) {
@@ -36,7 +36,7 @@ IdentificationWay gated(IdentificationWay way) {
 
 IdentificationWay long_way() { return prolonged(thesis_way()); }
 
-/// The generations to compare, with the prototype's results without a gate.
+/// A generation to compare, and the prototype's percentage of right records without a gate.
 struct Known {
     std::size_t generation;
     double percent;
@@ -51,7 +51,8 @@ void add_shares(Comparison& comparison, const char* row, const Runs& runs) {
                                   both_within_ten_percent(runs, each.generation, trials_a_sample), 0));
 }
 
-/// Compares the share of records that are still right. The thesis saw it fall after generation 425.
+/// Compares the share of records in which both compliances are still right. In the thesis the compliances become wrong
+/// after generation 425.
 Comparison share_comparison(const TwoLinkMotion& motion, const Runs& plain, const Seeds& shown) {
     Comparison comparison{
         .name = fmt::format(
@@ -69,7 +70,7 @@ Comparison share_comparison(const TwoLinkMotion& motion, const Runs& plain, cons
     return comparison;
 }
 
-/// Compares the ways at low noise. An elite keeps the answer only without noise.
+/// Compares the ways of searching at low noise. With noise, an elite does not keep the right answer.
 Comparison low_noise_comparison(const TwoLinkMotion& motion, const Seeds& shown) {
     Comparison comparison{.name = "two links at low noise (2 psi, .003 deg, .1 % of an area): both within 10 %, while "
                                   "the motion grows steady",
@@ -84,8 +85,9 @@ Comparison low_noise_comparison(const TwoLinkMotion& motion, const Seeds& shown)
     return comparison;
 }
 
-/// Returns the first generation, after both compliances have been found within `percent`, from which one of them is off
-/// for `lost_for` samples. Returns the generation after the last if there is none, and nullopt if both are never found.
+/// Returns the generation in which a search loses the answer. Before it, both compliances were right within `percent`;
+/// from it on, one of the two is wrong for `lost_for` samples in a row. Returns the generation after the last if the
+/// search keeps the answer; nullopt if both compliances are never right.
 std::optional<double> lost_from(const SearchRun& run, double percent) {
     std::size_t off = 0;
     bool found = false;
@@ -99,15 +101,15 @@ std::optional<double> lost_from(const SearchRun& run, double percent) {
     return found ? std::optional(static_cast<double>(trials_a_sample * (run.estimates.size() + 1))) : std::nullopt;
 }
 
-/// A way to search, and the bounds of the share of its searches, in percent, that are off at the thesis's generation. A
-/// single run, such as the thesis's, lies between 2.5 and 97.5 % with a probability of 95 %.
+/// A way to search, and the bounds of the percentage of its searches that lose the answer before the thesis's
+/// generation. For the thesis's single run, this percentage is between 2.5 and 97.5 with a probability of 95 %.
 struct LosingWay {
     const char* name;
     std::optional<double> at_least, at_most;
     Runs runs;
 };
 
-/// Adds the generations at which the searches of a way are off by more than `percent`.
+/// Adds the generations in which the searches of a way lose the answer.
 void add_lost(Comparison& comparison, const LosingWay& way, double percent) {
     constexpr double thesis_generation = 425;
     std::string row = fmt::format("{}, off by {} %", way.name, percent);
@@ -127,7 +129,7 @@ void add_lost(Comparison& comparison, const LosingWay& way, double percent) {
     comparison.add(plain_cell(row, "to [%]", "", share.interval->high, 1));
 }
 
-/// Asks which ways of searching can have made the thesis's single run.
+/// Judges which ways of searching can have made the thesis's single run.
 Comparison single_run_comparison(const TwoLinkMotion& motion, const Runs& plain, const Seeds& seeds) {
     Comparison comparison{
         .name = fmt::format("{} records, no gate: the generation from which one of the two compliances is off for 100 "
@@ -141,7 +143,7 @@ Comparison single_run_comparison(const TwoLinkMotion& motion, const Runs& plain,
         {"as the thesis, low noise", 97.5, {}, search_many(motion, low_noise, long_way(), seeds)},
         {"elite and Gray code, low noise", 97.5, {}, search_many(motion, low_noise, prolonged(gray_way()), seeds)}};
     for (const LosingWay& way : ways)
-        add_lost(comparison, way, 20); // an eye sees no less in the thesis's figure
+        add_lost(comparison, way, 20); // the least error that an eye sees in the thesis's figure
     add_lost(comparison, {"as the thesis", {}, {}, plain}, 10);
     return comparison;
 }

@@ -23,7 +23,6 @@ namespace {
 constexpr std::size_t lengths[]{3, 5, 7, 10, 15, 20, 30, 60};
 constexpr std::size_t thesis_length = 3; // index of 10 in `lengths`
 
-/// A plant, and the noise of its sensors.
 struct WindowPlant {
     const char* name;
     BoomPlant plant;
@@ -35,8 +34,8 @@ constexpr WindowPlant plants[]{{"simple plant, low noise", BoomPlant::simple, lo
                                {"measured machine, mid noise", BoomPlant::measured, mid_noise},
                                {"measured machine, high noise", BoomPlant::measured, high_noise}};
 
-/// Returns the thesis's search with another window. A window longer than its 20 samples gets as many samples as it
-/// holds.
+/// Returns the thesis's search with another window. The search gets the thesis's 20 samples, or more if the window is
+/// longer.
 IdentificationWay way_of(std::size_t length) {
     IdentificationWay way = thesis_way();
     way.search.window.length = length;
@@ -73,7 +72,7 @@ Comparison errors_table(const WindowPlant& plant, const std::vector<Figures>& ru
     return comparison;
 }
 
-/// Returns, for each seed, the error with this window less the error with the thesis's.
+/// Returns, for each seed, the error with this window less the error with the thesis's window.
 std::vector<double> excess(const std::vector<Figures>& runs, std::size_t window) {
     std::vector<double> differences;
     for (const Figures& errors : runs)
@@ -82,7 +81,7 @@ std::vector<double> excess(const std::vector<Figures>& runs, std::size_t window)
 }
 
 /// Tests "From trial and error in the experiments, 10 was found to be the best window size" (3.4): no other window has
-/// a smaller error at the same record. Longer windows are expected to have one.
+/// a smaller error in the same record. Longer windows are expected to have a smaller error.
 Comparison best_window_claims(const WindowPlant& plant, const std::vector<Figures>& runs) {
     std::vector<Claim> claims;
     for (std::size_t i = 0; i < std::size(lengths); ++i)

@@ -15,12 +15,13 @@ namespace placedpar {
 namespace {
 
 constexpr std::array machine_alphas{8, 16, 24};
-/// The number of islands of the hypercube that the hybrid should overtake, and of the hybrid.
+/// The number of islands of the largest hypercube, which the hybrid should overtake, and the number of islands of the
+/// hybrid.
 constexpr int most_islands = 16, hybrid_islands = 4;
 
 std::string alpha_column(int alpha) { return fmt::format("alpha = {}", alpha); }
 
-/// Returns the speedups of one architecture by its number of processors, from a table that has at least one.
+/// Returns the speedups of one architecture over the number of processors. Throws UserError if the table has none.
 std::vector<Point> speedups_of(const std::string& architecture, int alpha, const StudyReplay& study,
                                const Comparison& table) {
     std::vector<Point> points;
@@ -33,7 +34,8 @@ std::vector<Point> speedups_of(const std::string& architecture, int alpha, const
     return points;
 }
 
-/// Returns the fewest processors with which the hybrid is faster than the largest hypercube, or 0 if there are none.
+/// Returns the least number of processors, above `most_islands`, with which the hybrid is faster than the largest
+/// hypercube; 0 if there is none.
 double crossover(double hypercube, const std::vector<Point>& hybrid) {
     auto faster = [&](const Point& point) { return point.x > most_islands && point.y > hypercube; };
     auto found = std::ranges::find_if(hybrid, faster);
@@ -45,7 +47,7 @@ double crossover_in(const StudyReplay& study, const Comparison& table, int alpha
                      speedups_of("hybrid", alpha, study, table));
 }
 
-/// Returns the same by equation 4.9.
+/// Returns what crossover() returns for the speedups of equation 4.9.
 double crossover_by_formula(int alpha) {
     std::vector<Point> hybrid;
     for (int processors = 1; processors <= 1000; ++processors) // per island
@@ -53,7 +55,8 @@ double crossover_by_formula(int alpha) {
     return crossover(most_islands, hybrid);
 }
 
-/// Compares both; without communication the result should be that of equation 4.9, to the next size.
+/// Compares the crossovers of simulation and equation 4.9. Without communication, they may differ by one step in the
+/// hybrid's size.
 Comparison crossover_table(const StudyReplay& study, const Comparison& ideal, const Comparison& on_t800s) {
     Comparison table{.name = "number of processors from which the hybrid is faster than 16 islands of 6",
                      .against = "(4.9)"};
@@ -77,8 +80,8 @@ Panel architecture_panel(const std::string& title, const StudyReplay& study, con
     return panel;
 }
 
-/// Mixes the fingerprints of the runs by alpha: the reference, the hypercube, the hybrid, and the hybrid with alpha
-/// processors an island. The order is part of the printed fingerprint.
+/// Mixes the fingerprints of the runs, alpha by alpha: one processor, the hypercube, the hybrid, and the hybrid with
+/// alpha processors on each island. The printed fingerprint depends on this order.
 std::uint64_t fingerprint_of(const StudyReplay& study) {
     Fingerprint fingerprint;
     for (int alpha : machine_alphas)
@@ -101,7 +104,7 @@ std::uint64_t fingerprint_of(const StudyReplay& study) {
     return fingerprint.value();
 }
 
-/// Groups the cells of each alpha, those of the hypercube first.
+/// Sorts the cells: the hypercube before the hybrid, each by alpha.
 void order_by_alpha(const StudyReplay& study, Comparison& table) {
     std::ranges::stable_sort(table.cells, {}, [&](const Cell& cell) {
         return std::tuple(cell.row.starts_with("hybrid"), study.number_in(cell.column));

@@ -24,14 +24,14 @@ constexpr std::array speedup_processors{2, 3, 4, 6, 8, 12, 16, 20, 24, 28};
 /// The factor by which computing takes longer, so that communication is negligible.
 constexpr int speedup_work_alone = 1000;
 
-/// Returns the master's own share with which its evaluating and breeding take as long as a slave's evaluating. Of
-/// equation 4.5's t_p a slave has the share s and the master m. With n slaves, n s + m = 1 and s = m + 1 / alpha give m
-/// / s = (alpha - n) / (alpha + 1).
+/// Returns m / s, where s is a slave's share of t_p (equation 4.5) and m the master's share, if all need the same time.
+/// The master breeds as well, so s = m + 1 / alpha. With n slaves, n s + m = 1. It follows that m / s = (alpha - n) /
+/// (alpha + 1).
 double balanced_share(int alpha, int slaves) { return std::max(0.0, 1.0 * (alpha - slaves) / (alpha + 1)); }
 
 constexpr std::size_t whole_evaluations = 30 * 10; ///< for a population of 30 and a window of 10
 
-/// Returns the shares of a generation as fractions of it, the master's last.
+/// Returns each processor's fraction of the evaluations of a generation, the master's last.
 std::vector<double> parts_of_whole_evaluations(int processors, double own_share) {
     std::vector<double> parts;
     auto slaves = static_cast<std::size_t>(processors - 1);
@@ -40,7 +40,8 @@ std::vector<double> parts_of_whole_evaluations(int processors, double own_share)
     return parts;
 }
 
-/// Returns equation 4.9 if 300 evaluations are dealt out whole: all wait for the largest share.
+/// Returns the speedup of equation 4.9 if each of 300 evaluations is made on one processor, so that all processors wait
+/// for the largest share.
 double whole_4_9(int alpha, int processors) {
     auto parts = parts_of_whole_evaluations(processors, 1);
     return (alpha + 1) / (alpha * *std::ranges::max_element(parts) + 1);
@@ -51,14 +52,14 @@ double whole_pipelined(int alpha, int processors) {
     return (1 + 1.0 / alpha) / *std::ranges::max_element(parts);
 }
 
-/// Returns the times of one processor, with breeding as the unit.
+/// Returns the times of a generation, with breeding as the unit.
 GenerationTimes times_at(int alpha, double communication) {
     return {.evaluating = 1.0 * alpha, .breeding = 1, .communication = communication};
 }
 
 struct SpeedupPoint {
     int alpha, processors, populations, work;
-    bool only_breeding = false; ///< whether the master only breeds
+    bool only_breeding = false; ///< whether the master breeds but does not evaluate
     auto operator<=>(const SpeedupPoint&) const = default;
 };
 
@@ -73,7 +74,7 @@ Overrides overrides_of(const SpeedupPoint& point) {
     return overrides;
 }
 
-/// Runs the netlist with these settings, each once.
+/// Runs the netlist; the run of each SpeedupPoint is made once.
 class SpeedupRuns {
 public:
     explicit SpeedupRuns(const ReplayContext& context) : context_(context) {}
@@ -88,17 +89,18 @@ public:
         return runs_.emplace(point, std::move(report)).first->second;
     }
 
-    /// Returns the generations of a population in the time in which a single processor makes one.
+    /// Returns how many generations all populations together make in the time in which a single processor makes one
+    /// generation.
     double speedup(const SpeedupPoint& point) { return rate(point) / alone(point).measured("master[0]", rate_name); }
 
-    /// Returns equation 4.9's n t_c2, measured as in the thesis: the communication of a generation with nothing to
-    /// evaluate. The unit is t_s; a generation of one processor takes alpha + 1 of them.
+    /// Returns n t_c2 of equation 4.9, in units of t_s. As in the thesis, n t_c2 is measured as the communication of a
+    /// generation with nothing to evaluate. A generation on one processor takes (alpha + 1) t_s.
     double communication(const SpeedupPoint& point) {
         return (point.alpha + 1) * run(point).measured("master[0]", "C_time2") /
                alone(point).measured("master[0]", "T_exe");
     }
 
-    /// Returns whether every population has the same generations as its twin without a pipeline and as one processor.
+    /// Returns whether a population has the same generations in all runs: on one processor, in parallel, and pipelined.
     bool are_the_same_generations() {
         std::map<std::string, std::string> populations;
         for (const auto& [point, report] : runs_)
@@ -184,15 +186,15 @@ Comparison run_pipelined_on_t800s(SpeedupRuns& runs) {
     });
 }
 
-/// A speedup by formula, and the allowed distance of the simulated one.
+/// A speedup by formula, and the allowed distance of the simulated speedup.
 struct FormulaSpeedup {
     double known;
-    double whole;   ///< with evaluations dealt out whole; the difference is allowed
+    double whole;   ///< speedup if each evaluation is made on one processor; the difference is allowed
     double allowed; ///< additional tolerance, relative to `known`
     double tolerance() const { return std::abs(known - whole) + allowed * known; }
 };
 
-/// Returns equation C.2.
+/// Returns equation C.2 for the simulated speedup.
 double simulated_efficiency(SpeedupRuns& runs, const SpeedupPoint& point) {
     return formula_c_2(runs.speedup(point), point.processors);
 }
@@ -244,7 +246,7 @@ Series speedup_series(SpeedupRuns& runs, std::string name, int alpha, int popula
     return series;
 }
 
-/// Plots a figure: the formula as a line, the simulation without the cost of communication, and the one on T800s.
+/// Plots a figure: the formula, the simulation without the cost of communication, and the simulation on T800s.
 Panel speedup_panel(SpeedupRuns& runs, std::string title, int populations, double (*formula)(double, double)) {
     Panel panel{
         .title = std::move(title), .x = {.label = "processors"}, .y = {.label = "speedup", .from = 0, .to = 26}};

@@ -19,10 +19,10 @@ namespace placedpar {
 namespace {
 
 constexpr std::size_t searchers = 100; ///< points of a population, as in the thesis's single genetic algorithm
-/// The least step of an evolution strategy that keeps exploring, in lengths of the search space.
+/// `least_step` of a CovarianceAdaptation that keeps exploring.
 constexpr double least_step = 0.02;
-/// The claimed limits of the lag beyond least squares over the same window, in generations: at least for genetic
-/// algorithms, at most for searches among real numbers.
+/// The claimed lag beyond least squares over the same window, in generations: at least `least_lag_beyond` for genetic
+/// algorithms, at most `most_lag_beyond` for searches among real numbers.
 constexpr double least_lag_beyond = 10, most_lag_beyond = 5;
 /// c1 of coloured noise.
 constexpr double colour = 0.8;
@@ -59,7 +59,8 @@ std::vector<Pole> follow_recursively(const PlantExperiment& plant, std::uint64_t
     });
 }
 
-/// Maps points of the unit cube to the parameters of Table 5.1, and computes their sum of squared errors over a window.
+/// Maps points of the unit cube to the parameters of Table 5.1. Computes the sum of squared errors over a window for
+/// such a point.
 class PlantCube {
 public:
     PoleZeroPlant plant(const Eigen::VectorXd& point) const {
@@ -164,9 +165,8 @@ std::vector<TrackRow> rows_of_all(const std::vector<PlantStudy>& studies) {
     return rows;
 }
 
-/// Judges the exact optimum. Least squares over the same window is the optimum of the genetic algorithms' fitness.
-/// Without noise the genetic algorithms cannot follow sooner, and before the change least squares finds the plant to
-/// the last bits.
+/// Judges least squares, which finds the optimum of the genetic algorithms' fitness over the same window. Without noise
+/// the genetic algorithms cannot follow sooner, and before the change least squares finds the plant to the last bits.
 Comparison judged_optimum(const std::vector<PlantStudy>& exact, const std::vector<PlantStudy>& searched) {
     Comparison comparison{.name = "least squares as the exact optimum, noiseless", .against = "known"};
     const PlantStudy& optimum = exact[1];
@@ -178,7 +178,7 @@ Comparison judged_optimum(const std::vector<PlantStudy>& exact, const std::vecto
     return comparison;
 }
 
-/// Returns how much later than least squares over the same window each search follows, seed by seed.
+/// Returns claims about how much later the searches follow than least squares over the same window, for each seed.
 std::vector<Claim> claims_of(const std::vector<PlantStudy>& exact, const std::vector<PlantStudy>& searched) {
     auto lag_beyond = [&](const PlantStudy& study) { return less(study.lags(), exact[1].lags()); };
     auto claim = [&](const PlantStudy& study) { return "lag beyond least squares, " + study.islands.name; };

@@ -23,7 +23,7 @@ std::string islands_of(std::size_t population) {
                : fmt::format("{} islands of {}", global_population / population, population);
 }
 
-/// Finds the generations to the target, by the size of the islands.
+/// Finds the generations until the target is reached, for each size of the islands.
 TaskStudy study_islands(const ReplayContext& context, const StaticTask& task) {
     TaskStudy study{task, {std::begin(local_populations), std::end(local_populations)}, generation_limit, {}};
     for (std::size_t population : local_populations)
@@ -44,8 +44,8 @@ Comparison maximisation_table(const std::vector<TaskStudy>& studies) {
     return comparison;
 }
 
-/// Tests "as small as 6 without affecting the measured convergence rate", as at most a tenth more generations.
-/// Functions whose target few runs reach are left out, since their medians have no meaning.
+/// Tests "as small as 6 without affecting the measured convergence rate": at most a tenth more generations than one
+/// population. Functions whose target few runs reach are left out, since their medians have no meaning.
 std::vector<Claim> maximisation_claims(const std::vector<TaskStudy>& studies) {
     std::vector<Claim> claims;
     for (const TaskStudy& study : studies)
@@ -59,7 +59,8 @@ std::vector<Claim> maximisation_claims(const std::vector<TaskStudy>& studies) {
     return claims;
 }
 
-/// Returns islands of the same global population on the changing plant, which send in turn along a hypercube.
+/// Returns islands on the changing plant with the usual global population. Each island sends to one neighbour in a
+/// hypercube at a time.
 PlantIslands islands_on_plant(std::size_t population, double noise) {
     std::size_t islands = global_population / population;
     PlantIslands plant = sized(traditional_pga("sequential(every = 3)", noise), islands_of(population),
@@ -69,7 +70,7 @@ PlantIslands islands_on_plant(std::size_t population, double noise) {
     return plant;
 }
 
-/// Tests "at least 20": islands of 24 follow as well as one population, and those of 6 do not.
+/// Tests "at least 20": islands of 24 follow as well as one population, and islands of 6 do not.
 std::vector<Claim> identification_claims(const std::vector<PlantStudy>& studies) {
     auto more_error = [&](std::size_t than, std::size_t of) {
         return less(studies[of].errors_after(), studies[than].errors_after());
@@ -96,7 +97,7 @@ Comparison diversity_of(const std::vector<PlantStudy>& studies, const std::strin
     return comparison;
 }
 
-/// Judges the medians against those of 240 other seeds.
+/// Judges the medians against the medians of 240 other seeds.
 Comparison judged_sizes(const std::vector<TaskStudy>& tasks) {
     Comparison comparison{.name = "one-max of 60 bits, generations to all ones", .against = "known"};
     const double known[]{31, 31, 33, 36, 45};

@@ -17,7 +17,8 @@ PlantIslands with_sizes(const char* name, const std::vector<std::size_t>& popula
     return sized(traditional_pga(every_generation, noise), name, populations, windows);
 }
 
-/// The traditional and the distributed islands, and each half of their difference.
+/// The traditional islands and the distributed islands, which differ in populations and windows. `larger` differs from
+/// `traditional` only in populations, `windows` only in windows.
 struct BroadcastStudies {
     PlantStudy traditional, larger, windows, distributed;
 
@@ -32,8 +33,8 @@ struct BroadcastStudies {
     std::vector<const PlantStudy*> all() const { return {&traditional, &larger, &windows, &distributed}; }
 };
 
-/// Tests "The estimated poles from two different local GAs became identical and converged prematurely", and with the
-/// distributed fitness function "close but remained different ... no indication of premature convergence".
+/// Tests "The estimated poles from two different local GAs became identical and converged prematurely". With the
+/// distributed fitness function, tests "close but remained different ... no indication of premature convergence".
 std::vector<Claim> claims_of(const BroadcastStudies& studies, double noise) {
     auto error = [](const PlantStudy& study) { return study.of(0, Tracking::error_after); };
     return {{"traditional: generations with an unchanged best",
@@ -80,7 +81,7 @@ Comparison diversity_comparison(const std::string& name, const BroadcastStudies&
     return comparison;
 }
 
-/// Judges the diversity against that of 240 other seeds.
+/// Judges the diversity against the diversity of 240 other seeds.
 Comparison judged_diversity(const BroadcastStudies& noiseless) {
     Comparison comparison{.name = "number of the 37 bits in which two individuals of an island differ, noiseless",
                           .against = "known"};

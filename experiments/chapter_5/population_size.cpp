@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t population_sizes[]{25, 50, 100, 200, 400, 800};
 constexpr std::size_t evaluation_limit = 80000;
 
-/// Finds the evaluations until the target is reached, by the size of the population.
+/// Finds the evaluations until the target is reached, for each size of the population.
 TaskStudy study_populations(const ReplayContext& context, const StaticTask& task) {
     TaskStudy study{task, {std::begin(population_sizes), std::end(population_sizes)}, evaluation_limit, {}};
     for (std::size_t population : population_sizes) {
@@ -41,8 +41,8 @@ Comparison evaluations_table(const std::vector<TaskStudy>& studies) {
     return comparison;
 }
 
-/// Tests "The global population size plays a significant role", as a fifth more evaluations. Functions whose target few
-/// runs reach are left out, since their medians have no meaning.
+/// Tests "The global population size plays a significant role": 400 individuals need at least a fifth more evaluations
+/// than 100. Functions whose target few runs reach are left out, since their medians have no meaning.
 std::vector<Claim> size_claims(const std::vector<TaskStudy>& studies) {
     std::vector<Claim> claims;
     for (const TaskStudy& study : studies)
@@ -79,7 +79,7 @@ std::vector<TrackRow> rows_of(const std::vector<PlantStudy>& studies) {
     return rows;
 }
 
-/// Judges the lags against those of 240 other seeds.
+/// Judges the lags against the lags of 240 other seeds.
 Comparison judged_lags(const std::vector<PlantStudy>& noiseless) {
     Comparison comparison{.name = "lag on the plant, noiseless", .against = "known"};
     const double known[]{106, 90, 84, 82, 81, 80};

@@ -18,7 +18,7 @@ constexpr std::array coarse_populations{24, 30, 50};
 
 /// A row of Table 6.4 or of its control, the conventional string of 37 bits.
 struct CoarseRow {
-    std::size_t field_bits; ///< of each of the five parameters
+    std::size_t field_bits; ///< bits of each of the five parameters
     std::size_t population;
     const char* thesis;
     Expected with_elite, to_the_letter;
@@ -43,7 +43,6 @@ SearchSettings letter_settings(std::size_t population) {
     return settings;
 }
 
-/// A comparison and its tallies, in the order of the rows.
 struct CoarseTable {
     Comparison comparison;
     std::vector<Tally> tallies;
@@ -66,13 +65,13 @@ CoarseTable coarse_table(const ReplayContext& context, const std::string& name, 
     return table;
 }
 
-/// Returns settings with this population for both halves and this number of bits for each of the five parameters.
+/// Returns settings of a pair: the population of each search, and the bits of each of the five parameters.
 CoarseFineSettings pair_settings(std::size_t population, std::size_t field_bits) {
     Recoding coarse = plant_reading(field_bits);
     return {plant_settings(population), plant_settings(population), coarse, coarse.bits};
 }
 
-/// Compares the pair with controls whose population is the sum of both halves.
+/// Compares pairs with single searches whose population is the sum of both populations of the pair.
 Comparison pair_table(const ReplayContext& context) {
     Comparison comparison{.name =
                               "the pair (answer of the fine search), and single searches with equally many evaluations",
@@ -126,8 +125,8 @@ Comparison landscape_table(const ReplayContext& context) {
     return comparison;
 }
 
-/// Counts the strings with at least `percent` of the best fitness by its 15 "don't care" bits, of which the thesis
-/// expects "more than two or three thousands" (6.2).
+/// Tests the thesis's "more than two or three thousands" (6.2). Counts the strings with nearly the best fitness among
+/// those that differ only in the 15 "don't care" bits.
 Comparison near_optimum_claims(const ReplayContext& context) {
     constexpr double percents[]{99, 95};
     std::vector<Claim> claims;
@@ -165,7 +164,8 @@ Panel table_6_4_panel(const std::string& title, const std::vector<Tally>& tallie
     return panel;
 }
 
-/// Returns the string of a reading whose alpha and beta, the two fields after the delay, have these codes.
+/// Returns the problem's string for these codes of alpha and beta, the two fields after the delay, in a reading. The
+/// codes of the other fields are 0.
 Genome string_at(const Recoding& reading, std::uint64_t alpha, std::uint64_t beta) {
     Genome bred(reading.length());
     bred.set_field(reading.bits[0], reading.bits[1], alpha);
@@ -195,7 +195,8 @@ Panel part_of(Panel panel, const std::string& title, const Axis& x, const Axis& 
     return panel;
 }
 
-/// Draws the grid of a coarse search with 4 bits a parameter, and that of the fine search around one of its points.
+/// Draws the grid of a coarse search with 4 bits for each parameter, and the grid of a fine search around one point of
+/// the coarse grid.
 Plot figure_6_7() {
     Recoding coarse = plant_reading(4), fine = coarse;
     fine.around = string_at(coarse, 13, 11);

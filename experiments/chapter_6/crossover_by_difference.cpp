@@ -8,7 +8,6 @@ namespace placedpar {
 
 namespace {
 
-/// A crossover operator and its probability.
 struct CrossingTried {
     const char *name, *crossover;
     double probability = 0.8;
@@ -45,7 +44,6 @@ PlantSearch search_of(const CrossingGroup& group, const CrossingTried& tried) {
     return search;
 }
 
-/// Returns the shares, then the gains over one-point crossover.
 std::vector<Comparison> compare_crossings(const CrossingGroup& group, const ReplayContext& context) {
     std::string name = name_of_group(group);
     Comparison shares{.name = name, .against = "other", .judged = true},

@@ -8,7 +8,6 @@ namespace placedpar {
 
 namespace {
 
-/// A coding of the plant's string.
 struct CodingTried {
     const char* name;
     Coding coding;
@@ -60,7 +59,7 @@ PlantSearch search_of(const EncodingGroup& group, const CodingTried& tried) {
     return search;
 }
 
-/// Judges that with ranking Gray code follows in at least 95 % of the runs, natural binary in at most 45 %.
+/// Judges the runs with ranking: at least 95 % must follow with Gray code, at most 45 % with natural binary.
 void judge_ranking(Comparison& comparison, const std::vector<Tally>& tallies) {
     for (const Tally& tally : tallies) {
         Cell cell = plain_cell(tally.name, "followed, judged", "", tally.followed_percent(), 0);

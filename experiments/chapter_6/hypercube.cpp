@@ -14,7 +14,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t most_counted_bits = 7; ///< dimension whose pairs are all tried
+constexpr std::size_t most_counted_bits = 7; ///< dimension of the hypercube of which all pairs of vertices are tried
 
 Genome string_of(std::uint64_t vertex, std::size_t bits) {
     Genome genome(bits);
@@ -24,7 +24,6 @@ Genome string_of(std::uint64_t vertex, std::size_t bits) {
 
 std::size_t bit_difference(std::uint64_t a, std::uint64_t b) { return static_cast<std::size_t>(std::popcount(a ^ b)); }
 
-/// Counts the neighbours of one vertex by bit difference.
 std::vector<std::size_t> count_neighbours(std::uint64_t vertex, std::size_t bits) {
     std::vector<std::size_t> neighbours(bits + 1);
     for (std::uint64_t other = 0; other < std::uint64_t{1} << bits; ++other)
@@ -39,7 +38,8 @@ double binomial(std::size_t of, std::size_t chosen) {
     return count;
 }
 
-/// Returns a cell that is judged unless the difference is 0, which is the vertex itself; the thesis prints 0 for it.
+/// Returns a cell, which is judged unless the difference is 0. This count is 1, the vertex itself, but the thesis
+/// prints 0.
 Cell neighbours_cell(std::size_t bits, std::size_t differ, std::size_t counted) {
     std::string row = fmt::format("neighbours at {} bit{} of difference", differ, differ == 1 ? "" : "s"),
                 column = fmt::format("l = {}", bits);
@@ -58,7 +58,6 @@ Comparison table_6_1() {
     return comparison;
 }
 
-/// The least and the greatest count.
 struct Extremes {
     std::size_t least = std::numeric_limits<std::size_t>::max(), most = 0;
 
@@ -68,10 +67,10 @@ struct Extremes {
     }
 };
 
-/// The results of one-point crossover for all pairs of parents with one bit difference.
+/// The results of one-point crossover for all pairs of parents with the same number of different bits.
 struct Children {
     std::size_t outside = 0;     ///< offspring outside the hypercube spanned by the difference of the parents
-    std::size_t otherwise = 0;   ///< pairs of offspring whose difference is not that of their parents
+    std::size_t otherwise = 0;   ///< pairs of offspring that differ in another number of bits than their parents
     std::size_t from_own = 0;    ///< greatest difference of A1 from A0, the parent of its first characters
     std::size_t from_nearer = 0; ///< greatest difference from the nearer parent
 };
@@ -148,7 +147,8 @@ constexpr Reach reaches[]{{"one-point", new_by_one_point},
                           {"two-point", new_by_two_point},
                           {"uniform", all_new}};
 
-/// Adds the number of vertices that all pairs reach. If the least and the greatest differ, they are judged separately.
+/// Adds the number of new vertices that pairs reach, by the difference of the pair. If the least and the greatest
+/// number differ, both are judged.
 void add_reach(Comparison& comparison, const Reach& reach) {
     Crossover crossover = Crossover::named(reach.crossover);
     std::vector<Extremes> counted(most_counted_bits + 1);
@@ -219,7 +219,7 @@ Plot plot_figure_6_1() {
     return {"Figure 6.1: a function on a line", {{.x = {"x", 0, 15}, .y = {"F(x)", 0, 12}, .series = {line, tops}}}};
 }
 
-/// Draws the same function on the hypercube. A vertex that is greater than all of its neighbours is a maximum there.
+/// Draws the function of Figure 6.1 on the hypercube, with its maxima there.
 std::string draw_figure_6_1() {
     DrawnHypercube cube{.title = "the same 16 numbers, four neighbours each"};
     std::vector<std::uint32_t> tops = maxima(neighbours_on_the_cube);
@@ -234,8 +234,8 @@ std::string draw_figure_6_1() {
                            {{VertexLook::parent, "maximum among its neighbours"}});
 }
 
-/// Draws the fitness of an impulse at 1011 over x, and over the bits of difference from the best string beside the
-/// share of right bits, which has a slope towards it.
+/// Draws the fitness of an impulse at 1011 over x. A second panel has the number of bits that differ from the best
+/// string as its axis. It shows the fitness, and the share of right bits, which rises towards the best string.
 Plot plot_figure_6_5() {
     auto fitness = [](std::uint32_t x) { return x == 0b1011 ? 1. : 0.; };
     Series impulse = curve({.name = "impulse at 1011"}, 15, [&](int x) {

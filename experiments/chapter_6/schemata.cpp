@@ -23,7 +23,7 @@ constexpr double least_of_bound = 0.99; ///< the claim: at least this share of t
 /// reproduction alone, and the actual number.
 struct SchemaCounts {
     double bound = 0, reproduced = 0, counted = 0;
-    double outcomes = 0, below = 0; ///< single counts, and those below the bound
+    double outcomes = 0, below = 0; ///< number of single counts, and of those below the bound
 
     void add(double expected, double selected, double came) {
         bound += expected;
@@ -34,12 +34,12 @@ struct SchemaCounts {
     }
 };
 
-/// Classifies schemata by the fitness of their strings, each time they are counted. All schemata of the same positions
-/// together always have as many strings as the population, so only the separate classes show what a generation does to
-/// them.
+/// Classifies a schema, in each generation, by the mean fitness of its strings. All schemata of the same positions
+/// together always have as many strings as the population, so only separate classes show the effect of a generation.
 enum class SchemaFit : unsigned char { above, below }; ///< relative to the mean fitness of the population
 
-/// Schemata of order 2 by defining length, and of order 1 at index 0; first those above the mean, then those below.
+/// Counts of schemata above the mean: of order 1 at index 0, of order 2 at their defining length. Then the counts of
+/// schemata below the mean, in the same order.
 using CountsByClass = std::vector<SchemaCounts>;
 
 std::size_t class_of(std::size_t defining_length, SchemaFit fit) {
@@ -58,7 +58,7 @@ double square_of(const Genome& genome) {
     return x * x;
 }
 
-/// A schema before a generation, with the expected number of its strings afterwards.
+/// The number of strings of a schema before a generation, and the numbers expected after it.
 struct SchemaBefore {
     double strings, reproduced, bound;
 };
@@ -71,7 +71,7 @@ SchemaBefore look_before(const Schema& schema, const Search& search, const std::
                          settings.mutation_probability)};
 }
 
-/// Counts a generation of a run on f(x) = x^2.
+/// Makes a generation of a run on f(x) = x^2, and counts the strings of the schemata before and after it.
 void count_generation(Search& search, const SearchSettings& settings, const std::vector<Schema>& schemata,
                       CountsByClass& counts) {
     std::vector<double> fitness;
@@ -139,7 +139,7 @@ std::string length_row(std::size_t length) {
     return length == 0 ? "order 1" : fmt::format("order 2, defining length {}", length);
 }
 
-/// Adds counts relative to their bounds, with the upper end of the interval. None may lie below the bound.
+/// Adds the counts relative to their bounds. The upper end of the 95 % interval must be at least `least_of_bound`.
 void add_bounds(Comparison& comparison, const SchemaStudy& study, SchemaFit fit) {
     std::string name = study.name;
     for (std::size_t length = 0; length < schema_bits; ++length) {
@@ -162,7 +162,7 @@ Comparison compare_bounds(const std::vector<SchemaStudy>& studies, SchemaFit fit
     return comparison;
 }
 
-/// Compares the claims that go beyond the bound, each as a number.
+/// Compares the claims that say more than the bound, each as a number.
 Comparison compare_claims(const SchemaStudy& crossed, const SchemaStudy& uncrossed) {
     Comparison comparison{.name = "claims about schemata above the mean fitness", .against = "claim", .judged = true};
     double most = 0;
@@ -179,8 +179,8 @@ Comparison compare_claims(const SchemaStudy& crossed, const SchemaStudy& uncross
     return comparison;
 }
 
-/// Compares the strings of fit schemata after crossover and mutation with the number from reproduction alone, and with
-/// the share that equation 6.2 guarantees.
+/// Compares the number of strings of fit schemata, after crossover and mutation, with the number expected from
+/// reproduction alone. The quotient stands beside the quotient that equation 6.2 guarantees.
 Comparison compare_survival(const SchemaStudy& study) {
     Comparison comparison{.name = "schemata above the mean fitness: number counted / number from reproduction alone",
                           .against = "eq. 6.2"};

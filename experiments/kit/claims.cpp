@@ -43,7 +43,7 @@ int decimals_of(const Claim& claim) {
     return decimals;
 }
 
-/// Makes the cell miss if its whole interval contradicts the expected verdict.
+/// Sets the bounds such that the cell is outside them if its whole interval contradicts the expected verdict.
 void set_bounds(Cell& cell, const Claim& claim, Interval interval) {
     cell.interval = interval;
     cell.at_least = claim.at_least;

@@ -13,23 +13,25 @@ enum class ClaimVerdict { holds, fails, undecided };
 /// Returns "holds", "does not hold" or "undecided".
 const char* name_of(ClaimVerdict);
 
-/// A statement of the thesis as a number: the median over seeds is at least or at most a bound.
+/// A claim about the median over seeds: a lower bound, an upper bound, or both.
 struct Claim {
     std::string text, unit;
     std::vector<double> values; ///< one for each seed
     std::optional<double> at_least, at_most;
-    /// The verdict that the page of the experiment states: `holds`, also where it is undecided, or `fails`. A claim
-    /// with two bounds fails by a figure above both.
+    /// The verdict that the experiment's page states. For a claim that the page calls undecided, this is `holds`. If a
+    /// claim with two bounds is expected to fail, its median is expected above both bounds.
     ClaimVerdict expected = ClaimVerdict::holds;
 
     std::optional<double> bound() const { return at_least ? at_least : at_most; }
 };
 
-/// Returns `holds` if the whole 95 % interval of the median is on the claimed side, `fails` if none of it is.
+/// Returns `holds` if the whole 95 % interval of the median is within the bounds, `fails` if no part of it is,
+/// otherwise `undecided`.
 ClaimVerdict verdict_of(const Claim&);
 
-/// Returns the medians with their intervals as cells, and the verdicts as notes. The table is judged: a claim that is
-/// expected to fail misses if it holds, and any other if it fails. `judge` states who makes the claims.
+/// Returns the medians with their intervals as cells, and the verdicts as notes. The table is judged. A claim that is
+/// expected to fail is outside its tolerance if it holds; any other claim, if it fails. `judge` is the source of the
+/// claims.
 Comparison claims_comparison(std::string name, const std::vector<Claim>&, Judge judge = Judge::thesis);
 
 } // namespace placedpar

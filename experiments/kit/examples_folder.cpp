@@ -40,7 +40,7 @@ std::vector<fs::path> places_of_examples(const fs::path& program, const char* na
 } // namespace
 
 fs::path examples_folder() {
-    std::error_code error; // not every system has this file, and then there is no program path
+    std::error_code error; // set if the system does not have this file; the path of the program is then empty
     return examples_folder(fs::read_symlink("/proc/self/exe", error), std::getenv("PLACEDPAR_EXAMPLES"));
 }
 

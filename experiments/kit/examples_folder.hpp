@@ -5,12 +5,13 @@
 
 namespace placedpar {
 
-/// Returns the folder of the examples. It is the first of: the folder that the environment variable PLACEDPAR_EXAMPLES
-/// names; ../share/placedpar/examples beside an installed program; the folder in the file examples-folder.txt, which
-/// the build writes beside its program and which is not installed. Throws UserError, which names the places searched.
+/// Returns the folder of the examples: the first folder that exists of the following. 1. The folder that the
+/// environment variable `PLACEDPAR_EXAMPLES` names. 2. For an installed program, `../share/placedpar/examples` beside
+/// the program's folder. 3. For a built program, the folder named in `examples-folder.txt`, which the build writes
+/// beside the program. Throws UserError with the places searched if none exists.
 std::filesystem::path examples_folder();
 
-/// Returns the same for another program and environment. `named` is the value of PLACEDPAR_EXAMPLES, or null.
+/// Does the same for the given program. `named` is the value of `PLACEDPAR_EXAMPLES`, or null.
 std::filesystem::path examples_folder(const std::filesystem::path& program, const char* named);
 
 } // namespace placedpar

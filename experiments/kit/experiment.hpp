@@ -24,9 +24,10 @@ struct NamedDrawing {
 
 /// The results of an experiment of the thesis.
 struct Replay {
-    std::vector<Comparison> comparisons; ///< the first and those that are `judged` decide the result
-    std::string constants = {};          ///< text that states which constants were published, workload or calibrated
-    std::vector<hardware::Constant> constant_table = {}; ///< the same as a list
+    std::vector<Comparison> comparisons; ///< the first table and every `judged` table decide the result
+    std::string constants = {};          ///< text that says which constants were published, stated by the netlist, or
+                                         ///< calibrated
+    std::vector<hardware::Constant> constant_table = {}; ///< the constants as a list
     std::uint64_t fingerprint = 0;
     std::vector<NamedPlot> plots = {};       ///< drawn by --plots
     std::vector<NamedDrawing> drawings = {}; ///< written by --plots
@@ -34,37 +35,38 @@ struct Replay {
     bool within_tolerance() const { return are_within_tolerance(comparisons); }
 };
 
-/// Returns the replay of an experiment without processes. The fingerprint is that of the printed tables, so that it
-/// does not depend on the last bits.
+/// Returns the replay of an experiment that runs no netlist. The fingerprint is computed from the printed tables, so
+/// that it does not depend on the last bits of the figures.
 Replay replay_of(std::vector<Comparison> comparisons, std::vector<NamedPlot> plots);
 
-/// The environment of an experiment.
 struct ReplayContext {
     std::filesystem::path examples;                   ///< the folder of the netlists
-    std::uint64_t seed;                               ///< of every random stream
-    std::function<void(const std::string&)> progress; ///< receives progress; may throw to end the experiment
-    WarningSink warn;                                 ///< receives the warnings of netlists
+    std::uint64_t seed;                               ///< seed of every random stream
+    std::function<void(const std::string&)> progress; ///< called with the progress as text; may throw, to end the
+                                                      ///< experiment
+    WarningSink warn;                                 ///< called with the warnings of netlists
     Interruption& interruption;                       ///< ends the runs of netlists
-    StudyResults& results;                            ///< earlier results of a study; new ones are added
+    StudyResults& results;                            ///< earlier results of a study; new results are added
     std::size_t seeds = 0;                            ///< number of seeds of a study: see kit/seed_runs.hpp
-    bool printed = false; ///< judge the figures that the thesis prints, even where others are expected
+    bool printed = false; ///< judge by the figures that the thesis prints, even where other figures are expected
 };
 
-/// The description of an experiment in its file: see experiments/README.md.
+/// An experiment, as its source file describes it: see experiments/README.md.
 struct Experiment {
     std::string_view name, about;
-    std::string_view chapter; ///< of the thesis, an appendix, or "machine"; this is the order of the list
+    std::string_view chapter; ///< a chapter or appendix of the thesis, or "machine"
     int number;               ///< order within the chapter
     Replay (*run)(const ReplayContext&);
-    std::size_t seeds = 0;    ///< of a study by kit/seed_runs.hpp; 0: the experiment is not a study
-    bool has_printed = false; ///< ReplayContext::printed has an effect
+    std::size_t seeds = 0;    ///< default number of seeds of a study (kit/seed_runs.hpp); 0: the experiment is not a
+                              ///< study
+    bool has_printed = false; ///< whether ReplayContext::printed has an effect
 };
 
-/// Returns every experiment, one from each file in the folders chapter_*, appendix_* and machine, by chapter and
-/// number.
+/// Returns every experiment, as sorted by in_order(). Each file in the folders chapter_*, appendix_* and machine has
+/// one.
 const std::vector<Experiment>& experiments();
 
-/// Sorts by chapter, appendices and the machine last, and by number.
+/// Sorts by chapter, then by number. Appendices come after the chapters, and "machine" comes last.
 std::vector<Experiment> in_order(std::vector<Experiment>);
 
 } // namespace placedpar

@@ -8,11 +8,11 @@ namespace placedpar {
 
 using Seeds = std::vector<std::uint64_t>;
 
-/// The number of records in the studies of one link.
+/// The usual number of records in a study of one link.
 inline constexpr std::size_t usual_records = 50;
 
-/// Returns the seeds of a study's records. Each is drawn from its own stream, keyed by the study's seed and the
-/// record's number. More records therefore leave the first ones unchanged, and another study seed gives other records.
+/// Returns the seeds of a study's records. Each seed is drawn from its own stream, keyed by the study's seed and the
+/// record's number. With more records, the first seeds therefore stay the same.
 Seeds record_seeds(std::uint64_t study_seed, std::size_t records);
 
 } // namespace placedpar

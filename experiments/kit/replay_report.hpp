@@ -10,9 +10,9 @@
 
 namespace placedpar {
 
-/// Returns text for people: every comparison, the constants, and whether the experiment is within its tolerances.
+/// Returns the replay as text: every comparison, the constants, and whether the experiment is within its tolerances.
 std::string print_replay(const Replay&);
-/// Returns the same as JSON, with everything needed to repeat the run. `command` is the command line as typed.
+/// Returns the replay as JSON, with everything needed to repeat it. `command` is the command line as typed.
 boost::json::object replay_json(const Replay&, std::string_view experiment, std::uint64_t seed,
                                 const std::string& command);
 

@@ -14,8 +14,8 @@ namespace placedpar {
 
 namespace {
 
-/// Names the figures by their indices, in an order that sorting keeps. The unit of a figure that is not finite holds
-/// its text.
+/// Names the figures by their indices, in an order that sorting keeps. If a figure is not finite, its unit holds its
+/// text, such as "nan".
 StudyFigures with_names(const Figures& figures) {
     StudyFigures named;
     for (double figure : figures)

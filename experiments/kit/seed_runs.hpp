@@ -13,13 +13,14 @@ namespace placedpar {
 /// The results of one run of an experiment, in an order that the experiment defines.
 using Figures = std::vector<double>;
 
-/// Returns the seeds of this replay: as many as the experiment defines or --seeds states.
+/// Returns the seeds of this replay, ReplayContext::seeds in number.
 Seeds seeds_of(const ReplayContext& context);
 
 /// Makes a run for each seed of the replay on all cores. The figures are in the order of the seeds. Progress is
 /// reported as "what: 12 of 60 seeds". Runs in ReplayContext::results are not repeated; new runs are added to these
 /// results. REQUIRES: `run` may be called from several threads at once; `what` is unique within the experiment. Throws
-/// what progress or a run throws, after the current runs have ended, and UnfinishedRun.
+/// what ReplayContext::progress or a run throws, after the current runs have ended. Throws UnfinishedRun if
+/// interrupted.
 std::vector<Figures> run_seeds(const ReplayContext& context, const std::string& what,
                                const std::function<Figures(std::uint64_t seed)>& run);
 

@@ -24,7 +24,7 @@ namespace placedpar {
 
 namespace {
 
-/// Throws UserError if the machine is not valid, and UnfinishedRun if the run did not complete.
+/// Throws UserError if the netlist was refused, and UnfinishedRun if the run did not complete.
 void require_whole(const StudyOutcome& outcome, const std::string& netlist) {
     if (!outcome.refused.empty())
         throw UserError(outcome.refused);

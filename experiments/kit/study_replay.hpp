@@ -9,15 +9,15 @@
 
 namespace placedpar {
 
-/// A study with tables beside a netlist of the examples, run for a replay. Its file may have been edited: if it lacks
-/// something that the replay needs, functions throw UserError with the file's name.
+/// Runs a study of the examples for a replay. The user may have edited the study's file: if it lacks something that the
+/// replay needs, functions throw UserError with the file's name.
 class StudyReplay {
 public:
     /// Makes the runs of the study. `file` is a path below the folder of the examples. Throws RefusedInput, UserError
     /// and UnfinishedRun.
     StudyReplay(const ReplayContext&, const std::string& file);
 
-    /// Returns its tables and notes, with the fingerprint of all its runs in their order.
+    /// Returns the study's tables and notes. The fingerprint covers all runs of the study in their order.
     Replay replay() const;
     /// Returns the table with that name among those of replay().
     Comparison& table(Replay&, const std::string& name) const;
@@ -30,7 +30,7 @@ public:
 
 private:
     void require_tables() const;
-    /// Loads the netlists, so that their warnings are shown and measures that no run can have are refused.
+    /// Loads the netlists of all runs. Shows their warnings, and refuses measures that no run can have.
     void look_at_netlists() const;
     StudyOutcome outcome_of(const StudyRun&) const;
 

@@ -28,7 +28,7 @@ public:
             }
     }
     const Comparison& all() const { return all_; }
-    /// Returns the constants that only one experiment has.
+    /// Returns the constants that only a single experiment uses.
     const std::vector<Constant>& constants() const { return constants_; }
     std::uint64_t fingerprint() const { return fingerprint_.value(); }
 
@@ -104,7 +104,7 @@ extern const Experiment evidence_experiment{
     .name = evidence,
     .about = "every constant of time with its source, and every published figure beside the simulated one",
     .chapter = machine,
-    .number = 100, // the last of all
+    .number = 100, // after all other experiments of the machine
     .run = replay_evidence,
 };
 

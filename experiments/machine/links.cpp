@@ -10,7 +10,8 @@ namespace placedpar {
 
 namespace {
 
-/// A published rate of a link, in Kbyte/s of 1000 bytes; for both directions, the sum.
+/// A published rate of a link. 1 Kbyte/s is 1000 bytes per second. With both directions in use, the rate is the sum of
+/// both.
 struct LinkRate {
     const char* source;
     const char* name;

@@ -33,7 +33,7 @@ class OneProcessor {
 public:
     explicit OneProcessor(const ReplayContext& context) : context_(context) {}
 
-    /// Returns the rate over a soft channel, in Mbyte/s.
+    /// Returns the rate at which a soft channel copies, in Mbyte/s.
     double copying(Cycles access) {
         constexpr std::uint32_t bytes = 1'000'000;
         Simulation simulation;
@@ -46,7 +46,7 @@ public:
         return bytes / (1e3 * in_milliseconds(run(simulation)));
     }
 
-    /// Returns the microseconds from one tick of the clock to the next, as a program reads it.
+    /// Returns the microseconds between two ticks of the clock, as read by a program.
     double tick(Priority priority) {
         Simulation simulation;
         Processor& t800 = simulation.add<Processor>("t800", hertz);
@@ -58,8 +58,8 @@ public:
         return 1e3 * in_milliseconds(long_time) / static_cast<double>(ticks);
     }
 
-    /// Returns the shortest and the longest turn of a process that computes beside another, from getting the processor
-    /// to losing it, over many starting times.
+    /// Returns the shortest and the longest turn of a computing process beside another computing process, in timeslice
+    /// periods, over many starting times. A turn lasts from getting the processor to losing it.
     std::pair<double, double> shortest_and_longest_turn() {
         std::vector<double> periods;
         for (std::int64_t start = 1; start < 20'480; start += 640)
@@ -68,8 +68,8 @@ public:
         return {least, most};
     }
 
-    /// Returns the longest wait of a process that repeatedly asks for the processor beside `others` that compute, in
-    /// timeslice periods.
+    /// Returns the longest wait for the processor, in timeslice periods, of a process that becomes ready repeatedly
+    /// while `others` processes compute.
     double longest_wait(int others) {
         Simulation simulation;
         Processor& t800 = simulation.add<Processor>("t800", hertz);
@@ -108,8 +108,8 @@ public:
         return longest;
     }
 
-    /// Returns the delay of a crossbar in one direction, in bit times. This is half of the time that a switch adds to a
-    /// byte and its acknowledge.
+    /// Returns the delay of a crossbar in one direction, in bit times. The delay is half of the time that a switch adds
+    /// to a byte and its acknowledge.
     double crossbar_delay() {
         constexpr double bits_per_us = 20;
         double direct = microseconds_a_byte("0"), switched = microseconds_a_byte("1");
@@ -174,8 +174,7 @@ constexpr const char* slices = "databook, 1.3: 1 to 2 periods of 1.024 ms";
 constexpr const char* waits = "databook, 1.3: 2n - 2 periods with n - 1 others";
 constexpr const char* cycles_table = "T4 notebook (pahihu/t4)";
 
-/// Compares turns with the databook's bounds. The bounds are for waits that a program cannot foresee, so the simulation
-/// must come near to them.
+/// Compares the extreme turns and waits with the databook's bounds, which the extremes must nearly reach.
 void compare_turns(OneProcessor& t800, Comparison& comparison) {
     auto [shortest, longest] = t800.shortest_and_longest_turn();
     comparison.add(

@@ -29,7 +29,7 @@ using hardware::Router;
 using hardware::RouterCosts;
 using hardware::RouterLink;
 
-/// Words of the farm's protocol in one message. occam outputs each part of `out ! tag; x; y` as a message of its own.
+/// A message of the farm's protocol. occam outputs each part of `out ! tag; x; y` as its own message.
 struct FarmWords {
     enum class Tag : std::int8_t { stop, render, patch, note, data } tag = Tag::data;
     std::uint32_t words = 1;
@@ -38,7 +38,6 @@ struct FarmWords {
 using FarmTag = FarmWords::Tag;
 using FarmChannel = Channel<FarmWords>;
 
-/// Sends a tag and `words` words after it.
 void send_tagged(FarmChannel& out, FarmTag tag, int words) {
     out.out().output({tag});
     for (int i = 0; i < words; ++i)
@@ -52,10 +51,11 @@ void take_words(FarmChannel& in, int messages) {
         in.in().input();
 }
 
-/// A patch of 8 x 8 pixels, one word each, is sent row by row after its position and size; a task has a position only.
+/// A patch of 8 x 8 pixels is sent row by row, one word for each pixel, after its position and size. A task is only a
+/// position.
 constexpr int patch_edge = 8, patch_head = 3, task_head = 2, patches_of_image = 256 / patch_edge * 256 / patch_edge;
 
-/// Passes a patch on, after its tag.
+/// Passes on a patch whose tag has been taken.
 void pass_patch(FarmChannel& in, FarmChannel& out) {
     take_words(in, patch_head);
     send_tagged(out, FarmTag::patch, patch_head);
@@ -63,7 +63,7 @@ void pass_patch(FarmChannel& in, FarmChannel& out) {
         out.out().output(in.in().input());
 }
 
-/// Passes patches on until the end.
+/// Passes patches on until the tag `stop`, which is passed on, too.
 void buffer_patches(FarmChannel& in, FarmChannel& out) {
     while (take_tag(in) == FarmTag::patch)
         pass_patch(in, out);
@@ -75,8 +75,8 @@ struct RayFarmSettings {
     RouterCosts router;
 };
 
-/// The program on its machine: a line of workers, numbered from the controlling processor, on a tree of links.
-/// Neighbours in the line are up to twenty links apart, and all their messages travel in packets.
+/// The farm on its machine: a line of workers on a tree of links. Neighbours in the line may be twenty links apart, so
+/// all their messages travel in packets.
 class RayFarm {
 public:
     /// Calibrated to the published times of 11 workers and of 71.
@@ -89,7 +89,7 @@ public:
         build_control(*from_before, *to_before);
         for (std::size_t node = 2; node < settings.workers + 2; ++node) {
             const bool last = node == settings.workers + 1;
-            FarmChannel& onward = last ? soft() : channel(node, node + 1); // the last one sends the end to itself
+            FarmChannel& onward = last ? soft() : channel(node, node + 1); // the last worker sends the end to itself
             FarmChannel& back = last ? onward : channel(node + 1, node);
             build_worker(*processors_[node], {*from_before, *to_before, onward, back});
             from_before = &onward;
@@ -108,8 +108,8 @@ private:
         FarmChannel &from_before, &to_before, &onward, &back;
     };
 
-    /// Returns the processor to which a processor's first link to a lower number leads. The table is the list of links
-    /// of 2 May 2022. Since 2023 the program that made the network's description used one link per processor from it.
+    /// Returns the parent of a processor in the tree: of its neighbours with lower numbers, the first in the list of
+    /// links of 2 May 2022. The program that made the network's description has used one link per processor since 2023.
     std::size_t parent(std::size_t node) const {
         static constexpr std::array<std::uint8_t, 13> two_cards{0, 0, 1, 2, 3, 4, 5, 1, 2, 3, 4, 5, 6};
         static constexpr std::array<std::uint8_t, 73> rack{
@@ -157,7 +157,8 @@ private:
         return made;
     }
 
-    /// Adds the process that deals out the tasks, two ahead per worker, and passes the results on.
+    /// Adds the controlling processes. These processes deal out tasks, at most two unfinished tasks for each worker,
+    /// and pass the results on.
     void build_control(FarmChannel& to_workers, FarmChannel& from_workers) {
         FarmChannel &tasks = soft(), &dealt = soft(), &done = soft(), &graphics = channel(1, 0);
         Processor* control = processors_[1];
@@ -184,7 +185,7 @@ private:
         simulation_.process(
             "frame", [this, &graphics] { take_image(graphics); }, processors_[0], Priority::high);
     }
-    /// Sends a message to the screen: its length and its characters, one word each.
+    /// Sends a text for the screen: its length, then a word for each character.
     static void write(FarmChannel& graphics, std::uint32_t characters) {
         send_tagged(graphics, FarmTag::note, 1);
         graphics.out().output({FarmTag::data, characters});
@@ -220,8 +221,7 @@ private:
         done_ = now();
     }
 
-    /// Adds a worker: four processes of high priority pass on tasks and patches, and the renderer computes at low
-    /// priority.
+    /// Adds a worker: four processes of high priority that pass on tasks and patches, and a renderer of low priority.
     void build_worker(Processor& processor, const WorkerChannels& at) {
         FarmChannel &feed = soft(), &idle = soft(), &own = soft(), &mixed_own = soft(), &mixed_back = soft();
         auto add = [&](const char* name, Process::Body body, Priority priority) {
@@ -238,9 +238,9 @@ private:
         add(
             " renderer", [&feed, &own, &idle] { render(feed, own, idle); }, Priority::low);
     }
-    /// Keeps one task besides the one being rendered, and passes others on.
+    /// Keeps one task besides the task being rendered, and passes other tasks on.
     static void pass_tasks(FarmChannel& from_before, FarmChannel& onward, FarmChannel& feed, FarmChannel& idle) {
-        int held = 0; // including the one being rendered
+        int held = 0; // tasks kept, including the task being rendered
         bool open = true;
         auto give = [&feed] { send_tagged(feed, FarmTag::render, task_head); };
         auto rendered = [&](const FarmWords&) {
@@ -300,7 +300,6 @@ private:
     Time done_{};
 };
 
-/// A run and the published time.
 struct RayFarmRun {
     RayFarmSettings settings;
     const char* router;

@@ -53,7 +53,7 @@ std::string less(std::int64_t constant, const Factor& factor) {
     return std::to_string(std::llround(static_cast<double>(constant) * share));
 }
 
-/// Returns a shorter time, in ns, but not less than `least`, which the netlist accepts.
+/// Returns a shorter time in ns; at least `least`, the least time that a netlist accepts.
 std::string shorter(std::int64_t time, std::int64_t least, const Factor& factor) {
     auto wanted = factor.by == 0 ? least : std::llround(static_cast<double>(time) / factor.by);
     return std::to_string(std::max<std::int64_t>(wanted, least));
@@ -78,7 +78,6 @@ std::vector<std::string> busiest(const Uses& uses, Name name, Spent spent) {
     return names;
 }
 
-/// Collects the changes worth trying.
 class Changes {
 public:
     Changes(const Network& network, const RunReport& report, const DeclaredWith& declared)

@@ -12,8 +12,8 @@ namespace placedpar {
 
 /// A change of a netlist, as `placedpar run --set` makes it.
 struct Change {
-    /// Says what the change affects: all things of a kind, the processors of an array, a single part of the machine or
-    /// a single process, a constant of a process, or the number of processes or processors.
+    /// Says what the change affects: all parts of a kind, the processors of an array, a single part or process, a
+    /// constant, or the number of processes or processors.
     enum class Of { all, array, alone, constant, number } of;
     std::string what;   ///< "processors of master[]"
     std::string change; ///< "twice as fast"
@@ -23,11 +23,11 @@ struct Change {
 /// Returns what the netlist declares with these settings, even if the netlist is refused with them.
 using DeclaredWith = std::function<Declared(const Overrides&)>;
 
-/// Returns the changes worth trying. All processors, the processors of an array's processes, all links and all buses
-/// are made 10 % faster, twice as fast, and as fast as a netlist allows (1 GHz, 1 Gbit/s, 1 ns per word). The ten
-/// processors, links, buses and processes that were the busiest in the run are also changed, one at a time, in these
-/// three ways. Memory becomes as fast as on-chip memory. Constants of processes or processors in cycles or bytes are
-/// reduced by 10 %, halved, and set to 0. Vals that determine the number of processes or processors are raised by one.
+/// Returns the changes worth trying. Processors, links and buses become 10 % faster, twice as fast, and as fast as a
+/// netlist allows (1 GHz, 1 Gbit/s, 1 ns per word). Each change applies to all parts of a kind, to the processors of an
+/// array's processes, or to one of the ten busiest parts of a kind. Memory becomes as fast as on-chip memory. Constants
+/// in cycles or bytes are reduced by 10 %, halved, and set to 0. This is also done to the cycles of single processes:
+/// the ten busiest that share a processor. Vals that determine the number of processes or processors are raised by one.
 std::vector<Change> changes_of(const Network&, const RunReport&, const DeclaredWith&);
 
 } // namespace placedpar

@@ -228,9 +228,9 @@ Group group_of(const Change& change) {
     return change.of == Change::Of::all ? Group::everything : Group::part;
 }
 
-/// Prints the activities on the critical path, then the changes with gains, the greatest gain first. Each of three
-/// groups has only its best change: all processors, links or buses twice as fast; a part of the machine twice as fast;
-/// links as fast as the language allows. Each number of processes is printed if raising it by one shortens the run.
+/// Prints the activities on the critical path, then the changes with gains, the greatest gain first. Prints only the
+/// best change of each of three groups: all parts of a kind twice as fast; a single part twice as fast; links as fast
+/// as the language allows. Each number of processes is printed if raising it by one shortens the run.
 std::string print_verdict(const Explanation& explanation) {
     Time whole = explanation.report.result.time;
     std::string out = print_kinds_of_time(explanation);

@@ -10,16 +10,15 @@
 
 namespace placedpar {
 
-/// The causes of the time that a run took.
+/// Explains why a run took as long as it did.
 struct Explanation {
     RunReport report;
     std::map<std::string, Account> accounts; ///< key: process
-    /// Time that sending processes waited for receiving processes, for each direction of a link, "a.link[0] ->
-    /// b.link[1]".
+    /// Time that senders waited for receivers. Key: one direction of a link, "a.link[0] -> b.link[1]".
     std::map<std::string, Time> waits_at_links;
     std::vector<PathPart> path;
-    bool path_too_long = false;  ///< the path was not kept because it is too long
-    std::vector<Answer> answers; ///< the greatest gain first
+    bool path_too_long = false;  ///< the path was too long to keep
+    std::vector<Answer> answers; ///< in the order of try_out()
     std::size_t left_out = 0;    ///< changes that an interruption left untried
     std::string not_tried = "";  ///< why no change was tried although changes were asked for; "" otherwise
 };

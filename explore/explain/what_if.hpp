@@ -15,18 +15,16 @@ namespace placedpar {
 /// the same time.
 using ChangedNetlist = std::function<Network(const Overrides&)>;
 
-/// The result of the run with a change.
 struct Answer {
     Change change;
     Ending ending = Ending::interrupted;
     Time time{};
     std::string refused = ""; ///< first line of the refusal; "" if the netlist was accepted
-    std::string why = "";     ///< the activity whose time on the critical path grew most, if the run takes longer
+    std::string why = "";     ///< if the run takes longer: the activity whose time on the critical path grew most
 
     bool completed() const { return refused.empty() && ending == Ending::completed; }
 };
 
-/// The settings of the changed runs.
 struct WhatIfs {
     ChangedNetlist read;
     std::uint64_t seed;

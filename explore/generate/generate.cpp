@@ -71,7 +71,8 @@ std::string body_of(const TopologyRequest& request, const Job& job, const Topolo
                        host);
 }
 
-/// Reads the generated netlist. Its printed form lists the wires of each channel, and can be too large.
+/// Reads the generated netlist. Throws UserError if the printed form of the network, which lists the wires of each
+/// channel, is too large.
 Network read(const TopologyRequest& request, const std::string& text, const Catalogue& catalogue) {
     constexpr std::string_view too_large = "the network is too large: written out ";
     ReadResult result = read_netlist_text(text, catalogue, {}, "the netlist");

@@ -14,8 +14,8 @@ struct Generated {
     Distances distances;
 };
 
-/// Throws UserError if the topology, job or size does not exist, or a processor would need more links than a transputer
-/// has.
+/// Throws UserError if the topology or job is unknown, if the topology does not have this size, or if a processor would
+/// need more links than a transputer has.
 Generated generate(const TopologyRequest&, const Catalogue&);
 
 } // namespace placedpar::generate

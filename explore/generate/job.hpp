@@ -6,7 +6,7 @@
 
 namespace placedpar::generate {
 
-/// The processes of a netlist and their placement on the processors t of a topology.
+/// The processes of a netlist and their placement on the array `t` of processors.
 struct Job {
     bool has_host = false;  ///< whether there is a process `host`, which the netlist must place
     std::string about;      ///< a description, such as "Islands: one on every processor. ..."
@@ -19,10 +19,10 @@ struct Job {
 Job farm(const Topology&);
 /// Places an island on every processor; islands on neighbouring processors exchange individuals.
 Job islands(const Topology&);
-/// Places an island on the head of each chain of figure-e2, and its slaves along the chain.
+/// In the topology `figure-e2`, places an island on the head of each chain, and its slaves along the chain.
 Job islands_with_slaves();
-/// Places a process of the kind on every processor, and connects it with its neighbours by the port arrays `output` and
-/// `input`.
+/// Places a process of `kind` on every processor, and connects it with its neighbours by the port arrays named by
+/// `output` and `input`.
 Job processes_of(const std::string& kind, bool has_host, const std::string& output, const std::string& input,
                  const Topology&);
 

@@ -13,8 +13,8 @@ std::string within(const std::vector<std::string>& loops, const std::vector<std:
 /// Returns `connect t[i].link[2] to t[i + 1].link[1];`, inside its loops, for every wire of the topology.
 std::string print_wires(const Topology&);
 
-/// Returns the statements that connect a channel in each direction of every wire. The channels join processes of the
-/// array `process`, which has the subscripts of t.
+/// Returns the statements that connect two channels along every wire, one in each direction. The channels join
+/// processes of the array `process`, which has the same subscripts as `t`.
 std::string print_channels(const Topology&, const std::string& process, const std::string& output,
                            const std::string& input);
 

@@ -20,20 +20,20 @@ struct Wires {
     WireEnd from, to;
 };
 
-/// The end of a wire to the host.
+/// The wires from the workstation to the processors of a topology.
 struct HostWires {
     std::string loop; ///< "" if there is only one wire
-    std::string sun;  ///< the link of the workstation, "0"
-    std::string at;   ///< the subscripts of the processor
-    std::string link; ///< an expression, "dimensions"
+    std::string sun;  ///< number of the workstation's link, "0"
+    std::string at;   ///< subscripts of the processor
+    std::string link; ///< number of the processor's link, an expression such as "dimensions"
 };
 
-/// A topology of a given size as fragments of the netlist language, which declare and connect the array t of
-/// processors. The fragments depend on the vals, so that `--set` can change the size.
+/// A topology of a given size, as fragments of the netlist language that declare and connect the array `t` of
+/// processors. The fragments depend on the vals, so that --set can change the size.
 struct Topology {
     std::string about;             ///< "A ring of 8 processors"
     std::vector<std::string> vals; ///< statements such as "val rows 4;"; one declares `nodes`, the number of processors
-    std::string array;             ///< the subscripts with which t is declared, "[rows][columns]"
+    std::string array;             ///< dimensions with which `t` is declared, "[rows][columns]"
     std::string first;             ///< subscripts of processor number 0, "[0][0]"
     std::string at;                ///< subscripts of processor number i, "[i / columns][i % columns]"
     std::vector<Wires> wires;
@@ -43,8 +43,8 @@ struct Topology {
 
 std::vector<std::string> names_of_topologies();
 
-/// Throws UserError if the topology does not exist or does not have this size, or a processor would need more links
-/// than a transputer has.
+/// Throws UserError if the topology is unknown or does not have this size, or if a processor would need more links than
+/// a transputer has.
 Topology topology_of(const TopologyRequest&);
 
 } // namespace placedpar::generate

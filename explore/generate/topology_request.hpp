@@ -9,12 +9,12 @@ namespace placedpar::generate {
 /// The options that describe the wanted machine, as typed by the user.
 struct TopologyRequest {
     std::string topology;                ///< one of names_of_topologies()
-    std::string size;                    ///< "8", the number of processors, or "4x4", rows and columns
+    std::string size;                    ///< "8" processors, or "4x4" rows and columns
     std::optional<std::size_t> branches; ///< branches of each node of a tree
     std::optional<std::size_t> chord;    ///< length of the chords of a chordal ring, in processors
     std::optional<std::size_t> degree;   ///< degree of a chordal ring: 3 or 4
     std::string job = "islands";         ///< "farm", "islands", or a kind of process for every processor
-    std::string host = "workstation";    ///< or "node": the host's process is on the first processor
+    std::string host = "workstation";    ///< the host's process is on the workstation; "node": on the first processor
     std::string output = "to_neighbours", input = "from_neighbours"; ///< names of the kind's port arrays
 };
 

@@ -34,7 +34,7 @@ SearchSettings settings_of(const StudySearch& wanted, std::size_t bits) {
     settings.reproduction = UniversalReproduction{};
     settings.crossover = UniformCrossover{};
     settings.crossover_probability = 0.9;
-    settings.mutation_probability = 1 / static_cast<double>(bits); // on average, one bit of each offspring
+    settings.mutation_probability = 1 / static_cast<double>(bits); // mutates one bit of each offspring on average
     return settings;
 }
 
@@ -65,7 +65,7 @@ std::optional<SearchCourse> MachineSearch::genetic() {
     return course;
 }
 
-/// Draws the population only from machines for which the condition holds, since it may hold for very few.
+/// Draws the population only from machines for which the condition holds, since these may be very few.
 std::vector<Genome> MachineSearch::first_population() {
     RandomStream random(wanted_.seed, "optimise/first");
     std::vector<Genome> population;
@@ -136,7 +136,7 @@ std::optional<SearchCourse> MachineSearch::exhaustive() {
     return course;
 }
 
-/// Tries the machines, and adds the new machines to the course. Returns false if interrupted.
+/// Tries the machines, and adds the new machines that were simulated to the course. Returns false if interrupted.
 bool MachineSearch::take(SearchCourse& course, const std::vector<std::uint64_t>& machines, const std::string& step) {
     listener_({course, step, 0});
     if (!trials_.try_out(machines, [&](std::uint64_t runs) { listener_({course, step, runs}); }))

@@ -13,10 +13,10 @@
 
 namespace placedpar {
 
-/// A reason why machines are infeasible.
+/// How many machines a reason made infeasible.
 struct Infeasible {
     std::size_t machines = 0;
-    std::string said = {}; ///< full text of the first refusal
+    std::string said = {}; ///< full text of the reason, for the first of these machines
 };
 
 /// The machines that one method of search has tried, in order.
@@ -24,14 +24,13 @@ struct SearchCourse {
     std::string way;                            ///< "genetic", "random", "exhaustive"
     std::vector<std::uint64_t> machines = {};   ///< machines that were simulated, each once, in the order of the trials
     std::vector<Merit> merits = {};             ///< merits of `machines`, in the same order
-    std::set<std::uint64_t> tried = {};         ///< `machines`, and the machines that cannot be built
-    std::map<std::string, Infeasible> why = {}; ///< infeasible machines by the first line of the refusal
+    std::set<std::uint64_t> tried = {};         ///< `machines`, and the machines that were refused
+    std::map<std::string, Infeasible> why = {}; ///< infeasible machines by the first line of the reason
 
     /// Returns the indices of the machines that no other machine dominates; with one cost, all machines of least cost.
     std::vector<std::size_t> front() const { return front_of(merits); }
 };
 
-/// The progress of a search, for its listener.
 struct CourseProgress {
     const SearchCourse& course;
     std::string step;   ///< "generation 3 of 20"
@@ -47,11 +46,11 @@ public:
     /// REQUIRES: the arguments outlive this object; the study has a search.
     MachineSearch(const Study&, const MachineSpace&, MachineTrials&, Listener);
 
-    /// Searches by the genetic algorithm of this project, with NSGA-II's scheme. Each generation is sorted by
-    /// order_of(). The better half survives unchanged as the elite, and breeds the other half by stochastic universal
-    /// sampling over linear ranks and uniform crossover. If several genomes code one machine, all but the first count
-    /// as infeasible, so that the elite has each machine once. Throws UserError if the condition holds for none of the
-    /// machines drawn.
+    /// Searches by this project's genetic algorithm in the manner of NSGA-II. Each generation is sorted by order_of().
+    /// The better half survives unchanged, and its offspring replace the other half. The operators are stochastic
+    /// universal sampling over linear ranks, uniform crossover and mutation. If several genomes code one machine, all
+    /// but the first count as infeasible, so the surviving half rarely has a machine twice. Throws UserError if the
+    /// condition holds for none of the machines drawn.
     std::optional<SearchCourse> genetic();
     /// Draws different machines for which the condition holds, until `simulated` machines have been simulated or nearly
     /// all such machines have been drawn.

@@ -16,7 +16,7 @@ namespace placedpar {
 /// over these values.
 class MachineSpace {
 public:
-    /// Throws UserError if the study has several products, which a genome cannot code; only one machine; or more
+    /// Throws UserError if the study has several products (a genome cannot code them), only one machine, or more
     /// machines than 64 bits can count. REQUIRES: the study outlives this object, and has a product.
     explicit MachineSpace(const Study&);
 

@@ -6,7 +6,6 @@
 
 namespace placedpar {
 
-/// The merit of a machine in a search.
 struct Merit {
     bool feasible = false;
     std::vector<double> costs; ///< costs to be minimised; all feasible machines have the same number of costs

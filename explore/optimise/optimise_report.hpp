@@ -14,7 +14,6 @@
 
 namespace placedpar {
 
-/// The result of a search for the best machine.
 struct Optimum {
     std::vector<std::string> measures; ///< the one or two measures that were minimised, with their units
     Trial start;                       ///< the unchanged netlist, with the settings that all machines share
@@ -25,8 +24,8 @@ struct Optimum {
     SearchCourse together() const;
 };
 
-/// Returns the indices, in the course, of the machines to be shown: the best few machines for one cost, the front for
-/// two costs. Of machines with equal costs, only one is shown.
+/// Returns which machines of the course to show, as indices: the best few machines for one cost, the front for two
+/// costs. Of machines with equal costs, only one is shown.
 std::vector<std::size_t> best_of(const SearchCourse&);
 
 /// Returns the minimised measures, followed by the study's other measures. REQUIRES: the study has a search.
@@ -35,20 +34,22 @@ std::vector<std::string> shown_measures(const Study&);
 /// Returns the settings and measures of the best machines, the best first.
 StudySummary summary_of_best(StudyResults&, const Study&, const MachineSpace&, const SearchCourse&);
 
-/// Prints the unchanged netlist, then what each method found and the number of machines tried until then.
+/// Prints a row for each method. With one cost, the rows have the best cost and the number of machines tried until it
+/// was found, below the unchanged netlist's cost. With two costs, the rows have the number of points on the method's
+/// front, and how many of these are on the joint front of all methods.
 std::string print_comparison(const Optimum&);
 
-/// Explains why two runs take different times, by the activities on their critical paths.
+/// Prints how long each activity takes on the critical paths of two runs, the greatest difference first.
 std::string print_paths(const std::vector<PathPart>& start, const std::vector<PathPart>& best);
 
-/// Returns the plot: for one measure, the best value over the number of machines simulated; for two, all machines and
-/// the front.
+/// Returns the plot. With one measure, it shows the best value so far over the number of machines simulated; with two,
+/// all machines and the front.
 Plot optimum_plot(const Optimum&, const std::string& title);
 
-/// Returns the `placedpar run` command that repeats the run.
+/// Returns the `placedpar run` command for a run with these settings and the study's first seed.
 std::string command_of(const Study&, const Overrides& settings);
 
-/// Lists the reasons why all machines are infeasible, the most frequent reason first.
+/// Prints the most frequent reasons why machines are infeasible. REQUIRES: all machines of the course are infeasible.
 std::string print_why_none(const SearchCourse&);
 
 } // namespace placedpar

@@ -85,7 +85,6 @@ Trial MachineTrials::trial_of(const Overrides& settings) {
     return trial;
 }
 
-/// Adds the figures of a run that completed.
 void MachineTrials::add_figures(Trial& trial, const StudyFigures& figures) {
     if (!any_)
         any_ = figures;

@@ -17,18 +17,18 @@
 
 namespace placedpar {
 
-/// The result of trying a machine.
 struct Trial {
     Merit merit;
-    bool simulated = false; ///< false: the netlist or the study's condition refuses the machine
-    std::string why = "";   ///< reason if the machine is infeasible: a refusal, the end of a run, or a missing measure
+    bool simulated = false; ///< false: the study's condition does not hold for the machine, or its netlist is refused
+    std::string why = "";   ///< why the machine is infeasible: a refusal, how a run ended if it did not complete, or a
+                            ///< missing measure
 };
 
-/// Returns the study with only these settings to run.
+/// Returns a study that runs only these settings.
 Study study_of(const Study&, const std::vector<Overrides>& all);
 
-/// Tries machines: runs each with every seed of the study, and keeps the runs as a sweep does, so that no run is made
-/// twice. The result of a machine does not depend on when it is tried, or on other machines.
+/// Runs machines with every seed of the study. Keeps the runs in the results, as a sweep does, so that no run is made
+/// twice. The result of a machine depends neither on when it is tried nor on other machines.
 class MachineTrials {
 public:
     /// REQUIRES: the arguments outlive this object; the study has a search.
@@ -39,11 +39,11 @@ public:
     bool try_out(std::span<const std::uint64_t> machines, const std::function<void(std::uint64_t runs)>& show);
     /// REQUIRES: the machine has been tried out.
     const Trial& of(std::uint64_t machine);
-    /// Returns the trial of any settings, and makes its runs if they are missing; returns nothing if interrupted.
+    /// Makes the missing runs with these settings, and returns their trial. Returns nothing if interrupted.
     std::optional<Trial> of(const Overrides& settings);
 
-    /// Throws UserError if runs have completed but no run had one of the measures to be minimised. The message lists
-    /// the measures that the runs had.
+    /// Throws UserError if runs have completed, but at least one of the measures to be minimised appeared in none of
+    /// them. The message lists the measures of a completed run.
     void require_measures() const;
 
 private:

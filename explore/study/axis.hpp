@@ -13,9 +13,9 @@ namespace placedpar {
 /// A single value, or the values of a range, which are computed when needed.
 class StudyValues {
 public:
-    /// Reads the values of the setting `name`: "5M", "0..7", "0..100..10" (steps of 10), "1..64..x2" (doubles at each
-    /// step). A range is ascending and includes its last value if a step meets this value. Throws UserError if the
-    /// range is empty or its ends are not numbers.
+    /// Reads the values of the setting `name`: "5M", "0..7", "0..100..10" (steps of 10) or "1..64..x2" (each value is
+    /// twice the value before). A range is ascending. The upper end of a range is one of its values if a step meets it.
+    /// Throws UserError if the range is empty or its ends are not numbers.
     StudyValues(const std::string& name, std::string_view text);
 
     std::uint64_t count() const { return count_; }
@@ -31,13 +31,13 @@ private:
     void count_steps(std::string_view text, double from, double to);
 
     std::string name_;
-    SettingValue only_; ///< the single value, where there is no range
+    SettingValue only_; ///< the single value, if there is no range
     double from_ = 0, step_ = 1;
     bool is_range_ = false, multiplies_ = false, whole_ = true;
     std::uint64_t count_ = 1;
 };
 
-/// A val, an attribute or a parameter that a study varies, by its name in --set, with its values.
+/// A val, attribute or parameter that a study varies, named as for --set, with its values.
 struct StudyAxis {
     std::string name;
     std::vector<StudyValues> parts;
@@ -53,8 +53,8 @@ struct StudyAxis {
 /// Reads an axis such as "slaves=0..7,10". Commas separate its parts, except within quotes, parentheses or braces.
 /// Throws UserError.
 StudyAxis read_axis(const std::string& text);
-/// Reads the parts after the `=`; a single value that is equal to an earlier value is left out. Throws UserError, which
-/// names the axis.
+/// Reads the parts after the `=`, without single values that are equal to earlier single values. Throws UserError with
+/// the name of the axis.
 std::vector<StudyValues> read_values(const std::string& name, const std::string& text);
 
 } // namespace placedpar

@@ -8,8 +8,8 @@
 
 namespace placedpar {
 
-/// Chooses one spelling for all values with the same meaning: the study's spelling if the study has the value,
-/// otherwise the spelling of the first run.
+/// Chooses one spelling for all values of a setting with the same meaning: the study's spelling if the study has the
+/// value, otherwise the spelling in the first run that has it.
 class CanonicalSettings {
 public:
     /// REQUIRES: both arguments outlive this object.

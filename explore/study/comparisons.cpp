@@ -38,7 +38,6 @@ private:
     std::map<std::string, std::vector<std::string>> runs_;
 };
 
-/// Makes the tables of one study.
 class ComparisonMaker {
 public:
     ComparisonMaker(const Study& study, StudyResults& results)
@@ -89,7 +88,8 @@ private:
         return cell;
     }
 
-    /// Sets the mean over the seeds and its interval. A figure that is 0 or 100 in every run is a share of the runs.
+    /// Sets the mean over the seeds and its interval. If a percentage is 0 or 100 in every run, the interval is that of
+    /// a share of the runs.
     void set_figure(Cell& cell, const StudyRow& row, const Overrides& set, const FiguresByName& above) {
         StudyCell figures;
         std::size_t none = 0, all = 0;
@@ -106,7 +106,7 @@ private:
                             : Interval{figures.mean - figures.half_width, figures.mean + figures.half_width};
     }
 
-    /// Adds the ends of the intervals of the last `columns` cells, as rows of their own.
+    /// Adds two rows with the ends of the intervals of the last `columns` cells.
     static void add_interval(Comparison& comparison, const StudyRow& row, std::size_t columns) {
         const std::vector<Cell> cells(comparison.cells.end() - static_cast<std::ptrdiff_t>(columns),
                                       comparison.cells.end());

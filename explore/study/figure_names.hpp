@@ -18,8 +18,7 @@ public:
     void add_settings(const Overrides&);
     void add_measures(const std::vector<std::string>&);
 
-    /// Throws UserError for a name in the expression that has no meaning or several meanings. `other` has further
-    /// names.
+    /// Throws UserError if a name in the expression has no meaning, or several meanings, here and in `other` together.
     void require(const StudyExpression&, const FigureNames& other) const;
 
 private:

@@ -33,7 +33,7 @@ void add_figure(StudyFigures& figures, const std::string& name, double value, co
         figures[name] = {value, unit};
 }
 
-/// Returns "t.busy" for "t[0][1].busy", the name of a figure of the whole array.
+/// Returns the name of the figure without subscripts: "t.busy" for "t[0][1].busy".
 std::string name_of_array(const std::string& figure) {
     std::size_t bracket = figure.find('['), dot = figure.rfind('.');
     return bracket == figure.npos || dot == figure.npos || dot < bracket
@@ -67,8 +67,8 @@ std::string description_of(const std::string& name, const std::set<std::string>&
     return "";
 }
 
-/// Returns the description of a measure that no process of this name has measured so far; "" if a process has, or if no
-/// kind describes the measure.
+/// Returns the description of a measure that no process of this name has measured; "" if a process has measured it, or
+/// if no kind describes it.
 std::string not_come_to(const StudyMeasure& measure, const StudyFigures& figures) {
     std::string name = measure.name_without_subscripts(), process = name.substr(0, name.rfind('.') + 1);
     name = name.substr(process.size());

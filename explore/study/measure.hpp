@@ -16,14 +16,13 @@ struct Network;         // netlist/network/network.hpp
 struct ProcessInstance; // netlist/network/network.hpp
 struct RunReport;       // netlist/run_report.hpp
 
-/// A number with its unit.
 struct StudyFigure {
     double value = 0;
     std::string unit;
 };
 
-/// Returns all figures of a run: "time" in ms, the numbers of "processors" and "links" used, the measurements of the
-/// processes such as "master[0].T_exe", and the load of each processor, "t[0][1].busy", in percent.
+/// Returns all figures of a run: "time" in ms, and the numbers of "processors" and "links" used. Also the measurements
+/// of processes, such as "master[0].T_exe", and the load of each processor in percent, such as "t[0][1].busy".
 using StudyFigures = std::map<std::string, StudyFigure>;
 StudyFigures figures_of(const RunReport&, const Network&);
 
@@ -35,8 +34,8 @@ std::string figures_text(const StudyFigures&);
 /// Reads the figures back without any loss. Throws std::exception if the text was not made by figures_text().
 StudyFigures figures_from(const std::string&);
 
-/// One figure of a run, as a study names it: "time", "master[0].T_exe"; "master.T_exe" is the mean over all processes
-/// of the array master; min(...), max(...) and sum(...) are the minimum, maximum and sum over these processes.
+/// One figure of a run, as a study names it: "time" or "master[0].T_exe". The mean over all processes of the array
+/// `master` is "master.T_exe" or "mean(master.T_exe)"; there are also min(...), max(...) and sum(...).
 class StudyMeasure {
 public:
     /// Throws UserError for a text that cannot name a measure.
@@ -59,12 +58,13 @@ private:
     Aggregate way_ = Aggregate::mean;
 };
 
-/// Returns a sentence about a measure that a run does not have. If the run ended before the measurement, the sentence
-/// says what the measure is; otherwise it suggests a similar name and lists all measures of the run.
+/// Returns a sentence about a measure that a run does not have. If the kind of the process has this measurement, the
+/// sentence describes the measurement, which the run did not reach. Otherwise the sentence suggests a similar name, or
+/// lists all measures of the run.
 std::string there_is_no_measure(const StudyMeasure&, const StudyFigures&);
 
-/// The measures that runs may have, as far as their netlists show before a run. Measures that only some runs have are
-/// included.
+/// The measures that runs of these networks may have, as far as can be told before the runs. Measures that only some
+/// runs have are included.
 class PossibleMeasures {
 public:
     void add(const Network&, const Catalogue&, const ProblemRegistry&);
@@ -76,7 +76,7 @@ private:
     void add(const ProcessInstance&, const std::string& described, const ProblemRegistry&);
 
     std::set<std::string> names_;   ///< without subscripts
-    std::set<std::string> unknown_; ///< prefixes such as "column.", of processes whose kind does not describe all
+    std::set<std::string> unknown_; ///< prefixes such as "column." of processes whose kind does not describe all its
                                     ///< measurements
 };
 

@@ -22,8 +22,8 @@ public:
     /// REQUIRES: `ranks` outlives this object.
     RankHelper(Ranks& ranks, std::size_t jobs) : ranks_(ranks), jobs_(jobs), interruptions_(jobs) {}
 
-    /// Makes runs until none is left, or until the interruption. Reports errors to rank 0. Calls `study` only once rank
-    /// 0 begins a sweep.
+    /// Makes runs until none is left, or until the interruption. Reports errors to rank 0. Calls `study` only after
+    /// rank 0 has begun a sweep.
     void help(const std::function<Study()>& study, const Interruption&);
 
 private:
@@ -39,7 +39,8 @@ private:
     Ranks& ranks_;
     std::size_t jobs_;
     std::string digest_;         ///< digest of rank 0's source
-    std::size_t unanswered_ = 0; ///< requests that rank 0 has not answered; after stop, rank 0 answers no requests
+    std::size_t unanswered_ = 0; ///< number of requests that rank 0 has not answered; it answers none after the message
+                                 ///< `stop`
     std::mutex mutex_;           ///< guards the members below
     std::condition_variable changed_;
     std::deque<StudyRun> runs_;      ///< runs to be made

@@ -7,7 +7,7 @@
 
 namespace placedpar {
 
-/// The messages between the ranks of a sweep: rank 0, which has the results, and the other ranks, its helpers.
+/// The messages of a sweep between rank 0, which has the results, and the other ranks, the helpers.
 ///
 ///     rank 0                      helper
 ///     begin                  ->                        or stop, if there is nothing to do
@@ -18,13 +18,13 @@ namespace placedpar {
 ///                            <-   gone                 its last message; or failed, if it cannot go on
 struct RankMessage {
     enum class Kind { begin, run, none, stop, ask, ended, failed, gone } kind;
-    std::string text = "";                    ///< begin: digest_of() the source; failed: the reason
-    std::optional<StudyRun> run = {};         ///< set in run and ended
-    std::optional<StudyOutcome> outcome = {}; ///< set in ended
+    std::string text = "";                    ///< in `begin`: digest_of() the source; in `failed`: the reason
+    std::optional<StudyRun> run = {};         ///< set in `run` and in `ended`
+    std::optional<StudyOutcome> outcome = {}; ///< set in `ended`
 };
 
 std::string text_of(const RankMessage&);
-/// Reads the message back without any loss. REQUIRES: the text was made by text_of() of the same version.
+/// Reads the message back, without any loss. REQUIRES: the text was made by text_of() of the same version.
 RankMessage rank_message_from(const std::string&);
 
 /// Returns a digest of the netlist, its included files, the options and the version of PlacedPar. Two digests are equal

@@ -15,7 +15,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns whether Open MPI, or Slurm with PMIx, started this process: both set variables of the environment.
+/// Returns whether Open MPI, or Slurm with PMIx, started this process: each sets a variable of the environment.
 bool started_as_rank() {
     return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMIX_NAMESPACE") != nullptr;
 }

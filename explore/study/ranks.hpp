@@ -37,8 +37,8 @@ inline constexpr std::chrono::milliseconds rank_patience{4};
 /// MPI is loaded by this call, as a separate module (app/mpi), so that a program without ranks does not need MPI.
 std::unique_ptr<Ranks> ranks_of_mpirun();
 
-/// Prevents several ranks from each doing work that they cannot share. If there are several ranks, throws UserError in
-/// rank 0 and returns true in the other ranks, which must then end silently.
+/// Ends a command that several ranks cannot share. If there are several ranks, throws UserError in rank 0 and returns
+/// true in the other ranks, which must then end silently.
 bool left_to_rank_zero(const std::string& command);
 
 } // namespace placedpar

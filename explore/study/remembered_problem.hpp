@@ -13,15 +13,15 @@
 
 namespace placedpar {
 
-/// An objective problem that computes the fitness of each string once, and remembers the exact value for other
+/// A problem with an objective. It computes the fitness of each genome once, and remembers the fitness for other
 /// processes, generations and runs. Neither this class nor ProblemRegistry is thread-safe.
 class RememberedProblem final : public SearchProblem {
 public:
-    /// The number of bytes left for remembered strings. Several problems may share it.
+    /// The number of bytes left for remembered genomes. Several problems may share this number.
     using Room = std::shared_ptr<std::size_t>;
     static Room usual_room() { return std::make_shared<std::size_t>(32 << 20); }
 
-    /// If no room is left, the problem forgets all its strings and begins again. REQUIRES: the problem has an
+    /// If no bytes are left, the problem forgets all its genomes and begins again. REQUIRES: the problem has an
     /// objective().
     explicit RememberedProblem(std::shared_ptr<const SearchProblem> problem, Room room = usual_room());
     ~RememberedProblem() override { forget(); }
@@ -47,7 +47,7 @@ private:
         std::size_t operator()(const Genome&) const;
     };
 
-    /// Returns the only problem of this coding, which remembers its own strings.
+    /// Returns the problem in this coding, always the same object, which remembers its own genomes.
     std::shared_ptr<const SearchProblem> coded_plainly(Coding) const override;
     std::size_t bytes_of_one() const;
     void forget() const;
@@ -58,11 +58,10 @@ private:
     mutable std::map<std::string, std::shared_ptr<const SearchProblem>> codings_;
 };
 
-/// Problems that several registries share, such as registries of different seeds. The key is the problem's name with
-/// its numbers.
+/// Problems that several registries share, such as registries of different seeds.
 class RememberedProblems {
 public:
-    /// Returns a family that makes each problem once, and remembers the strings of the problems that have an objective.
+    /// Returns a family that makes each problem once. A problem with an objective becomes a RememberedProblem.
     /// REQUIRES: this object outlives the result, and families with the same name are equal.
     ProblemFamily around(const ProblemFamily& family);
 

@@ -16,35 +16,34 @@
 
 namespace placedpar {
 
-/// The outcome of a run.
 struct StudyOutcome {
     std::string ended; ///< "completed", "deadlock", "stopped at the time limit", "refused"
     Time time{};
     std::uint64_t fingerprint = 0;
     std::uint64_t netlist_hash = 0;
-    std::string refused = ""; ///< printed reason why the machine is refused; "" if it is accepted
+    std::string refused = ""; ///< printed reason why the netlist is refused; "" if it is accepted
     StudyFigures figures = {};
 };
 
-/// The source that all runs of a file of results share. A file with another source is refused. The source of a function
-/// has no texts.
+/// The source that all runs of a file of results share. A file with another source is refused. If the study runs a
+/// function, there are no texts.
 struct StudySource {
     std::string netlist;                                    ///< path as typed by the user; it is not compared
     std::vector<std::pair<std::string, std::string>> texts; ///< path and text of the netlist and its included files
     std::string options; ///< JSON of everything else that determines a run, such as faults; for a function, a text that
-                         ///< identifies it
-    std::string named_by = " with --results"; ///< text for a refusal: how to name another file
+                         ///< identifies the function
+    std::string named_by = " with --results"; ///< how to name another file, for the message of a refusal
 
-    /// Compares all but the paths of the files.
+    /// Compares all except the paths of the files and `named_by`.
     bool operator==(const StudySource& other) const;
 };
-/// Reads the netlist's files. `network` was read from them. Throws UserError.
+/// Reads the netlist's files. REQUIRES: `network` was read from these files. Throws UserError.
 StudySource source_of(const Study&, const Network& network);
 
-/// The runs of studies of one netlist in a file of SQLite: one row for each run, with everything needed to repeat the
-/// run. Once keep() has returned, the run stays in the file even if the program crashes. Each row has a checksum, and
-/// the file holds the number of rows and the sum of the checksums, so that a damaged file is refused. Functions throw
-/// UserError with the file's name.
+/// The runs of one netlist in a SQLite file. Each run is a row, with everything needed to repeat the run. Once keep()
+/// has returned, the run stays in the file even if the program crashes. Each row has a checksum, and the file holds the
+/// number of rows and the sum of the checksums, so that a damaged file is refused. Functions throw UserError with the
+/// file's name.
 class StudyResults {
 public:
     /// Opens a file to add runs, or creates it. Refuses a file of another netlist, of other options or of another
@@ -68,12 +67,10 @@ public:
     /// Calls the function once for each combination of settings that has runs.
     void for_each_setting(const std::function<void(const Overrides&)>&);
 
-    /// Stores the measures that were requested when runs were last added.
+    /// Stores the measures that the latest sweep or search requests.
     void set_measures(const std::vector<std::string>&);
     std::vector<std::string> measures();
-    /// Returns the source that all runs share.
     StudySource source();
-    /// Returns the path of the netlist.
     std::string netlist();
     std::string version();
     const std::filesystem::path& path() const { return path_; }

@@ -19,7 +19,7 @@ const Scopes& no_names() {
     return scopes;
 }
 
-/// Returns the number. If its suffix can be read in two ways, and the setting is not a frequency, returns both numbers.
+/// Returns the number, or both numbers if the suffix has two meanings and the setting is not a frequency.
 std::string meaning_of(const Integer& integer, bool of_frequency) {
     if (of_frequency || integer.value == integer.decimal)
         return fmt::format("{}", integer.decimal);

@@ -7,20 +7,20 @@
 
 namespace placedpar {
 
-/// Returns the value of a text of --set without a netlist, so that names have no meaning. Returns nothing if the text
-/// is not an expression: it is then a text without quotes.
+/// Evaluates a value of --set without a netlist. Returns nothing if the value is not an expression or has a name in it:
+/// such a value stands for a text without quotes.
 std::optional<Constant> constant_of_setting(const std::string& text);
 
 /// Returns the number that a value of --set means for a clock or the speed of a link: 5M is 5 million. Returns nothing
-/// for a text.
+/// if the value is not a number.
 std::optional<double> number_of_setting(const std::string& text);
 
 /// Returns whether the setting of this name is a clock or the speed of a link: "t.clock".
 bool is_frequency(const std::string& name);
 
-/// A value of --set, compared by its meaning: 8 equals 8.0, a text equals the same text in quotes, and for a clock or
-/// the speed of a link 20M equals 20000000. For other settings 20M may be a size, 20971520, so that the two values are
-/// different.
+/// A value of --set, compared by its meaning: 8 equals 8.0, and a text equals the same text in quotes. For a clock or
+/// the speed of a link, 20M equals 20000000. For other settings 20M differs from 20000000, since it may be a size of
+/// 20971520 bytes.
 class SettingValue {
 public:
     /// `name` as --set takes it: "t.clock".

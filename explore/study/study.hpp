@@ -77,13 +77,13 @@ struct Study {
     bool has_some(const Overrides&) const;
     /// Returns the names of all settings of the study.
     std::vector<std::string> names() const;
-    /// Returns the study's value of this setting that is equal to the argument; nothing if there is none.
+    /// Returns the study's value of the setting `name` that is equal to the argument; nothing if there is none.
     std::optional<SettingValue> find(const std::string& name, const SettingValue&) const;
 };
 
-/// Finds the runs of a study by their numbers, for loops over the runs. Each run is found by a binary search among the
-/// products, because the study's tables give one product for each cell. REQUIRES: the study outlives this object, and
-/// its products and seeds do not change.
+/// Finds the runs of a study by their numbers. A binary search finds the product of a run; since tables make a product
+/// for each cell, loops over all runs would otherwise be slow. REQUIRES: the study outlives this object, and its
+/// products and seeds do not change.
 class StudyRuns {
 public:
     /// Throws as Study::count() does.

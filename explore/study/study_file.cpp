@@ -20,7 +20,6 @@ namespace placedpar {
 
 namespace {
 
-/// Reads one study.
 class StudyReader : TomlReader {
 public:
     explicit StudyReader(const std::string& path)
@@ -178,7 +177,8 @@ private:
     std::string against(const toml::node& node) {
         constexpr std::ptrdiff_t most = 7;
         std::string word = text(node);
-        if (std::ranges::count_if(word, [](char each) { return (each & 0xC0) != 0x80; }) > most) // letters of UTF-8
+        if (std::ranges::count_if(word, [](char each) { return (each & 0xC0) != 0x80; }) > most) // counts the
+                                                                                                 // characters of UTF-8
             report(node.source().begin,
                    fmt::format("\"{}\" is too long to stand above a figure: expected at most {} letters", word, most));
         return word;
@@ -331,8 +331,8 @@ private:
         return text == "nan" ? StudyExpression("") : expression(node, text);
     }
 
-    /// Reads a tolerance: "3 %" is a share of the known figure; ".05" or ".01 * known" is in the figure's unit; nan
-    /// means that the cell is not judged.
+    /// Reads a tolerance: "3 %" is a share of the known figure; ".05" or ".01 * known" is in the figure's unit. With
+    /// nan, the cell is not judged.
     StudyTolerance tolerance(const toml::node& node, std::string text) {
         const bool in_percent = text.ends_with('%');
         if (in_percent)
@@ -408,7 +408,7 @@ private:
         study_.relative_to = settings(node);
     }
 
-    /// Reads settings with one value each, as axes are read.
+    /// Reads settings as axes, each of which must have a single value.
     Overrides settings(const toml::node& node) {
         std::vector<StudyAxis> axes;
         read_axes(node, "", axes);
@@ -442,7 +442,7 @@ private:
             return std::pair(one.line, one.column) < std::pair(other.line, other.column);
         });
         for (const auto& [key, value] : members)
-            if (value->is_table() && prefix.empty() && key->str() == "relative_to") // no process will have this name
+            if (value->is_table() && prefix.empty() && key->str() == "relative_to") // not taken for a process
                 report_misplaced("relative_to", *value);
             else if (value->is_table())
                 read_axes(*value, prefix + std::string(key->str()) + ".", axes);

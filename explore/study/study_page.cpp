@@ -29,7 +29,7 @@ svg {{ max-width: 100%; height: auto }}
 <h1>{0}</h1>
 )";
 
-/// Returns the <svg> element of an SVG file, without the lines before it.
+/// Returns the text of an SVG file from the <svg> element on.
 std::string inline_svg(const std::string& file) { return file.substr(file.find("<svg")); }
 
 /// Returns the plot, or a paragraph that says why there is no plot.

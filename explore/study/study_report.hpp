@@ -9,12 +9,11 @@ namespace placedpar {
 
 /// Returns the summary as a table: a line for each combination, with means and their confidence intervals.
 std::string print_summary(const StudySummary&);
-/// Returns the summary as comma-separated values.
 std::string summary_csv(const StudySummary&);
 
-/// Plots the measures over the axis `over`, or over the axis with the most numbers: a panel for each measure, a curve
-/// for each combination of the other axes, and 95 % intervals as bars. Throws UserError if there is nothing to draw, or
-/// if there are more curves than can be told apart.
+/// Plots the measures over the axis `over`; "": over the axis with the most numbers. There is a panel for each measure,
+/// and a curve with 95 % intervals for each combination of the other axes. Throws UserError if there is nothing to
+/// draw, or if there are more curves than can be told apart.
 Plot summary_plot(const StudySummary&, const std::string& over = "");
 
 /// Returns a self-contained page of HTML with the plot if it can be drawn, the table, and a description of the runs.

@@ -8,8 +8,7 @@
 namespace placedpar {
 
 /// Finds out whether a study has runs with given settings. Tables make thousands of products with a single combination:
-/// these are looked up in a set by the meaning of their values. Only products with several combinations are searched
-/// one by one.
+/// a set holds the meanings of their values. Only products with several combinations are searched one by one.
 class StudySettings {
 public:
     StudySettings() = default;
@@ -20,7 +19,7 @@ public:
     bool has(const Overrides&) const;
 
 private:
-    std::set<Overrides> single_; ///< names and meanings
+    std::set<Overrides> single_; ///< products with a single combination: names and meanings
     std::vector<StudyProduct> others_;
 };
 

@@ -26,7 +26,7 @@ Measured measured(const StudyOutcome& outcome, const std::vector<StudyMeasure>& 
     return figures;
 }
 
-/// The figures of the reference runs. The figures of other runs are divided by them.
+/// Divides the figures of runs by the figures of their reference runs.
 class References {
 public:
     References(CanonicalSettings& spellings, const std::vector<StudyMeasure>& measures, const Overrides& relative_to)
@@ -74,7 +74,7 @@ private:
     std::uint64_t without_ = 0;
 };
 
-/// The runs of one combination while they are added.
+/// The line of one combination, to which the runs are added.
 struct Gathered {
     StudyLine line;
     void add(const StudyOutcome&, const Measured&, std::vector<std::string>& units);
@@ -189,7 +189,7 @@ bool StudySummary::has_some(const Overrides& set) const {
 StudySummary summary_of(StudyResults& results, std::vector<std::string> measures, const Study* study,
                         const Overrides& relative_to) {
     const bool of_study =
-        study && !study->search; // a search summarises only the machines that it has tried; its space may be vast
+        study && !study->search; // a search summarises only the machines that it has tried, since the space may be vast
     CanonicalSettings spellings(results, study);
     StudySummary summary{
         .netlist = results.netlist(), .version = results.version(), .relative_to = spellings.of(relative_to)};

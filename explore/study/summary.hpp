@@ -10,7 +10,7 @@
 
 namespace placedpar {
 
-/// Statistics of a measure over the completed runs of one combination.
+/// Statistics of a measure over the runs of one combination, without runs that ended in a deadlock.
 struct StudyCell {
     std::uint64_t runs = 0;
     double mean = 0, least = 0, greatest = 0;
@@ -30,7 +30,7 @@ struct StudyLine {
     std::uint64_t runs = 0;          ///< number of all runs
     std::map<std::string, std::uint64_t> ended; ///< number of runs that did not complete, by how they ended
     std::string refused = "";                   ///< first line of the reason for a refusal
-    std::vector<StudyCell> cells;               ///< for each measure
+    std::vector<StudyCell> cells;               ///< one for each measure
 };
 
 /// The statistics of a study's runs.
@@ -53,9 +53,9 @@ struct StudySummary {
 
 /// Summarises the runs in the results; with a study, only the runs of its combinations, with any seed. If `measures` is
 /// empty, the measures requested last are used. With `relative_to`, each figure is divided by the figure of a reference
-/// run. The reference run has the settings `relative_to`, and otherwise the settings, the seed and the ending of the
-/// run. A run without a reference run has no figure. Equal settings are combined and spelt as in the study
-/// (SettingValue).
+/// run. The reference run has the seed of the run and its settings, except for the settings in `relative_to`. A run has
+/// no figures if its reference run is missing or ended differently. Equal settings are combined and spelt as in the
+/// study (SettingValue).
 StudySummary summary_of(StudyResults&, std::vector<std::string> measures = {}, const Study* study = nullptr,
                         const Overrides& relative_to = {});
 

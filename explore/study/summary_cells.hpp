@@ -16,8 +16,8 @@ std::string shown_mean(const StudyCell&);
 std::string shown_interval(const StudyCell&);
 /// Returns how runs ended, "3 deadlock, 2 refused: why"; "" if all completed.
 std::string ended_of(const StudyLine&);
-/// Returns the heading of a measure: "master.T_exe [ms]"; "links measured" if a setting has the same name; "relative
-/// master.T_exe".
+/// Returns the heading of a measure: "master.T_exe [ms]", or "relative master.T_exe" if there are reference runs. If a
+/// setting is also named "links", the heading is "links measured".
 std::string measure_with_unit(const StudySummary&, std::size_t measure);
 /// Returns whether some combination was run with several seeds.
 bool has_intervals(const StudySummary&);
@@ -26,7 +26,7 @@ std::string shown_settings(const Overrides&);
 /// Returns a sentence that says what is wrong with reference settings that no run has, with the names of the runs'
 /// settings.
 std::string there_is_no_reference(const Overrides& wanted, const std::vector<std::string>& set);
-/// Returns what holds for all lines: "all with samples = 12", "relative to slaves = 0".
+/// Returns sentences that hold for all lines: "all with samples = 12", "relative to slaves = 0".
 std::vector<std::string> said_of_all(const StudySummary&);
 
 } // namespace placedpar

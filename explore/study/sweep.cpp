@@ -25,7 +25,7 @@ namespace placedpar {
 namespace {
 
 constexpr std::uint64_t most_read = 100;          ///< combinations that are read if there are very many
-constexpr std::uint64_t most_refused = 300;       ///< the limit if combinations are refused for different reasons
+constexpr std::uint64_t most_refused = 300;       ///< as `most_read`, if combinations are refused for different reasons
 constexpr std::uint64_t most_counted = 1'000'000; ///< largest number of runs for which each run is looked up
 
 /// Collects the combinations that cannot be read.
@@ -76,9 +76,8 @@ private:
     const Catalogue kinds_ = known_kinds(problems_);
 };
 
-/// Yields all combinations of a study, beginning with the first and the last. After any number of steps, the
-/// combinations so far are spread evenly over the study: the step is the number of combinations times the golden ratio,
-/// so the steps do not repeat the values of any axis.
+/// Yields all combinations of a study, beginning with the first and the last. The combinations so far are always spread
+/// evenly over the study, since the step is the number of combinations times the golden ratio.
 class SpreadCombinations {
 public:
     explicit SpreadCombinations(const Study& study) : count_(study.count() / study.seeds) {
@@ -87,7 +86,8 @@ public:
         while (std::gcd(step_, count_) != 1)
             ++step_;
     }
-    /// Returns the next combination; nothing after the last. The last combination comes twice.
+    /// Returns the next combination; nothing when all have been returned. The combination with the greatest number is
+    /// returned twice.
     std::optional<std::uint64_t> next() {
         if (given_ > count_)
             return std::nullopt;
@@ -255,7 +255,7 @@ void require_possible(const std::vector<std::string>& measures, const Study& stu
         throw UserError(possible.why_unknown(missing.front()));
 }
 
-/// Makes and keeps a run, and notes how long it took. Returns nothing if it was interrupted.
+/// Makes and keeps a run, and notes how long the run took. Returns nothing if the run was interrupted.
 std::optional<StudyOutcome> StudySweep::timed_outcome(const StudyRun& run, Interruption& interruption) {
     if (!trier_)
         trier_.emplace(study_);
@@ -328,7 +328,8 @@ std::optional<double> StudySweep::seconds_a_run(Interruption& interruption) {
     return seconds_;
 }
 
-/// Makes a run with another seed: the first run of a combination may take longer than the others, which repeat it.
+/// Makes a run with another seed: the first run of a combination may take longer than the other runs, which repeat the
+/// first.
 void StudySweep::time_another_seed(Interruption& interruption) {
     const double first = *seconds_, others = static_cast<double>(study_.seeds - 1);
     StudyRun another = *tried_;

@@ -18,18 +18,19 @@
 
 namespace placedpar {
 
-/// Returns a network of the study. Tries some combinations spread over the study, or all combinations if the condition
-/// holds for none of these, and returns the first network that can be read. If no network can be read, throws UserError
-/// with the first refusal.
+/// Returns the first network of the study that can be read. Tries some combinations spread over the study, or all
+/// combinations if the condition holds for none of these. If no network can be read, throws UserError with the first
+/// refusal.
 Network readable_network(const Study&);
 
 /// Throws UserError for a measure that no run can have. Checks all combinations; if there are very many, only some
 /// combinations spread over the study. `network` is a network of the study.
 void require_possible(const std::vector<std::string>& measures, const Study&, const Network&);
 
-/// Makes runs of a study, one after the other. Data that runs share are made once: the kinds and the parsed netlist;
-/// for each combination, the network and, if they do not depend on the seed, the events on the machine (RecordedRun);
-/// for each seed, the records of measurement. The fitness of a string of an objective problem is computed once, too.
+/// Makes runs of a study, one after the other, and keeps what they share. The kinds and the parsed netlist are made
+/// once, a network once for each combination, and the records of measurement once for each seed. If the events on the
+/// machine do not depend on the seed, these are also simulated once for each combination (RecordedRun). A problem's
+/// objective is computed once for each genome (RememberedProblem).
 class StudyWorker {
 public:
     /// REQUIRES: the study outlives this object.
@@ -60,7 +61,7 @@ private:
     std::optional<Overrides> set_; ///< settings of network_
     Network network_;
     std::optional<RecordedRun> record_; ///< record of a run of the network, if its runs may be repeated
-    std::uint64_t departed_ = 0;        ///< number of runs of the network that differed from the record
+    std::uint64_t departed_ = 0;        ///< number of runs of the network that could not be repeated from the record
     std::uint64_t repeated_ = 0;
 };
 

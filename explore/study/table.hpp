@@ -9,13 +9,12 @@
 
 namespace placedpar {
 
-/// A name in a table for some runs of a study, and their settings.
+/// A row or column of a table: its name, and the settings of its runs.
 struct StudyVariant {
     std::string name;
     Overrides set = {};
 };
 
-/// The allowed distance of a figure from the known figure.
 struct StudyTolerance {
     StudyExpression amount{""}; ///< expression of the settings and `known`; empty: no tolerance
     bool in_percent = false;    ///< percent of the known figure; otherwise in the unit of the figure
@@ -24,20 +23,19 @@ struct StudyTolerance {
 /// A row of a table. Each list is empty or has a member for each column.
 struct StudyRow {
     StudyVariant runs;
-    std::string measure =
-        ""; ///< measure that is the row's figure, named as in the study; "": `figure` gives the figure
+    std::string measure = ""; ///< the row's figure, as a measure of the study; "": `figure` gives it
     StudyExpression figure{
         ""}; ///< expression of the settings, the measures by their last names, and the rows above by their names
     std::string unit = "";
     int decimals = 2;
     std::vector<StudyExpression> known = {}; ///< expressions of the settings
     std::vector<StudyTolerance> tolerances = {};
-    std::vector<StudyExpression> at_least = {}, at_most = {}; ///< bounds of the figure: expressions of the settings
-    bool interval = false; ///< whether rows below this row give the 95 % interval of its figures
+    std::vector<StudyExpression> at_least = {}, at_most = {}; ///< bounds of the figure, as expressions of the settings
+    bool interval = false; ///< whether two rows below give the 95 % intervals of the figures
     std::vector<Origin> origins = {};
     std::optional<Judge> judge = {}; ///< empty: the judge that the table's `against` names
-    Overrides relative_to = {};      ///< each measure is divided by the measure of the run that differs only in these
-                                     ///< settings
+    Overrides relative_to = {};      ///< each measure is divided by the measure of a run that has these settings and
+                                     ///< otherwise the same
 };
 
 /// A table of a study's figures beside known figures, with a cell for each row and column.
@@ -45,7 +43,7 @@ struct StudyTable {
     std::string name, against = "known", notes = "";
     bool judged = false;   ///< whether the table is judged even if it is not the first table
     bool fit = false;      ///< whether a line below the table gives the deviation of its figures from the known figures
-    Overrides shared = {}; ///< settings of all its runs, unless a row or column sets them
+    Overrides shared = {}; ///< settings of all runs of the table, unless a row or column sets them
     std::vector<StudyVariant> columns = {};
     std::vector<StudyRow> rows = {};
 

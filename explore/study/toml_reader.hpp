@@ -3,7 +3,7 @@
 // Without this macro, Debian's package needs a library to be linked.
 #define TOML_HEADER_ONLY 1
 // With assertions off, the parser tells the compiler to assume the asserted conditions, and the text "[(set]" violates
-// such a condition. If the parser neither asserts nor assumes, it reports the error in such a text.
+// such a condition. With this macro, which neither asserts nor assumes, the parser reports the error in such a text.
 #define TOML_ASSERT(condition) static_cast<void>(0)
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
@@ -36,7 +36,7 @@ namespace placedpar {
 /// read is meaningless: call refuse_if_failed() before using any value.
 class TomlReader {
 protected:
-    /// Reads a file of this kind. Throws RefusedInput if the text cannot be read.
+    /// `kind` says in messages what the file is. Throws RefusedInput if the text cannot be read.
     explicit TomlReader(const std::string& path, std::string_view kind = "study") : kind_(kind) {
         LoadedSource loaded = load_input(path);
         source_ = loaded.file;
@@ -89,7 +89,7 @@ protected:
         return key;
     }
 
-    /// Passes each member to its handler.
+    /// Passes each member to its handler. Reports members without a handler.
     void read_table(const toml::table& table, const Handlers& handlers, std::string_view what = "study") {
         for (const auto& [key, node] : table) {
             std::string name(key.str());

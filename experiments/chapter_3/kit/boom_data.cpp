@@ -19,7 +19,6 @@ using namespace hydraulics;
 
 namespace {
 
-/// Returns the constants of the machine and its motion.
 Parameters parameters_of(const BoomMotion& motion) {
     Parameters all = Parameters::excavator();
     if (motion.plant == BoomPlant::simple && motion.slow)
@@ -41,8 +40,8 @@ Parameters parameters_of(const BoomMotion& motion) {
     return all;
 }
 
-/// Adds the drain side's pressure at the record's instants. Its noise has its own stream, so that the other channels
-/// stay the same for every user of the seed.
+/// Adds the drain side's pressure at the record's instants. Its noise has its own stream, so the noise of the other
+/// channels is the same with and without this channel.
 void add_outlet_pressure(Record& record, std::span<const ExcavatorState> states, double noise_psi, std::uint64_t seed) {
     RandomStream random(seed, "outlet sensor");
     std::size_t stride = (states.size() - 1) / (record.size() - 1);

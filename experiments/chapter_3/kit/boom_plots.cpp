@@ -66,7 +66,7 @@ Panel compliance_panel(const WatchedIdentification& watched, double until_s) {
     Series best{"best individual", {}};
     for (const TransientEstimate& estimate : watched.identified.found.estimates)
         best.points.push_back({estimate.time_s, 1000 * estimate.compliance_in3_per_psi[0]});
-    best.points.push_back({until_s, best.points.back().y}); // the last answer stays when the search has ended
+    best.points.push_back({until_s, best.points.back().y}); // after the end of the search the last answer stays
     return {"c: estimated C_BOi",
             time_axis(until_s),
             {"compliance [0.001 in³/psi]", 0, 20},
@@ -74,7 +74,7 @@ Panel compliance_panel(const WatchedIdentification& watched, double until_s) {
             {{"true", 1000 * watched.data.boom.inlet_compliance_in3_per_psi}}};
 }
 
-/// Returns the remaining error of the equations with the answer, at every instant at which the inlet is open.
+/// Returns the error of the equations with the last answer, at every instant at which the inlet is open.
 Series error_of_answer(const WatchedIdentification& watched, double until_s) {
     Series series{"last answer", {}};
     const Circuit circuit = boom_circuit();
@@ -90,7 +90,7 @@ Series error_of_answer(const WatchedIdentification& watched, double until_s) {
 
 Panel error_panel(const WatchedIdentification& watched, double until_s) {
     Series mean{"population's mean", {}}, best{"best one, rms", {}};
-    double trials = 0; // the generations of a sample are spread over its period
+    double trials = 0; // the generations after a sample are spread over the sampling period
     for (std::size_t i = 0; i < watched.generations.size(); ++i) {
         const Generation& generation = watched.generations[i];
         trials = i > 0 && watched.generations[i - 1].time_s == generation.time_s ? trials + 1 : 0;

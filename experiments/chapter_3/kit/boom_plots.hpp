@@ -9,14 +9,14 @@
 
 namespace placedpar {
 
-/// Returns values over the record's time, up to `until_s`.
+/// Returns a curve of the values over the record's time, up to `until_s`.
 Series over_time(std::string name, const hydraulics::Record& record, std::span<const double> values, double until_s,
                  Stroke stroke = Stroke::line);
 
 /// Draws Figure 3.3: pressures, voltage, spool and angle as recorded.
 Plot plot_of_record(std::string title, const BoomData& data, double until_s);
 
-/// The data of Figures 3.5 and 3.6: pressures, motion, and the identification of a record.
+/// The data of Figure 3.5 or 3.6: a record, and its identification.
 struct WatchedIdentification {
     std::string title;
     const BoomData& data;

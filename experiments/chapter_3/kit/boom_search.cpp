@@ -30,7 +30,7 @@ std::optional<double> fit(std::span<const CircuitSample> samples, const FlowCons
     return found ? std::optional(found->compliance_in3_per_psi[0]) : std::nullopt;
 }
 
-/// Returns the mean absolute error over individuals and window.
+/// Returns the mean absolute error over all individuals and all samples of the window.
 double mean_error(const SearchProblem& problem, std::span<const Genome> population, std::span<const Sample> window) {
     double sum = 0;
     for (const Genome& genome : population)

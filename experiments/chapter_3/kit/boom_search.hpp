@@ -14,8 +14,8 @@ struct BoomIdentified {
     std::vector<hydraulics::CircuitSample> samples; ///< only the usable samples
     identification::Identified found;
     double compliance_in3_per_psi;       ///< the search's answer
-    std::optional<double> least_squares; ///< over all samples; may be negative, as the thesis's first value was
-    bool at_lower_bound;                 ///< whether the answer has this flag
+    std::optional<double> least_squares; ///< over all usable samples; may be negative, as the thesis's first value was
+    bool at_lower_bound;                 ///< whether the answer is flagged as being at its lower bound
 };
 
 /// Throws what identify() throws.
@@ -27,15 +27,14 @@ BoomIdentified identify_boom(const BoomData&, const BoomModel&, const identifica
 std::optional<double> least_squares_compliance(const BoomData&, const BoomModel&,
                                                const hydraulics::UsableSamples& = {});
 
-/// One generation of a search.
 struct Generation {
     double time_s; ///< time of the newest sample
     double best_in3_per_psi;
-    double best_error_in3_per_s; ///< rms over the window
-    double mean_error_in3_per_s; ///< for all individuals, over the window
+    double best_error_in3_per_s; ///< rms over the window, for the best individual
+    double mean_error_in3_per_s; ///< mean absolute error over all individuals and the window
 };
 
-/// Repeats the search of identify(), population by population, and returns its generations.
+/// Repeats the search of identify() and returns its generations.
 std::vector<Generation> watch_search(const BoomData&, std::span<const hydraulics::CircuitSample> samples,
                                      const identification::IdentificationWay&, std::uint64_t seed);
 

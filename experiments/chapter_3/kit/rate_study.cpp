@@ -37,7 +37,8 @@ bool accused(const RecordSource& source, AreasFrom from, std::uint64_t seed) {
     return accused || !machine.alarms().empty();
 }
 
-/// Returns whether a sound machine has an alarm, and for each fault whether it is found and named.
+/// Returns whether a sound machine has an alarm. Then, for each fault: whether it is found, and whether it is named
+/// correctly or left undecided.
 Figures judge_at_rate(const RecordSource& source, AreasFrom from, bool with_faults, std::uint64_t seed) {
     Figures figures{static_cast<double>(accused(source, from, seed))};
     if (!with_faults)
@@ -58,7 +59,6 @@ std::size_t count_in(const std::vector<Figures>& machines, std::size_t figure) {
     return static_cast<std::size_t>(std::ranges::count(column(machines, figure), 1.0));
 }
 
-/// Adds a share of machines with its 95 % interval.
 void add_share(Comparison& comparison, const std::string& row, const std::string& rate, std::size_t of, std::size_t all,
                std::optional<double> least) {
     const Cell share = share_cell(row, rate, of, all);

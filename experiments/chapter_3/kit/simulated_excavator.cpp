@@ -18,7 +18,7 @@ using namespace identification;
 
 namespace {
 
-/// A parameter and the share by which it scatters.
+/// A parameter and its largest relative deviation.
 using Scatter = std::pair<const char*, double>;
 
 constexpr Scatter machine_scatter[]{
@@ -36,8 +36,8 @@ void scatter(Parameters& parameters, std::span<const Scatter> by, RandomStream& 
 }
 
 /// Sets the operator's command, drawn at random. The valve opens for 60 to 140 % of the thesis's flow. Opening takes 0
-/// to 0.3 s, and the valve shuts 1 to 2.5 s later. The scenario for two links has a controller of its own, which opens
-/// both valves at once. Only the servo-valve can be shut.
+/// to 0.3 s, and the valve shuts 1 to 2.5 s later. The scenario for two links has its own controller, which opens both
+/// valves at once. Only the servo-valve can be shut.
 void command(Parameters& parameters, const RecordSource& source, RandomStream& random) {
     const double opened = random.uniform(), ramp_s = uniform(random, 0, 0.3), for_s = uniform(random, 1, 2.5);
     if (source.has_servo) {
@@ -45,7 +45,8 @@ void command(Parameters& parameters, const RecordSource& source, RandomStream& r
         parameters.set("excavator.servo_ramp", ramp_s);
         parameters.set("excavator.second_time", for_s + 0.1);
         parameters.set("excavator.duration", for_s + 0.8);
-        parameters.set("excavator.integration_step", 0.0002); // halves the work; a step twice as long would be refused
+        parameters.set("excavator.integration_step", 0.0002); // halves the work; a step of twice this length would be
+                                                              // refused
     } else if (moves_two(source)) {
         parameters.set("controller.asked_flow", 30 + 40 * opened);
         parameters.set("two_links.duration", for_s);
@@ -66,7 +67,7 @@ Parameters parameters_of(const RecordSource& source, std::uint64_t seed) {
     return parameters;
 }
 
-/// Shortens the steps of the motion to the period of fast sensors.
+/// Makes the integration steps of the motion at most as long as the sensors' period.
 void shorten_steps(Parameters& parameters, double period_s) {
     for (const char* step : {"excavator.integration_step", "scenario_a.integration_step"})
         parameters.set(step, std::min(parameters[step], period_s));

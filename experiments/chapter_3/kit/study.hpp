@@ -11,13 +11,14 @@ namespace placedpar {
 
 /// The results of many searches on scenario A, each with its own noise and random numbers.
 struct SearchStudy {
-    std::vector<double> error_percent;      ///< error of the last estimate, absolute
-    std::vector<double> codes_from_optimum; ///< distance from the best of all codes on the last window
-    std::vector<double> si_codes; ///< distance of this optimum from the optimum found with all values in SI units
+    std::vector<double> error_percent;      ///< absolute error of the last estimate
+    std::vector<double> codes_from_optimum; ///< distance of the last estimate from the best code for the last window,
+                                            ///< in codes
+    std::vector<double> si_codes; ///< distance of the best code from the best code computed in SI units, in codes
 
     double median_percent() const;
     double ninetieth_percent() const;
-    double within_ten_percent() const; ///< percent of the seeds
+    double within_ten_percent() const; ///< percentage of seeds with an error of at most 10 %
 };
 
 /// Measured transients, one per seed.

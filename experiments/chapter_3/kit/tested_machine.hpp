@@ -7,16 +7,15 @@
 
 namespace placedpar {
 
-/// A simulated excavator and its on-line diagnosis, which assumes the machine of excavator.csv.
+/// A simulated excavator and its on-line diagnosis, which assumes the parameters of `excavator.csv`.
 class TestedMachine {
 public:
     TestedMachine(const RecordSource& source, hydraulics::AreasFrom from, std::uint64_t seed);
 
-    /// Makes a movement (SimulatedExcavator::movement()) and gives it to the diagnosis. When this function returns, the
-    /// diagnosis has judged the movement.
+    /// Passes a movement (SimulatedExcavator::movement()) and then a pause to the diagnosis. On return, the diagnosis
+    /// has judged the movement.
     void move(const PlantFault& fault, double compliance_factor, std::uint64_t number);
     const identification::Diagnosis& diagnosis() const { return diagnosis_; }
-    /// Returns the active alarms.
     const std::vector<identification::Alarm>& alarms() const { return diagnosis_.alarms(); }
 
 private:

@@ -28,7 +28,6 @@ Panel over_time(const char* title, const char* axis, std::vector<Series> series)
 
 constexpr std::array<const char*, InternalStates::count> state_names{"P_11", "P_12", "Q_11", "Q_12", "Q_BUi", "Q_BOi"};
 
-/// Returns one state over time.
 Series simulated_state(const TwoLinkMotion& motion, std::size_t which, int colour) {
     Series series{std::string(state_names[which]) + " simulated", {}, Stroke::line, colour};
     const auto& states = motion.motion.states;

@@ -12,7 +12,7 @@
 
 namespace placedpar {
 
-/// A motion of bucket and boom, simulated once (scenario R2, Figure 3.9).
+/// A simulated motion of bucket and boom (scenario R2, Figure 3.9).
 struct TwoLinkMotion {
     hydraulics::ExcavatorScenario scenario;
     hydraulics::ExcavatorMotion motion;
@@ -25,7 +25,7 @@ identification::ComplianceSearch measure_two_links(const TwoLinkMotion& motion,
                                                    const hydraulics::MeasurementNoise& noise,
                                                    const identification::IdentificationWay& way, std::uint64_t seed);
 
-/// The absolute errors of the two compliances, in percent.
+/// The absolute errors of the two compliances, in percent of the true values.
 struct TwoErrors {
     double bucket, boom;
 
@@ -39,8 +39,8 @@ identification::IdentificationWay elite_way();
 /// Returns elite_way() with Gray code.
 identification::IdentificationWay gray_way();
 
-/// The number of records for a judged share. A share p has the standard deviation sqrt(p (1 - p) / 200), which is 3.5
-/// percentage points if p is one half.
+/// The number of records of which a share is judged. A share p has the standard deviation sqrt(p (1 - p) / 200): 3.5
+/// percentage points for p = .5.
 inline constexpr std::size_t search_records = 200;
 
 /// Runs a search for each seed, with its own noise and random numbers.
@@ -49,7 +49,8 @@ std::vector<identification::SearchRun> search_many(const TwoLinkMotion& motion,
                                                    const identification::IdentificationWay& way,
                                                    std::span<const std::uint64_t> seeds);
 
-/// Returns the percentage of searches in which both errors are within 10 % after the given generation.
+/// Returns the percentage of searches in which both errors are within 10 % after the generation, or at the end of a
+/// shorter search.
 double both_within_ten_percent(std::span<const identification::SearchRun> runs, std::size_t generation,
                                std::size_t trials);
 
@@ -61,8 +62,8 @@ struct InternalStates {
     std::array<double, count> values() const { return {p11, p12, q11, q12, q_bucket, q_boom}; }
 };
 InternalStates true_states(const hydraulics::ExcavatorState& state);
-/// Returns the states of a sample under given compliances; the thesis records them for the best individual (3.2, step
-/// 7).
+/// Returns the states computed from a sample and given compliances. The thesis records the states for the best
+/// individual (3.2, step 7).
 InternalStates estimated_states(const hydraulics::CircuitSample& sample, std::span<const double> compliance_in3_per_psi,
                                 const hydraulics::FlowConstants& flow);
 

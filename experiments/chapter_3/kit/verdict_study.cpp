@@ -99,9 +99,9 @@ std::uint64_t make_known(TestedMachine& machine) {
 
 namespace {
 
-/// Returns the expected logarithm of the likelihood ratio of one unit of the fault to no fault after faulty_movements
-/// movements. The function assumes that these movements resemble the first movements, that their stated standard errors
-/// are right, and that the link has no other fault.
+/// Returns the expected logarithm of the likelihood ratio of one unit of the fault to no fault, after
+/// `faulty_movements` movements. Assumes that these movements resemble the first movements, that the standard errors
+/// stated for them are right, and that the link has no other fault.
 double evidence_of(const LinkJudge& judge, LinkFault fault) {
     const WayVector unit = vector_of(unit_of(fault));
     double known = 0;
@@ -121,9 +121,9 @@ LinkFault fault_of(const TestedFault& fault) {
                                              : LinkFault::leak; // the second parameter is the leak's start
 }
 
-/// Returns one machine's figures: the movements until a false alarm (0: none), and the evidence of all_faults. For each
-/// fault it adds the movements until it is found (0: never), whether it is named correctly, and whether it is
-/// undecided.
+/// Returns one machine's figures: the movements until a false alarm (0: none), and evidence_of() each of `all_faults`.
+/// Then, for each of tested_faults(): the movements until the fault is found (0: never), whether it is named correctly,
+/// and whether it is left undecided.
 Figures judge_machine(const RecordSource& source, AreasFrom from, std::uint64_t seed) {
     const TestedMachine new_machine(source, from, seed);
     const TestedFault sound{no_fault(), 1, {}};
@@ -151,14 +151,15 @@ std::size_t count(const std::vector<double>& values) {
 
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-/// The highest percentage of faults that any test can find, and its 95 % interval: the machines are a sample.
+/// The highest percentage of faults that any test can find. The 95 % interval is for the percentage over all machines;
+/// the simulated machines are a sample.
 struct Limit {
     double percent;
     Interval interval;
 };
 
-/// Returns the limit for a test that raises an alarm in 1 % of sound machines. It is that of the likelihood ratio (J.
-/// Neyman and E. Pearson, 1933), whose logarithm is normal with a variance of twice its mean.
+/// Returns the limit for a test that raises an alarm in 1 % of sound machines. The most powerful such test is the
+/// likelihood ratio (J. Neyman and E. Pearson, 1933); its logarithm is normal with a variance of twice its mean.
 Limit limit_of(const TestedFault& fault, const std::vector<Figures>& machines) {
     if (fault.from_first_day)
         return {100, {100, 100}};
@@ -172,7 +173,6 @@ Limit limit_of(const TestedFault& fault, const std::vector<Figures>& machines) {
             quotient_interval(found, std::vector<double>(found.size(), 1))};
 }
 
-/// A fault's figures, one per machine.
 struct FaultFigures {
     std::vector<double> found, called, undecided;
 };

@@ -14,48 +14,47 @@
 
 namespace placedpar {
 
-/// The number of movements of a sound machine in which every alarm is false, and the number within which a fault must
-/// be found.
+/// A sound machine makes `sound_movements`; any alarm in them is false. A faulty machine makes `faulty_movements`, in
+/// which the fault must be found.
 inline constexpr std::size_t sound_movements = 20, faulty_movements = 8;
 
 /// A fault of a machine, and the alarm that it should raise.
 struct TestedFault {
     PlantFault fault;
-    double compliance_factor;         ///< relative to the machine's own compliance
+    double compliance_factor;         ///< multiplies the machine's own compliance
     identification::AlarmKind called; ///< the right alarm for the boom
-    bool from_first_day = false;      ///< if false, the fault begins after three sound movements
-    double units = 1;                 ///< size in WayUnits
-    /// Required percentages of machines. least_found is the share whose fault is found; it is not required if the 95 %
-    /// interval of the theoretical limit goes below it. least_called is the share of the found faults with the right
-    /// name. A share misses its bound only if its whole 95 % interval does.
+    bool from_first_day = false;      ///< if false, the fault begins after make_known()
+    double units = 1;                 ///< size of the fault in `WayUnits`
+    /// Required percentages. `least_found` is the share of machines whose fault is found; it is not required if the 95
+    /// % interval of the theoretical limit goes below it. `least_called` is the share of the found faults that are
+    /// named correctly or left undecided. A share misses its bound only if its whole 95 % interval is below the bound.
     double least_found = 90, least_called = 95;
-    /// The allowed percentage of found faults that are left undecided; nullopt if the records do not allow a limit.
+    /// The allowed percentage of undecided faults among the found faults; nullopt: no limit.
     std::optional<double> most_undecided = 10;
 };
 
-/// Returns the faults to test. Leaks are present at all times, or begin when the valve opens, as the leaks of leak_of()
-/// do. A drift of 10.5 mV moves the spool by .005 in. Machines whose areas are measured have no offset. A leak that
-/// begins and an offset need not be distinguished where no rest follows a movement.
+/// Returns the faults to test. Leaks are present at all times, or begin when the valve opens (leak_of()). A drift of
+/// 10.5 mV moves the spool by .005 in. If the areas are measured, there is no offset. A leak that begins and an offset
+/// may be left undecided if no rest follows a movement.
 std::vector<TestedFault> tested_faults(const RecordSource& source, hydraulics::AreasFrom from);
 
 /// The verdicts during some movements.
 struct Outcome {
-    std::size_t found_after = 0; ///< number of movements; 0: nothing was found
-    bool called = false;         ///< whether the fault was named correctly when found
-    bool undecided = false;      ///< whether the fault was a leak or an offset, and the verdict "leak or offset"
+    std::size_t found_after = 0; ///< number of movements until the first alarm; 0: no alarm
+    bool called = false;         ///< whether the first alarm names the fault correctly
+    bool undecided = false;      ///< whether the first alarm is "leak or offset" and the fault is not a compliance
 };
 
-/// Lets a sound machine move until its state of health is known, which takes three informative movements. Returns the
-/// number of movements. Throws std::runtime_error if fifty are not enough.
+/// Lets a sound machine move until the diagnosis has the boom's baseline, which takes three informative movements.
+/// Returns the number of movements. Throws std::runtime_error if fifty movements are not enough.
 std::uint64_t make_known(TestedMachine& machine);
 
-/// Lets the machine move with this fault until there is an alarm. The first movement has the number after
-/// `first_number`.
+/// Lets the machine move with this fault until there is an alarm. The first movement has the number `first_number` + 1.
 Outcome watch(TestedMachine machine, const TestedFault& fault, std::size_t movements, std::uint64_t first_number);
 
-/// Compares the verdicts of the on-line diagnosis on machines (tested_machine.hpp), one for each seed of the replay, at
-/// each of the three noise levels. There are sound machines, machines that become faulty after three sound movements,
-/// and machines that are faulty from the first movement. `from` says which readings of the valve the diagnosis gets.
+/// Compares the verdicts of the on-line diagnosis at each of three noise levels, with one machine (tested_machine.hpp)
+/// for each seed of the replay. The machine stays sound, gets each fault after make_known(), or has the fault from its
+/// first movement. `from` says which readings of the valve the diagnosis gets.
 Comparison verdict_comparison(const ReplayContext& context, const char* machine, const RecordSource& source,
                               hydraulics::AreasFrom from);
 

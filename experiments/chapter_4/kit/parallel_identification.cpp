@@ -30,7 +30,7 @@ namespace {
 constexpr double near_truth = 0.1; ///< largest relative error of an answer that has converged
 constexpr double plotted_s = 1.2;
 
-/// A plant, the noise of its sensors, and whether its model has its structure.
+/// A plant, the noise of its sensors, and whether the model has the plant's structure.
 struct RecordedBoom {
     const char* name;
     BoomPlant plant;
@@ -40,7 +40,6 @@ struct RecordedBoom {
 constexpr RecordedBoom simple_boom{"simple plant, low noise", BoomPlant::simple, low_noise, true};
 constexpr RecordedBoom measured_boom{"measured machine, mid noise", BoomPlant::measured, mid_noise, false};
 
-/// The ways of searching that are compared.
 enum BoomWay : std::size_t { ga_alone, pga_fittest, pga_first, boom_ways };
 constexpr std::array<const char*, boom_ways> names_of_boom_ways{"GA, 1 T800", "PGA, fittest", "PGA, master[0]"};
 
@@ -63,7 +62,6 @@ MachineSearch search_on(const ReplayContext& context, const Overrides& set, cons
     return {std::move(search), std::move(answers)};
 }
 
-/// Both algorithms on one record.
 struct BothSearches {
     BoomModel model;
     BoomIdentified natively;
@@ -79,8 +77,8 @@ BothSearches search_both(const ReplayContext& context, const BoomData& data, Are
             search_on(context, {}, prepared, seed)};
 }
 
-/// Returns what a search found: the answers of one island, or of the fittest island after each sample if `island` is
-/// empty.
+/// Returns what a search found: the answers of one island, or, if `island` is empty, of the island that is the fittest
+/// in each generation.
 FoundInRecord found_by(const MachineSearch& run, std::optional<std::size_t> island, double truth) {
     const std::size_t trials = run.search.trials;
     auto answer = [&](std::size_t generation) {
@@ -122,7 +120,6 @@ double mean_of(const std::vector<FoundInRecord>& found, double FoundInRecord::*f
     return sum / static_cast<double>(found.size());
 }
 
-/// Adds what one way of searching found.
 void add_way(Comparison& comparison, const char* column, const std::vector<FoundInRecord>& found, double truth,
              bool judged) {
     auto near = std::ranges::count_if(found, [&](const FoundInRecord& each) { return is_near(each, truth); });
@@ -137,7 +134,7 @@ void add_way(Comparison& comparison, const char* column, const std::vector<Found
     comparison.add(plain_cell("last answer after", column, "s", mean_of(found, &FoundInRecord::seconds), 3));
 }
 
-/// Returns a cell with the mean of paired differences; its interval is that of the mean.
+/// Returns a cell with the mean of paired differences and the 95 % interval of this mean.
 Cell difference_cell(std::string row, const std::string& column, std::string unit,
                      const std::vector<double>& differences, int decimals) {
     constexpr double of_95_percent = 1.96; // deviations of a Gaussian mean
@@ -175,14 +172,15 @@ Comparison both_algorithms(const RecordedBoom& machine, const std::vector<Figure
     return comparison;
 }
 
-/// Says what the whole interval of a difference shows about its bounds.
+/// Returns "shown", "undecided" or "refuted": what the interval of a difference says about its bounds.
 std::string shown_by(const Cell& cell) {
     const bool meets = cell.interval->low >= cell.at_least.value_or(cell.interval->low) &&
                        cell.interval->high <= cell.at_most.value_or(cell.interval->high);
     return meets ? "shown" : cell.within_tolerance() ? "undecided" : "refuted";
 }
 
-/// Adds the differences of one way and what they show. Only the fittest island is judged, as the answer of the PGA.
+/// Adds the differences of one way, and the notes of what the differences show. Only `pga_fittest` is judged: the
+/// answer of the fittest island is the answer of the parallel algorithm.
 void add_differences(Comparison& comparison, const BothFound& found, BoomWay way) {
     comparison.notes += fmt::format("{}:", names_of_boom_ways[way]);
     for (Cell& cell : cells_of_difference(found, names_of_boom_ways[way])) {
@@ -221,7 +219,8 @@ std::vector<Comparison> compare_on(const ReplayContext& context, const RecordedB
     return {difference_table(machine, runs, truth), both_algorithms(machine, runs, truth)};
 }
 
-/// Returns the samples' times, each with the generations after it.
+/// Returns the times at which the generations are drawn, with their numbers. The generations after a sample are spread
+/// over the time to the next sample.
 std::vector<std::pair<double, std::size_t>> generations_by_time(const BothSearches& both) {
     std::vector<std::pair<double, std::size_t>> all;
     const ProcessSearch& search = both.islands.search;
@@ -234,7 +233,6 @@ std::vector<std::pair<double, std::size_t>> generations_by_time(const BothSearch
     return all;
 }
 
-/// Returns one curve of each search over the time of the samples.
 std::vector<Series>
 curves_of_searches(const BothSearches& both,
                    const std::function<double(const MachineSearch&, std::size_t, std::size_t)>& value) {
@@ -257,7 +255,7 @@ double window_error(const MachineSearch& run, std::size_t island, std::size_t ge
     return std::max(std::sqrt(std::max(mean_square, 0.0)), 0.01);
 }
 
-/// Draws Figures 4.9 and 4.10 as Figures 3.5 and 3.6, whose records they use.
+/// Draws Figure 4.9 or 4.10 in the form of Figures 3.5 and 3.6, from the same record.
 Plot plot_of_both(const ReplayContext& context, const ParallelExperiment& experiment) {
     const std::uint64_t seed = seeds_of(context).front();
     const BoomData data = measure(motion_of_machine(measured_boom), seed);

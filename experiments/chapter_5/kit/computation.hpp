@@ -6,18 +6,19 @@
 
 namespace placedpar {
 
-/// Numbers of floating-point operations; a change of sign is none.
+/// Numbers of floating-point operations. A change of sign does not count.
 struct Operations {
     double additions, multiplications, divisions;
 
     double all() const { return additions + multiplications + divisions; }
-    /// Returns the cycles on a T800 in single precision (6, 11 and 16, typically), with a load for each operation.
+    /// Returns the cycles on a T800 in single precision: typically 6, 11 and 16 for an operation, and 4 for loading its
+    /// operand.
     double t800_cycles() const { return 4 * all() + 6 * additions + 11 * multiplications + 16 * divisions; }
 };
 
-/// Returns the operations by which a search finds the fitness of one individual over a window of chapter 5's plant.
+/// Returns the operations for the fitness of one individual over a window of chapter 5's plant.
 Operations operations_of_fitness(double window);
-/// Returns the operations by which recursive least squares takes a sample.
+/// Returns the operations of recursive least squares for one sample.
 Operations operations_of_recursion(double unknowns);
 
 /// Judges "much less computational intensive (30 - 50 times less) than the conventional GA" (3.1).

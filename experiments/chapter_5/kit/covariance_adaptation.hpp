@@ -10,14 +10,14 @@
 
 namespace placedpar {
 
-/// CMA-ES with rank-one and rank-mu update and the usual constants (N. Hansen, "The CMA evolution strategy: a
-/// tutorial", 2016), started at the middle of the unit cube. A point outside the cube is evaluated at the nearest point
-/// in it, and the squared distance is added as a penalty.
+/// CMA-ES with rank-one update, rank-mu update and the usual constants (N. Hansen, "The CMA evolution strategy: a
+/// tutorial", 2016), started at the middle of the unit cube. The value of a point outside the cube is the objective at
+/// the nearest point in the cube, plus the squared distance.
 class CovarianceAdaptation {
 public:
-    /// `least_step` is the lower limit of the points' deviation along their longest axis, in lengths of the cube. With
-    /// a positive limit the search continues to explore when the objective changes. REQUIRES: a population of at least
-    /// four.
+    /// `least_step` is the lower limit of the points' standard deviation along their longest axis. With a positive
+    /// limit the search continues to explore, and so can follow a changing objective. REQUIRES: a population of at
+    /// least four.
     CovarianceAdaptation(std::size_t dimensions, std::size_t population, double least_step, RandomStream random);
 
     /// Makes a generation, with one evaluation per point.
@@ -27,7 +27,7 @@ public:
 
 private:
     void move(const std::vector<Eigen::VectorXd>& best_steps);
-    /// Scales the longest axis of the shape to 1 and the step accordingly, which changes no point.
+    /// Scales the longest axis of the shape to 1, and the step by the inverse factor, but not below `least_step_`.
     void give_step_the_length();
     void adapt(const std::vector<Eigen::VectorXd>& best_steps, const Eigen::VectorXd& way);
 

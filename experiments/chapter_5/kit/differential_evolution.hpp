@@ -10,10 +10,11 @@
 
 namespace placedpar {
 
-/// An objective for a point of the unit cube.
+/// The value of a point of the unit cube, to be minimised.
 using Objective01 = std::function<double(const Eigen::VectorXd&)>;
 
-/// Differential evolution, rand/1/bin (R. Storn and K. Price, 1997), in the unit cube. Points outside it are reflected.
+/// Differential evolution, rand/1/bin (R. Storn and K. Price, 1997), in the unit cube. Points outside the cube are
+/// reflected.
 class DifferentialEvolution {
 public:
     static constexpr double weight = 0.8, crossover = 0.9; ///< F and CR of the paper
@@ -21,7 +22,7 @@ public:
     /// Draws a random first population. REQUIRES: at least four points.
     DifferentialEvolution(std::size_t dimensions, std::size_t population, RandomStream random);
 
-    /// Evaluates the points again, after the objective has changed.
+    /// Evaluates all points. To be called at the beginning, and whenever the objective has changed.
     void evaluate(const Objective01& minimised);
     /// Makes a generation, with one evaluation per point. REQUIRES: evaluate() was called.
     void next_generation(const Objective01& minimised);

@@ -12,17 +12,17 @@
 
 namespace placedpar {
 
-/// A linear plant of second order, y(k) = a1 y(k-1) + a2 y(k-2) + b0 u(k-d) + b1 u(k-d-1) + b2 u(k-d-2). It is the
-/// plant of chapter 5 for methods that estimate coefficients instead of poles and zeros.
+/// A linear plant of second order, y(k) = a1 y(k-1) + a2 y(k-2) + b0 u(k-d) + b1 u(k-d-1) + b2 u(k-d-2). This is the
+/// plant of chapter 5 in the form for methods that estimate coefficients instead of poles and zeros.
 struct LinearPlant {
     static constexpr std::size_t coefficients = 5, delays = 4; ///< d from 1 to 4
     using Coefficients = Eigen::Matrix<double, coefficients, 1>;
 
     std::size_t delay = 1;
     Coefficients weights = Coefficients::Zero(); ///< a1, a2, b0, b1, b2
-    double squared_error = 0;                    ///< the criterion by which the plant was chosen
+    double squared_error = 0;                    ///< sum of squared prediction errors, by which the plant was chosen
 
-    /// Returns the values of a plant_record sample by which the weights are multiplied.
+    /// Returns the values in a sample of plant_record() that the weights multiply.
     static Coefficients inputs(const Sample& sample, std::size_t delay);
     /// Returns the pole with the greatest real part; beta is 0 for two real poles.
     Pole pole() const;
@@ -33,7 +33,7 @@ struct LinearPlant {
 /// criterion can find a better plant. REQUIRES: the window is not empty.
 LinearPlant least_squares(std::span<const Sample> window);
 
-/// The unknowns of recursive least squares, and what is known of them.
+/// The state of recursive least squares: the estimated weights and their covariance.
 template <typename T>
 struct RecursiveEstimate {
     std::vector<T> weights;
@@ -46,8 +46,9 @@ struct RecursiveEstimate {
             covariance[i * unknowns + i] = 1e6; // large, because nothing is known about the weights
     }
 
-    /// Takes an output and the inputs by which the weights are multiplied. Returns the error of its prediction. Only
-    /// one half of the covariance is computed: if both are, rounding makes a forgetting of .9 diverge.
+    /// Takes an output, and the inputs that the weights multiply. Returns the error with which the output was
+    /// predicted. Only half of the covariance is computed: with both halves computed, rounding makes a forgetting of .9
+    /// diverge.
     T take(std::span<const T> inputs, T output, T forgetting) {
         const std::size_t size = weights.size();
         T scale = forgetting, error = output;
@@ -69,8 +70,9 @@ struct RecursiveEstimate {
     }
 };
 
-/// Recursive least squares over all samples, with weight forgetting^age. With `noise_terms` it also estimates c1 e(k-1)
-/// + c2 e(k-2), where e is the previous prediction error (extended least squares), for coloured noise.
+/// Recursive least squares over all samples, each with the weight `forgetting` to the power of its age. For coloured
+/// noise, NoiseTerms::two also estimates c1 and c2 of the terms c1 e(k-1) + c2 e(k-2), where e is the residual
+/// (extended least squares).
 class RecursiveLeastSquares {
 public:
     enum class NoiseTerms : bool { none, two };
@@ -79,7 +81,7 @@ public:
     RecursiveLeastSquares(std::size_t delay, double forgetting, NoiseTerms noise_terms = NoiseTerms::none);
 
     void push(const Sample& sample);
-    /// Returns the plant with its sum of squared prediction errors, which have the same weights as the samples.
+    /// Returns the plant. Its sum of squared prediction errors has the same weights as the samples.
     const LinearPlant& plant() const { return plant_; }
 
 private:
@@ -90,7 +92,7 @@ private:
     std::array<double, 2> unexplained_{};
 };
 
-/// Runs one recursion per delay. Its plant is that of the recursion with the least error.
+/// Runs one recursion for each delay. The plant comes from the recursion with the least error.
 class RecursiveIdentification {
 public:
     explicit RecursiveIdentification(

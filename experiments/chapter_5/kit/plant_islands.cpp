@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-// The thesis does not state these values; they follow from a reading of its text.
+// The thesis does not state these values; they are our reading of its text.
 constexpr std::size_t plant_elite = 1;
 const char* const plant_acceptance = "offspring";
 // The first generation at which diversity is measured, and the number of generations between measurements.

@@ -16,18 +16,18 @@ struct PlantIslands {
     std::string name;
     std::vector<std::size_t> populations{100}, windows{30}; ///< one per island; windows in samples
     std::string topology = "none", schedule = "broadcast(every = 12)";
-    std::string reproduction = "universal"; ///< its fitness is max(0, sum of B - e^2)
+    std::string reproduction = "universal"; ///< for the fitness max(0, sum(B - e^2))
     Coding coding = Coding::natural;
-    double bias = 10; ///< B of one sample
+    double bias = 10; ///< B for one sample
     bool simulated =
         false; ///< whether y-hat inside the window is simulated from the two outputs measured before the window
     PlantExperiment plant = {};
-    /// The rules, by the names of IslandChoice, that choose the island whose best is the answer of all. They are
-    /// applied at each broadcast.
+    /// Names of rules (IslandChoice). At each broadcast, each rule chooses the island whose best individual is the
+    /// answer of all islands.
     std::vector<std::string> choices = {};
 };
 
-/// Windows 30:24:16:10 and populations 24:30:40:50, and their equal counterparts 30:30:30:30 and 24:24:24:24.
+/// The windows and populations of Table 5.3: different on each island, or equal on all islands.
 inline const std::vector<std::size_t> distributed_windows{30, 24, 16, 10}, distributed_populations{24, 30, 40, 50},
     equal_windows{30, 30, 30, 30}, equal_populations{24, 24, 24, 24};
 
@@ -35,15 +35,15 @@ inline const std::vector<std::size_t> distributed_windows{30, 24, 16, 10}, distr
 struct PlantSearchRun {
     std::vector<std::vector<Pole>> islands; ///< each island's best
     std::vector<std::vector<Pole>>
-        answers; ///< the best of the island that each choice names; before the first broadcast, the best of island 0
-    std::vector<std::vector<std::size_t>> chosen; ///< the island that each choice names at each broadcast
-    double diversity = 0; ///< mean number of bits in which two individuals of an island differ, over islands and
-                          ///< generations 400 to 600
+        answers; ///< for each choice, the best of the chosen island; before the first broadcast, the best of island 0
+    std::vector<std::vector<std::size_t>> chosen; ///< for each choice, the island chosen at each broadcast
+    double diversity = 0; ///< mean number of bits in which two individuals of an island differ, over all islands and
+                          ///< every tenth generation from 400 to 600
     double identical =
-        0; ///< share of generations 400 to 600 in which the best individuals of the first and the last island are equal
+        0; ///< share of these generations in which the best individuals of the first and the last island are equal
 };
 
-/// Returns the measurements of the plant, which are the same for all methods with a seed.
+/// Returns the record of the plant for this seed. All methods with the same seed get the same record.
 std::vector<std::vector<double>> plant_samples(const PlantExperiment& plant, std::uint64_t seed);
 
 /// Searches with the operators of 5.4 and one elite individual; the seed determines the record and all searches.

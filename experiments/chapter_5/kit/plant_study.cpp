@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t plotted_every = 5;
 
-// The figures of a run are diversity and identical, then for each track its TrackingFigures and every fifth pole.
+// The figures of a run are `diversity` and `identical`, then for each track its TrackingFigures and every fifth pole.
 
 void append_track(Figures& figures, const std::vector<Pole>& found, const PlantChange& change) {
     TrackingFigures tracking = track(found, change);

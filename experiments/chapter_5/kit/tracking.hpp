@@ -13,8 +13,8 @@ namespace placedpar {
 enum class Tracking : unsigned char {
     delay_20, ///< delay after generation 200 until the running median of alpha over 11 generations has covered 20 % of
               ///< the change; 40 for the true alpha
-    delay_63, ///< the same delay for 63 % of the change; 126 for the true alpha
-    lag,      ///< shift in time for which the true alpha is nearest to the found alpha
+    delay_63, ///< as `delay_20`, for 63 % of the change; 126 for the true alpha
+    lag,      ///< delay with which the true alpha is nearest to the found alpha
     error_before,     ///< rms distance between found and true pole in generations 100 to 199
     error_during,     ///< rms distance in generations 200 to 399
     error_after,      ///< rms distance in generations 500 to 599
@@ -24,7 +24,8 @@ enum class Tracking : unsigned char {
 inline constexpr std::size_t tracking_figures = 8;
 using TrackingFigures = std::array<double, tracking_figures>;
 
-/// Returns the measures for the pole found in each generation of Table 5.4. REQUIRES: at least 600 generations.
+/// Returns the measures. `found` has the pole found in each generation of Table 5.4. REQUIRES: at least 600
+/// generations.
 TrackingFigures track(std::span<const Pole> found, const PlantChange& change);
 
 /// The distance within which a pole counts as found.

@@ -13,16 +13,16 @@
 
 namespace placedpar {
 
-/// The expected results of a condition, in percent of the runs, from other seeds of this program.
+/// The expected results of a condition: the percentages of runs that converge and that follow the pole, measured with
+/// other seeds.
 struct Expected {
     std::optional<double> converged, followed;
 };
 
-/// The results of a condition's runs.
 struct Tally {
     std::string name;
     std::size_t runs = 0, converged = 0, followed = 0;
-    std::vector<double> converged_at = {}; ///< generation of each run
+    std::vector<double> converged_at = {}; ///< PlantOutcome::converged_at of each run
 
     double converged_percent() const;
     double followed_percent() const;
@@ -32,11 +32,12 @@ struct Tally {
 Tally tally_runs(const ReplayContext&, const std::string& name, const std::function<PlantOutcome(std::uint64_t)>& run);
 Tally tally_search(const ReplayContext&, const std::string& name, const PlantSearch&);
 
-/// Adds a row with both shares and their 95 % intervals, and the median generation of convergence with its 95 %
-/// interval. Shares with an expected value are judged at four standard deviations of two samples (share_tolerance).
+/// Adds a row with the shares of runs that converged and that followed the pole, and the median generation of
+/// convergence, each with its 95 % interval. A share with an expected value is judged by share_tolerance(): four
+/// standard deviations of the difference of two samples.
 void add_tally(Comparison&, const Tally&, const Expected& = {});
-/// Adds a row with the 95 % interval of the increase, in percentage points, of runs that converged and followed
-/// compared with the control.
+/// Adds a row with two 95 % intervals, in percentage points: the gain over the control in the share of converged runs,
+/// and in the share of runs that followed the pole.
 void add_gain(Comparison&, const Tally& control, const Tally&);
 
 } // namespace placedpar

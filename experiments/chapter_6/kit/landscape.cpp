@@ -12,7 +12,7 @@ namespace placedpar {
 
 namespace {
 
-using Errors = std::vector<float>; ///< indexed by the string in binary
+using Errors = std::vector<float>; ///< index: the string as a binary number
 
 constexpr double same_error = 1e-3; ///< two readings of one plant, such as beta and -beta, differ only by rounding
 
@@ -68,7 +68,7 @@ bool is_good(const PlantProblem& problem, const Recoding& reading, std::size_t s
     return std::hypot(plant.alpha - pole.alpha, std::abs(plant.beta) - pole.beta) < PlantOutcome::near_the_pole;
 }
 
-/// Counts the strings, by their numbers, for which `is` returns true.
+/// Counts the numbers of strings for which `is` returns true.
 template <class Is>
 double count_strings(std::size_t strings, Is is) {
     std::size_t count = 0;
@@ -107,7 +107,7 @@ Errors errors_of_all(const Recoding& reading, const WindowMoments& moments) {
     return errors;
 }
 
-/// Returns the string whose parameters are the nearest to those of the plant.
+/// Returns the string whose parameters are the nearest to the plant's.
 Genome string_of_plant(const ParameterCoding& coding) {
     std::vector<double> parameters = parameters_of(Plant());
     Genome genome(coding.bits());

@@ -42,8 +42,8 @@ void bit_cells(SvgPen& pen, double left, std::size_t first, std::size_t count, d
                  {{"class", "bit " + look}});
 }
 
-/// A field of the problem's string, drawn between its parts in the strings of the two searches. The coarse search has
-/// the field's first bits, and the fine search counts in its last bits.
+/// A field of the problem's string. Above it is the field of the coarse search, which has the first bits; below it is
+/// the field of the fine search, which counts in the last bits.
 struct PairField {
     std::string name;
     double left;
@@ -78,7 +78,8 @@ std::vector<PairField> pair_fields(const CoarseFineSettings& settings, const std
     return fields;
 }
 
-/// Draws the data sent from one search to the other. `right` is the end of the strings.
+/// Draws the arrows: from the coarse search to the bias point, from there to the fine search, and to the answer.
+/// `right` is the right end of the strings.
 void both_ways(SvgPen& pen, double right) {
     double middle = (string_left + right) / 2, below = problem_row + row_height, answer = fine_row + row_height / 2;
     pen.path(svg_corners({{middle, coarse_row + row_height}, {middle, problem_row - 6}}), {{"class", "arrow"}});

@@ -13,32 +13,34 @@
 
 namespace placedpar {
 
-/// The plant of chapter 5 as a search problem in natural binary, and the bits of its fields (Table 5.1).
+/// Return the plant of chapter 5 as a search problem in natural binary, and the number of bits of each field (Table
+/// 5.1).
 const SearchProblem& plant_search_problem();
 std::vector<std::size_t> plant_field_bits();
-/// Returns the coarse reading of Table 6.3: two bits for the delay, `bits` for each of the five other parameters. With
-/// 7 bits the reading is the whole string.
+/// Returns the coarse reading of Table 6.3: two bits for the delay, and `bits` bits for each of the five other
+/// parameters. With `bits` = 7 the reading is the whole string.
 Recoding plant_reading(std::size_t bits, Coding coding = Coding::natural);
 
-/// Returns the settings that all searches of this chapter share with chapter 5: a window of 30 samples, B = 10 per
-/// sample, stochastic universal sampling, an elite of one, rates .8 and .01.
+/// Returns the settings that all searches of this chapter share with chapter 5: a window of 30 samples, B = 10 for a
+/// sample, stochastic universal sampling, and one elite individual. The probabilities are .8 for crossover and .01 for
+/// mutation.
 SearchSettings plant_settings(std::size_t population);
 
-/// The quality with which a search followed the dominant pole while a1 changed (Table 5.4), without noise.
+/// How well a search followed the dominant pole while a1 changed (Table 5.4), without noise.
 struct PlantOutcome {
     static constexpr double near_the_pole = 0.1;
 
     /// The rms of |pole found - true pole| over generations 100 to 199, 200 to 399 and 500 to 599.
     std::array<double, 3> pole_error{};
-    /// The first generation, before the change, from which that distance stays below near_the_pole for ten generations;
-    /// 200 if there is none.
+    /// The first generation before the change from which |pole found - true pole| stays below `near_the_pole` for ten
+    /// generations; 200 if there is none.
     double converged_at = 0;
 
     bool converged() const { return pole_error[0] < near_the_pole; }
     bool followed() const { return pole_error[2] < near_the_pole; }
 };
 
-/// Collects an answer, a pole's alpha and beta, in each generation.
+/// Collects the distances between the found pole and the true pole, one for each generation.
 class PoleTrack {
 public:
     void add(const std::vector<double>& parameters);
@@ -52,12 +54,12 @@ private:
 struct PlantSearch {
     SearchSettings settings;
     Recoding reading;
-    bool spread_start = false; ///< use spread_population() for the first population instead of a random one
+    bool spread_start = false; ///< whether spread_population() makes the first population, which is otherwise random
 };
 
 PlantOutcome run_plant_search(const PlantSearch& search, std::uint64_t seed);
 
-/// The results of the two halves of the pair.
+/// The results of the coarse and the fine search of a pair.
 struct PairOutcome {
     PlantOutcome coarse, fine;
 };
