@@ -86,7 +86,8 @@ inline constexpr double deviations_allowed = 4;
 
 /// Returns the tolerance, in percentage points, for the difference between two shares, each of n records. The standard
 /// deviation is sqrt(2 p (1 - p) / n). To estimate p, two successes and two failures are added (Agresti and Coull), so
-/// that a share of 0 or 100 % scatters, too. A known share from 50 to 300 seeds counts as n records.
+/// that a share of 0 or 100 % scatters, too. A known share came from 50 to 300 seeds; it is treated as if
+/// it came from n records.
 double share_tolerance(double known_percent, std::size_t records);
 /// Returns how far the standard deviation of n Gaussian values may be from a known standard deviation. The result is
 /// deviations_allowed times the scatter of the values' standard deviation, plus `rounding`, the largest rounding error

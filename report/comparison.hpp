@@ -31,7 +31,7 @@ struct JudgedCells {
     std::size_t thesis = 0;
     std::size_t set_from_thesis = 0; ///< cells of `thesis` from which constants were set; such cells test nothing
     std::size_t published = 0, own = 0;
-    std::size_t not_judged = 0; ///< cells without a tolerance or bound, and cells of tables that do not decide
+    std::size_t not_judged = 0; ///< cells without a tolerance or bound, and cells of tables that are not judged
 };
 
 /// Prints a table for people. Each cell has a simulated figure, a known figure and an error. The error is in percent;
@@ -50,7 +50,7 @@ JudgedCells count_judged(const std::vector<Comparison>&);
 /// Prints for people, on one line, the number of cells that are judged against the thesis, and against other figures.
 std::string print_judged(const JudgedCells&);
 /// Prints for people whether all judged cells are within their tolerances. If there are several tables, `called` is the
-/// word for a table: the first reading, or the first table.
+/// word for a table, such as "reading" in "the first reading".
 std::string print_verdict(const std::vector<Comparison>&, const std::string& called = "reading");
 /// Prints for people how far the outcomes are from the known figures; only cells in the unit of the first cell count.
 std::string print_fit(const std::vector<Cell>&);

@@ -135,8 +135,8 @@ struct DrawnLogs {
     }
 };
 
-/// Draws the mean as points without quartiles. For a problem with a record the mean jumps with the fitness of the worst
-/// individuals, and a line or a band would hide the best fitness.
+/// Draws the mean as points without quartiles. When compliances are identified, the fitness of the worst individuals
+/// makes the mean jump, so that a line or a band would hide the best fitness.
 Panel fitness_panel(const DrawnLogs& drawn) {
     Curves curves{drawn.curve("mean", &LoggedGeneration::mean, 1, Stroke::points),
                   drawn.curve("best", &LoggedGeneration::best, 0)};

@@ -29,13 +29,14 @@ struct Field {
     static Field right(std::size_t width, std::string heading, std::string text) {
         return {std::move(heading), std::move(text), width, Column::right};
     }
-    /// Returns a number that has the same name in a table and in a document.
+    /// Returns a field for a number, with the same name as heading in a table and as key in a document.
     static Field count(std::size_t width, const std::string& name, std::integral auto number) {
         return right(width, name, std::to_string(number)).as(name, number);
     }
-    /// Returns a fact that only documents have.
+    /// Returns a field that only documents have.
     static Field member(std::string key, const auto& value) { return Field().as(std::move(key), value); }
-    /// Returns a time that only documents have, in picoseconds: "busy_ps". The member is missing if there is no time.
+    /// Returns a field for a time in picoseconds that only documents have: "busy_ps". The member is missing if there is
+    /// no time.
     static Field member_ps(const std::string& key, std::optional<Time> time) {
         return time ? member(key + "_ps", time->count()) : Field();
     }

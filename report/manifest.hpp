@@ -30,8 +30,9 @@ extern const char* const commit;
 std::string version_text();
 
 /// Returns an object with the keys "version", "commit", "command", "netlist", "netlist_hash", "overrides", "set",
-/// "programs", "include_folders" and "seed". "overrides" has the options as given; "set" lists the elements that each
-/// option set, none for a val. "until_ps" is present if a stopping time was given, "shuffle" if the run was shuffled.
+/// "programs", "include_folders" and "seed". "overrides" has the options as given; "set" lists, for each option, the
+/// elements of the netlist that it set; the list is empty if the name is a constant (`val`). "until_ps" is present if a
+/// stopping time was given, "shuffle" if the run was shuffled.
 boost::json::object manifest_json(const Manifest&, const Network&);
 
 /// Prints the value with indentation and a final newline. Numbers that are not finite become null.

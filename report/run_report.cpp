@@ -216,7 +216,7 @@ std::string print_hit(const FaultUse::Hit& hit) {
                        hit.channel);
 }
 
-/// Prints the fault's effects, with its first and last loss. If a loss caused a deadlock, it is the last loss.
+/// Prints the fault's effects, with its first and last loss. A loss that caused a deadlock is the last loss.
 std::string print_effect(const FaultUse& fault) {
     std::vector<std::string> said;
     if (fault.last)

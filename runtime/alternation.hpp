@@ -25,7 +25,7 @@ struct Guard {
 
 /// Waits until a guard is ready and returns its index. If several guards are ready, returns the first of them in the
 /// given order, as occam's PRI ALT does; the transputer's instructions do the same for ALT. Guards of kind `never`,
-/// whose condition is false, are ignored. The message of an input guard is not input. Throws std::logic_error if no
+/// whose condition is false, are ignored. Does not input the message of an input guard. Throws std::logic_error if no
 /// guard can ever become ready (in occam such an ALT acts as STOP).
 std::size_t select(std::span<const Guard> guards, const SourceLocation& = SourceLocation::current());
 
@@ -43,8 +43,9 @@ auto after(Time due, Body body, const SourceLocation& where = SourceLocation::cu
 }
 
 /// Makes occam's SKIP guard, which is always ready. Guards listed before it are chosen if they are ready; guards listed
-/// after it are never chosen. Polling costs a placed process cycles. A process that is not placed polls in no virtual
-/// time. Other processes get their turn at the same instant, but time passes only when the polling process waits.
+/// after it are never chosen. A placed process pays cycles for polling. A process that is not placed polls in no
+/// virtual time: other processes get their turn at the same instant, but time passes only when the polling process
+/// waits.
 template <std::invocable Body>
 auto skip(Body body, const SourceLocation& where = SourceLocation::current()) {
     return std::pair(Guard{Guard::skip, nullptr, Time{}, where}, std::move(body));

@@ -19,8 +19,8 @@
 
 namespace placedpar {
 
-/// Receives a call when a message begins to wait in a channel. Alternations are listeners, and so are attempts that a
-/// message ends.
+/// Receives a call when a message begins to wait in a channel. Alternations are listeners. So are attempts that end
+/// when a message waits in another channel.
 class Listener {
 public:
     /// Called when a message waits in the channel and no process has asked for it.
@@ -30,7 +30,7 @@ protected:
     ~Listener() = default;
 };
 
-/// Receives a call when the process of an attempt is in the channel.
+/// Receives a call when the process of an attempt has begun its input or output.
 class AttemptObserver {
 public:
     virtual void entered() = 0;
@@ -140,8 +140,8 @@ public:
         return carrier_ ? carrier_->held_up_by(*this) : std::vector<const AnyChannel*>{};
     }
 
-    /// The content of a channel between routers: the user's channel to which the current packet belongs, and whether
-    /// the packet is an acknowledge. The channel is null for messages that are not packets.
+    /// Describes the current message of a channel between routers: the user's channel to which the packet belongs, and
+    /// whether the packet is an acknowledge. `channel` is null for a message that is not a packet.
     struct PacketPayload {
         const AnyChannel* channel = nullptr;
         bool acknowledges = false;
@@ -201,8 +201,8 @@ protected:
         note_communication(self.kernel());
     }
     /// Complete the communication for the second process, which has copied the message. The process pays for the copy,
-    /// and its partner continues. During the copy no other process may use its end. An output of one word has already
-    /// paid for its copy.
+    /// and its partner continues. During the copy no other process may use this process's end. An output of one word
+    /// has already paid for its copy.
     void part_from_inputter(Process& self, const WireForm& form) {
         const Executive* executive = self.executive();
         bool pays = executive && !executive->costs().is_one_word(form);
@@ -239,8 +239,8 @@ protected:
 
 private:
     static std::uint64_t new_identity(const std::string& name);
-    /// Marks a process as present at an end of the channel, as long as the object exists. Its message, or the slot for
-    /// a message, is at a fixed address.
+    /// Marks a process as present at an end of the channel, as long as the object exists. The process's message, or its
+    /// slot for a message, is at a fixed address.
     class Inside {
     public:
         explicit Inside(bool& flag, void** place = nullptr, void* mine = nullptr) : flag_(flag), place_(place) {
@@ -314,12 +314,12 @@ private:
     void* slot_ = nullptr;                   ///< set while an inputter is in the channel
     Process* waiting_ = nullptr;             ///< on a soft channel, the process that arrived first
     const WireForm* waiting_form_ = nullptr; ///< form of the waiting process's message, if the process outputs
-    Listener* listener_ = nullptr;           ///< set by an inputter that waits on several channels
-    bool is_particular_ = false;             ///< the channel is hard, or has an attempt at an end; one test covers both
-                                             ///< cases
-    bool outputter_inside_ = false;          ///< a process is in output
-    bool inputter_inside_ = false;           ///< a process is in input, or has a guard on the channel
-    bool output_out_of_order_ = false;       ///< a message was given up at the output end, and the end must be reset
+    Listener* listener_ = nullptr;     ///< set by an alternation, or by an attempt that a message in this channel ends
+    bool is_particular_ = false;       ///< the channel is hard, or has an attempt at an end; one test covers both
+                                       ///< cases
+    bool outputter_inside_ = false;    ///< a process is in output
+    bool inputter_inside_ = false;     ///< a process is in input, or has a guard on the channel
+    bool output_out_of_order_ = false; ///< a message was given up at the output end, and the end must be reset
     bool input_out_of_order_ = false;
     User outputter_, inputter_;
 

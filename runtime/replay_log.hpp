@@ -18,8 +18,8 @@ class ReplayDivergence {};
 
 /// The state that the histories of all processes of a run share.
 struct ReplaySession {
-    /// The number of readings that the histories may still record, of 16 bytes each. A run with more readings is not
-    /// repeated.
+    /// The number of observations, of 16 bytes each, that the histories may still record. A run with more observations
+    /// cannot be repeated.
     std::size_t room = 4'000'000;
     bool can_be_repeated = true;                 ///< false after an action that cannot be repeated
     bool has_diverged = false;                   ///< a process that repeats its history has departed from it
@@ -91,8 +91,9 @@ public:
     void record_quietly(Action, std::uint64_t what);
     /// Returns an observation that messages do not carry: the result of `look`, or, when repeating, the value that the
     /// original saw. Actions of the process during `look` are not recorded separately. Throws ReplayDivergence if the
-    /// original did not make this observation at this point, or if any process has departed. Destructors may read the
-    /// clock, so a clock reading returns 0 instead of throwing. After 100,000 such readings it throws, too.
+    /// original did not make this observation at this point, or if any process has departed. A reading of the clock
+    /// then returns 0 instead of throwing, because destructors may read the clock. After 100,000 such readings it
+    /// throws, too.
     template <std::invocable Look>
     std::int64_t observe(Action what, Look look) {
         if (is_silent_)

@@ -7,8 +7,9 @@
 namespace placedpar {
 
 // One program serves every processor. Code that profits from wide registers is compiled for each width. At run time the
-// widest registers that the processor has are chosen. INVARIANT: all widths give the same bits. So no width may
-// contract a multiplication and an addition into one rounding: compile with -ffp-contract=off.
+// widest registers that the processor has are chosen. INVARIANT: all widths give the same bits. So the
+// compiler must not fuse a multiplication and an addition, which would save one rounding: compile with
+// `-ffp-contract=off`.
 // Rejected: Google Highway and similar libraries. Their functions can be called only from code marked for their target,
 // so a user's plain struct could not be evaluated in wide registers.
 

@@ -184,8 +184,8 @@ void write_files(const Network& network, std::span<const FinishedRun> runs, std:
         write_whole(options.convergence, draw_svg(convergence_plot(network.source_path, logs)));
 }
 
-/// Returns the exit code of the first run that is not a success. An interruption between runs ends no run, so the
-/// number of runs is compared, too.
+/// Returns the exit code of the first run that is not a success. An interruption between two runs changes the ending of
+/// neither, so the number of runs is compared, too.
 ExitCode exit_code_of(std::span<const FinishedRun> runs, std::size_t asked) {
     for (const FinishedRun& run : runs)
         if (ExitCode code = exit_code_of(run.report.result.ending); code != ExitCode::success)

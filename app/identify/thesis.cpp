@@ -30,7 +30,7 @@ using namespace identification;
 
 namespace {
 
-/// Returns a way with the options that were typed.
+/// Returns the way, changed by the options that were typed.
 IdentificationWay way_of(const IdentifyOptions& options, IdentificationWay way) {
     way.bits = options.bits.value_or(way.bits);
     if (!options.coding.empty())
@@ -49,7 +49,8 @@ IdentificationWay way_of(const IdentifyOptions& options, IdentificationWay way) 
     return way;
 }
 
-/// Returns whether the boom's areas come from its spool, as read or from the voltage by equation A.1.
+/// Returns whether the boom's areas come from the position of its spool, which is read or computed from the voltage by
+/// equation A.1.
 bool uses_spool(const Record& record, const Question& question) {
     return question.links.contains(Link::boom) &&
            areas_from(record.channels(), Link::boom, question.areas_from) != AreasFrom::areas;

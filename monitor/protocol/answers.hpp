@@ -33,7 +33,7 @@ struct Load {
     double longest_turn_s = 0; ///< longest turn of the event loop, during which no client was served
 };
 
-/// What the processes of the netlist of --on answered to a movement.
+/// The answer of the processes of a netlist (option --on) about a movement.
 struct NetlistAnswer {
     std::string machine;
     hydraulics::LinkSet set;
@@ -51,10 +51,10 @@ std::string configured_line(const identification::Diagnosis& diagnosis);
 std::string estimates_line(const identification::Diagnosis& diagnosis, const identification::SampleOutcome& outcome,
                            const identification::DiagnosisSettings& settings);
 std::string alarm_line(const identification::Diagnosis& diagnosis, const identification::Alarm& alarm, bool raised);
-/// Returns everything known of a machine: all sets ever used, baselines, cross-checks and alarms.
+/// Returns everything known of a machine: all sets of links ever used, baselines, cross-checks and alarms.
 std::string status_line(const identification::Diagnosis& diagnosis, const identification::DiagnosisSettings& settings);
 std::string netlist_line(const NetlistAnswer& answer);
-/// Returns the "text" of the line above.
+/// Returns the field "text" of netlist_line().
 std::string print_netlist_answer(const NetlistAnswer& answer);
 std::string load_line(const Load& load);
 /// States whether a restart would restore everything; if not, `text` gives the reason.

@@ -17,8 +17,8 @@ namespace placedpar::monitor {
 inline constexpr int protocol_version = 1;
 
 enum class Role : unsigned char { control, watch };
-/// Selects the samples after which a connection gets estimates: all samples, samples that moved an estimate, or no
-/// samples.
+/// Selects the samples after which a connection gets estimates: all samples, samples for which the search made
+/// generations, or no samples.
 enum class Answers : unsigned char { all, moved, none };
 
 struct Hello {

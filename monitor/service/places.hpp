@@ -18,7 +18,7 @@ namespace placedpar::monitor {
 struct Occupant {
     std::string peer;          ///< owner, as Caller::peer; "": unknown
     bool kept = false;         ///< the occupant is, or serves, a known machine, so no newcomer takes its place
-    bool idle = false;         ///< not in use, so that its own peer may use the place for another occupant
+    bool idle = false;         ///< not in use, so that its peer may use the place for another occupant
     std::uint64_t samples = 0; ///< number of accepted samples
     std::chrono::steady_clock::time_point heard; ///< time of the last message
 };

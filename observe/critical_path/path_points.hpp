@@ -14,8 +14,8 @@ namespace placedpar {
 inline constexpr std::size_t most_path_points = 2'000'000;
 
 /// Stores events, each with the event that caused it. The events form a tree; its root, point 0, is the beginning of
-/// the run. From time to time, points that cannot be reached from a number in use are removed. If too many points
-/// remain, the tree is given up: from then on this object holds only the points in use, and the cause of each.
+/// the run. From time to time, points to which no chain of causes leads from a point in use are removed. If too many
+/// points remain, the tree is given up: from then on this object holds only the points in use, and the cause of each.
 class PathPoints {
 public:
     using Number = std::uint32_t; ///< index of a point; changes when points are removed

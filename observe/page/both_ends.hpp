@@ -14,7 +14,7 @@ struct Period {
     Time begin, end;
 };
 
-/// Keeps the first and the last of many stretches, or all stretches while there is room.
+/// Keeps all stretches while they fit into the memory allowed, later only the first and the last stretches.
 class BothEnds {
 public:
     explicit BothEnds(std::size_t bytes_of_each_end) : most_(bytes_of_each_end) {}

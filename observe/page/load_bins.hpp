@@ -24,8 +24,8 @@ public:
     void merge_to(std::size_t most_bins);
 
     Time width() const { return width_; }
-    /// Returns a character of level_digits for each bin: the first character if the track was never in the state during
-    /// the bin, the last character if the track was always in the state. Empty bins at the end are left out.
+    /// Returns a character of `level_digits` for each bin: the first character if the track was never in the state
+    /// during the bin, the last character if the track was always in the state. Empty bins at the end are left out.
     std::string levels(std::size_t track, State) const;
 
 private:

@@ -31,8 +31,8 @@ void Stretches::add(const MessageArrow& arrow) {
     pack_if_full(row);
 }
 
-/// Returns the row whose open stretch the entry can join. A new row has an eighth of the preceding row's room, but so
-/// few entries that it fills up later.
+/// Returns the row whose open stretch the entry can join. A new row has an eighth of the preceding row's memory. It
+/// receives so few entries that it still fills up later.
 Stretches::Row& Stretches::row_for(Time begin) {
     auto row = std::ranges::find_if(rows_, [begin](const Row& each) { return each.open.begin() <= begin; });
     if (row != rows_.end())

@@ -70,7 +70,7 @@ public:
     /// REQUIRES: the link outlives the run.
     void has_link(Link&);
     /// Stops the processor at this time. It executes nothing more, and processes that wait for it wait for ever. Its
-    /// links only fall silent if they have a fault of their own (LinkFault). REQUIRES: the run has not begun.
+    /// links continue to work unless they have a fault of their own (LinkFault). REQUIRES: the run has not begun.
     void halt_at(Time moment) { halts_at_ = std::min(halts_at_, moment); }
     bool halted() const override;
 
