@@ -37,7 +37,7 @@ Table measurements_of(const std::vector<Measurement>& rows) {
     });
 }
 
-/// Lists the elements that an option set, if its name stands for several elements: at most the first eight.
+/// Lists at most the first eight elements that an option set, if its name stands for several elements.
 std::string print_reached(std::vector<std::string> elements) {
     constexpr std::size_t most = 8;
     if (elements.empty())

@@ -112,7 +112,8 @@ auto each(std::span<const Input<T>> inputs, Turn& turn, Body body,
     return detail::replicated(inputs, turn.next, std::move(take), where);
 }
 
-// These two take a vector, such as environment.inputs<T>("in"), which may be a temporary in the call of alt().
+// The next two functions take a vector, such as `environment.inputs<T>("in")`; it may be a temporary in the call of
+// alt().
 template <class T, std::invocable<std::size_t, T> Body>
 auto each(const std::vector<Input<T>>& inputs, Body body, const SourceLocation& where = SourceLocation::current()) {
     return each(std::span<const Input<T>>(inputs), std::move(body), where);
@@ -154,8 +155,8 @@ auto when(bool condition, Guards<Body> several) {
     return when([=](std::size_t) { return condition; }, std::move(several));
 }
 
-/// Runs occam's PRI ALT: waits for the first ready guard, inputs if it is an input guard, and runs the guarded body.
-/// Returns the index of the guard.
+/// Runs occam's PRI ALT: waits for the first ready guard, inputs the message if it is an input guard, and runs the
+/// guarded body. Returns the index of the guard.
 template <class... Bodies>
 requires(sizeof...(Bodies) > 0) std::size_t alt(std::pair<Guard, Bodies>... alternatives) {
     const Guard guards[] = {alternatives.first...};

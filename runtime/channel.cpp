@@ -16,8 +16,8 @@ namespace {
 
 AnyChannel::User user(const Process& process) { return {&process, &process.outermost(), process.ordinal()}; }
 
-/// Returns whether the process may use an end after its last user. Both must belong to the same outermost process, and
-/// must not be two components of one PAR.
+/// Returns whether the process may use an end after its last user. The process and the last user must belong to the
+/// same outermost process, and must not be two components of one PAR.
 bool may_follow(const AnyChannel::User& last, const Process& process) {
     return last.outermost == &process.outermost() && !process.is_beside(last.ordinal);
 }

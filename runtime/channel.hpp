@@ -43,7 +43,7 @@ protected:
 ///
 /// The two processes need not know whether the channel is soft or hard. On a soft channel, the process that arrives
 /// second copies the message and continues, and the first process is made ready. On a hard channel, a carrier transfers
-/// the message over a link.
+/// the message, for example over a link.
 ///
 /// 1. A channel is put on a carrier before it is used, or never.
 /// 2. Each end has one owner: a process at the outermost level. Components of its PARs may use the end one after
@@ -308,7 +308,7 @@ private:
     [[noreturn]] void refuse_without_carrier(const Process& self, const Process& other) const;
     [[noreturn]] void refuse_unreset(const Process& self, const char* verb) const;
 
-    // The members are in the order of use, in cache lines. These are needed for each communication.
+    // The members are grouped into cache lines in the order of use. These are needed for each communication.
     Carrier* carrier_ = nullptr;             ///< null if the channel is soft
     void* message_ = nullptr;                ///< set while an outputter is in the channel
     void* slot_ = nullptr;                   ///< set while an inputter is in the channel

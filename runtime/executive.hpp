@@ -66,8 +66,8 @@ struct OperationCosts {
 /// 2. p keeps the executive until it leaves the executive, to wait or at its end. While it has the executive, p may
 /// compute.
 /// 3. If begin_computing(p) returns false, the executive calls Kernel::enqueue(p) once, when the work is done.
-/// Meanwhile it may execute other processes. If begin_computing(p) returns true, the work is already done, by
-/// Kernel::pass_time or because there was no work.
+/// Meanwhile it may execute other processes. If begin_computing(p) returns true, the work is already done:
+/// Kernel::pass_time has advanced the time, or there was no work.
 /// 4. make_ready and leave do not wait or throw, because events and ending processes call them. begin_computing does
 /// not wait.
 /// 5. The operations that a program repeats while it polls (SKIP guards, waits for a past time) must take time.

@@ -16,8 +16,8 @@ struct Stack {
     /// Returns the size of a stack. Only the pages that a process touches take memory. AddressSanitizer's red zones
     /// make stack frames several times larger.
     static std::size_t bytes() { return SwitchedStack::is_watched() ? 4 * usual_bytes : usual_bytes; }
-    static constexpr std::size_t zone_bytes = 64 * 1024; ///< more than the size of most arrays, which may be written in
-                                                         ///< any order
+    /// Larger than most arrays on a stack, whose elements may be written in any order.
+    static constexpr std::size_t zone_bytes = 64 * 1024;
 
     /// Returns whether a fault at the address is an overflow of this stack. This is so if the address is in the guarded
     /// zone. If the zone is not guarded, it is so if the address is below the zone and the zone has been written to.

@@ -12,7 +12,7 @@ namespace placedpar {
 /// device.
 struct PlaceTaken {
     const std::string& place;
-    const std::string& subject;          ///< channel, what the bus carries, or master that waits for the bus
+    const std::string& subject;          ///< a channel, what the bus carries, or a master that waits for the bus
     Time since;                          ///< may be in the future
     const AnyChannel* channel = nullptr; ///< the channel, if the place is a direction of a link
 };

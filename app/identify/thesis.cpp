@@ -63,8 +63,8 @@ struct Case {
     Sampling sampling; ///< sampling of the record as read
     IdentificationWay way;
     Question question;
-    bool calibrates = false;                ///< whether --offset auto was given and has an effect
-    std::optional<SpoolOffset> calibration; ///< set if the record shows the offset
+    bool calibrates = false;                ///< the offset is calibrated from the record (`--offset auto`, the default)
+    std::optional<SpoolOffset> calibration; ///< set if the calibration found the offset
 };
 
 std::string print_calibration(const std::optional<SpoolOffset>& found) {
@@ -115,7 +115,8 @@ Case read_case(const IdentifyOptions& options, const IdentificationWay& way) {
     return asked;
 }
 
-/// Prints the settings of a search over the whole movement, the limit of the record, and the cost.
+/// Prints the settings of a search over the whole movement, the least standard error that the record's noise allows,
+/// and the cost.
 std::string print_whole(const Identified& identified, const ComplianceSearch& prepared, const WholeWay& whole,
                         const SearchCost& cost) {
     std::string text = fmt::format(

@@ -13,8 +13,8 @@ namespace placedpar {
 /// Runs one search over the first transient, as in chapter 3 of the thesis. If a netlist is given, also runs the same
 /// search as processes of the netlist.
 ExitCode identify_by_thesis(const IdentifyOptions& options, boost::json::object& json);
-/// Runs one search for several links over the whole movement (identification/whole_search.hpp), and prints the limit of
-/// the record and the cost on T800s.
+/// Runs one search for several links over the whole movement (identification/whole_search.hpp), and prints the least
+/// standard error that the record's noise allows, and the cost on T800s.
 ExitCode identify_over_whole(const IdentifyOptions& options, boost::json::object& json);
 /// Evaluates all movements, as the monitor identifies and judges them.
 ExitCode identify_as_service(const IdentifyOptions& options, boost::json::object& json);

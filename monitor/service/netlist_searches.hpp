@@ -17,7 +17,7 @@
 
 namespace placedpar::monitor {
 
-/// Records the movements of all machines. A thread of its own searches each movement that has ended.
+/// Records the movements of all machines. A separate thread finds the compliances of each movement that has ended.
 class NetlistSearches {
 public:
     /// Finds the compliances from all samples of a movement, which are `period_s` apart. Throws std::exception, which

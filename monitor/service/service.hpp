@@ -29,7 +29,7 @@ struct ServiceSettings {
     std::uint64_t seed = 1;
     ServiceLimits limits;
     identification::DiagnosisSettings diagnosis;
-    /// Searches each movement by the processes of a netlist (NetlistSearches::Search); may be empty.
+    /// Finds the compliances of a movement by the processes of a netlist (NetlistSearches::Search); may be empty.
     std::function<identification::AnswerInTime(identification::ComplianceSearch, double period_s)> netlist;
 };
 

@@ -37,8 +37,8 @@ public:
     bool empty() const { return points_.empty(); }
 
     bool should_forget() const { return points_.size() >= room_; }
-    /// Removes points that cannot be reached from any of the numbers, and renumbers the other points. REQUIRES: each
-    /// variable that holds a number in use is listed exactly once.
+    /// Removes points to which no chain of causes leads from a point in use, and renumbers the other points. REQUIRES:
+    /// each variable that holds a number in use is listed exactly once.
     void forget_but(std::span<Number* const> in_use);
     /// Returns whether the tree was given up.
     bool too_long() const { return too_long_; }

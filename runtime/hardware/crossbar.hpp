@@ -84,7 +84,7 @@ public:
         std::string state; ///< state of this output at that time, such as "was connected to no input"
     };
     /// Returns the losses. There is one for each direction of a link that lost data, in the order of lead_on(); the
-    /// direction from a comes first.
+    /// direction from end a comes first.
     std::deque<Loss> losses() const;
     std::uint64_t commands() const { return commands_; }
     /// Returns how many connections were made. A connection of two links counts at each output.

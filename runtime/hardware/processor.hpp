@@ -113,7 +113,7 @@ private:
     void account(const Process&, Time worked);
     void preempt();
 
-    // The members are in the order of use, in cache lines. Each turn needs all members of the first two lines.
+    // The members are grouped into cache lines in the order of use. Each turn needs all members of the first two lines.
     alignas(64) Turn turn_{*this};
     Kernel& kernel_;
     Process* current_ = nullptr; ///< the process that has the processor

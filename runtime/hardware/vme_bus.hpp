@@ -67,11 +67,11 @@ public:
 /// A VMEbus. Its masters request the bus, and one of them gets it. The bus then moves words for the processes of this
 /// master.
 ///
-/// 1. The arbiter decides `arbitration` after the bus was requested or given up. It decides among all masters that then
-/// request the bus.
-/// 2. A word is always moved to its end. After it, the master may have to give up the bus: with Release::on_request, if
-/// any other master requests it; with Release::when_done, only if a higher level requests it and the arbitration is PRI
-/// (BCLR). The rest of the block waits for the master's next turn.
+/// 1. The arbiter decides when the time `VmeTiming::arbitration` has passed since the bus was requested or given up. It
+/// decides among all masters that then request the bus.
+/// 2. The move of a word is always completed. After the word, a master with Release::on_request gives up the bus if any
+/// other master requests it. A master with Release::when_done gives it up only to a higher level, and only if the
+/// arbitration is PRI (BCLR). The rest of the block waits for the master's next turn.
 /// 3. A master with Release::on_request keeps the bus until another master requests it. Meanwhile it needs no
 /// arbitration.
 /// 4. The words of a block follow each other without a break. One event covers the block until a request arrives to
@@ -169,7 +169,7 @@ public:
     /// still meanwhile. Throw BusError if no slave responds. REQUIRES: words > 0.
     void move_words(BusSlave&, std::uint64_t words);
     void access_byte(BusSlave&);
-    /// Holds the bus for a time in one cycle, which cannot be interrupted, like a device that does not release the bus.
+    /// Holds the bus for a time, as a device does that does not release the bus. Nothing can interrupt this.
     void hold(Time);
     /// Holds the bus until a time. If the bus is granted later than that, gives it up at once.
     void hold_until(Time);
@@ -190,7 +190,7 @@ private:
         Process& process;
         std::uint64_t words;
         Time each;
-        Time until{}; ///< end of the current single word, if it is not over
+        Time until{}; ///< for hold_until(): the time until which the bus is held
         bool done = false;
     };
     void move(std::uint64_t words, Time each, Time until = {});
