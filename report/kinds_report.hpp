@@ -12,8 +12,8 @@ namespace placedpar {
 /// Prints the kinds of processes and devices, a line for each, and the names by which devices are declared.
 std::string print_kinds(const Catalogue&);
 /// Prints everything about the process kind of this name (ports, parameters and measures) or about the device of this
-/// name. For the name of a group, such as csp of csp.prefix, "processes" or "devices", prints the group's kinds, a line
-/// for each. Throws UserError with the nearest name if nothing has this name.
+/// name. For the name of a group ("csp", to which csp.prefix belongs, "processes" or "devices"), prints the group's
+/// kinds, a line for each. Throws UserError with the nearest name if nothing has this name.
 std::string print_kind(const Catalogue&, const std::string& name);
 
 /// Prints a parameter: a line with its name, type, default and range, and a line with its description.

@@ -20,8 +20,8 @@ inline constexpr std::string_view policies_group = "policies";
 /// Returns every name that is_policy() accepts exactly: "policies", the steps, the policies and the forms.
 std::vector<std::string> policy_names();
 /// Returns whether the name stands for a policy, form or decision: one of policy_names(), in upper or lower case and
-/// with blanks for hyphens; a policy with its numbers; another word for a decision (Noun::also_called); or a parameter
-/// that selects the policy.
+/// with blanks for hyphens; a policy with numbers in its name; another word for a decision (Noun::also_called); or a
+/// parameter that selects the policy.
 bool is_policy(const Catalogue&, const std::string& name);
 
 /// Prints all policies, a line for each.

@@ -62,7 +62,7 @@ ChangedNetlist reading_with(const NetlistOptions& options, const ParsedNetlist& 
 }
 
 DeclaredWith declaring_with(const NetlistOptions& options, const ParsedNetlist& netlist) {
-    auto problems = std::make_shared<const ProblemRegistry>(known_problems(0)); // the kinds use it
+    auto problems = std::make_shared<const ProblemRegistry>(known_problems(0)); // the kinds refer to it
     auto kinds = std::make_shared<const Catalogue>(known_kinds(*problems));
     return [options, netlist, problems, kinds](const Overrides& changes) {
         return netlist.read(*kinds, with_set(options, changes)).declared;

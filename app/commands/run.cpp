@@ -116,7 +116,8 @@ bool others_are_meant(const RunOptions& options, std::chrono::steady_clock::time
     return are_meant({options.seeds, true, 1, taken.count()}, interruption);
 }
 
-/// Runs the seeds until one is interrupted. Returns no runs if the user does not confirm them.
+/// Runs the network with one seed after another until a run is interrupted. Returns no runs if the user does not
+/// confirm them.
 std::vector<FinishedRun> run_seeds(const Network& network, const RunOptions& options, TraceSink* trace) {
     InterruptedBySignals interruption;
     std::optional<ProgressLine> progress; // not with --watch, which the line would disturb

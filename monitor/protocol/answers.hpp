@@ -40,7 +40,7 @@ struct NetlistAnswer {
     double from_s = 0, to_s = 0; ///< times of the movement's first and last reading
     hydraulics::Circuit circuit;
     std::string wrong;                  ///< why there is no answer; "" if there is one
-    identification::AnswerInTime found; ///< if there is one
+    identification::AnswerInTime found; ///< the answer, if there is one
 };
 
 /// Each function returns one answer of the monitor: a JSON object on one line, with its newline. docs/guides/monitor.md

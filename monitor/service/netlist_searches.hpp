@@ -39,7 +39,7 @@ public:
     std::vector<NetlistAnswer> answers(const std::string& machine) const;
 
 private:
-    /// The movements of a set of links.
+    /// The present movement of a set of links, and the newest answer.
     struct Recording {
         hydraulics::Circuit circuit;
         std::vector<hydraulics::CircuitSample> samples; ///< of the movement, and up to a second before it

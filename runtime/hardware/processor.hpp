@@ -121,8 +121,8 @@ private:
     Time settled_at_{}; ///< the work of the current process up to this time has been subtracted from its remaining work
 
     std::int64_t words_settled_ = 0; ///< words_moved_by_links() at the time settled_at_
-    // The last result of words_moved_by_links(), and its time. For the same time the result changes only if a part
-    // ends.
+    // The last result of words_moved_by_links(), and its time. At one time the result changes only if a part of a
+    // message ends.
     Time counted_at_{-1};
     std::uint64_t words_ = 0, ended_when_counted_ = 0;
     LinkEngineMemory engines_;

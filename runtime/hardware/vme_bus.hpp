@@ -33,7 +33,7 @@ enum class Release { when_done, on_request };
 struct VmeTiming {
     Time word = std::chrono::nanoseconds{310};        ///< D32 with ordinary memory, published (textbook figure)
     Time byte = std::chrono::nanoseconds{310};        ///< ours: a register is as fast as ordinary memory
-    Time arbitration = std::chrono::nanoseconds{200}; ///< ours: from a request to its grant, or from a release
+    Time arbitration = std::chrono::nanoseconds{200}; ///< ours: time from a request or a release to the grant
     Time time_out = std::chrono::microseconds{125};   ///< published: a common default of bus timers
 };
 
@@ -169,7 +169,7 @@ public:
     /// still meanwhile. Throw BusError if no slave responds. REQUIRES: words > 0.
     void move_words(BusSlave&, std::uint64_t words);
     void access_byte(BusSlave&);
-    /// Holds the bus for a time, as a device does that does not release the bus. Nothing can interrupt this.
+    /// Holds the bus for a time without a break, like a device that does not release the bus.
     void hold(Time);
     /// Holds the bus until a time. If the bus is granted later than that, gives it up at once.
     void hold_until(Time);
