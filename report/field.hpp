@@ -64,7 +64,7 @@ struct Table {
     Row head; ///< only its headings, widths and keys are used; it is set even if there are no rows
     std::vector<Row> rows;
 
-    /// Returns a painted line of headings, after `before`, and a line for each row, without trailing blanks.
+    /// Returns a line of headings (Paint::heading), after `before`, and a line for each row, without trailing blanks.
     std::string text(const std::string& before = "") const;
     /// Returns a line of keys and a line for each row; a cell without a value is empty.
     std::string csv() const;

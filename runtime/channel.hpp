@@ -164,7 +164,7 @@ public:
     }
 
 protected:
-    // The common path of a communication is inlined into the program; waiting and rare cases are not. If the partner
+    // The common path of a communication is inlined into the caller; waiting and rare cases are not. If the partner
     // waits in a soft channel, the process copies the message and completes the communication. Otherwise it waits. On a
     // hard channel it always waits, even if the partner is already in the carrier.
 
@@ -182,7 +182,7 @@ protected:
             begin(self, costs->soft_communication);
         own(inputter_, self, "inputs from");
     }
-    /// Return the message slot (the message) of the partner that waits in a soft channel, or null if no partner waits.
+    /// Return the slot (message) of a partner that waits in a soft channel, or null if no partner waits.
     void* soft_slot(const Process& self) const {
         if (is_particular_) [[unlikely]]
             return soft_partner(self, slot_, output_out_of_order_, output_attempt_, "outputs to");

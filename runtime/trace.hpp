@@ -8,7 +8,7 @@
 
 namespace placedpar {
 
-/// The start of a use of a place. The place is a direction of a link, used by a channel, or the track of a bus or
+/// States that a use of a place begins. The place is a direction of a link, used by a channel, or the track of a bus or
 /// device.
 struct PlaceTaken {
     const std::string& place;
@@ -17,7 +17,7 @@ struct PlaceTaken {
     const AnyChannel* channel = nullptr; ///< the channel, if the place is a direction of a link
 };
 
-/// The end of a use of a place.
+/// States that a use of a place ends.
 struct PlaceLeft {
     const std::string& place;
     Time until;                         ///< may be in the future

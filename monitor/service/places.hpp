@@ -14,7 +14,7 @@
 
 namespace placedpar::monitor {
 
-/// A machine or a connection, whose number is limited.
+/// A machine or a connection. The numbers of machines and of connections are limited.
 struct Occupant {
     std::string peer;          ///< owner, as Caller::peer; "": unknown
     bool kept = false;         ///< the occupant is, or serves, a known machine, so no newcomer takes its place

@@ -34,7 +34,7 @@ struct ServiceSettings {
 };
 
 /// The on-line diagnosis as a service over TCP and Unix-domain sockets. One thread does all work. A second thread
-/// writes the state file, and a third one searches movements by a netlist.
+/// writes the state file, and a third thread runs the searches of a netlist.
 class Service {
 public:
     /// Restores the state and listens. The log receives messages for the operator. REQUIRES: the log outlives this

@@ -94,7 +94,7 @@ std::vector<CriticalPath::Number*> CriticalPath::numbers_in_use() {
     return numbers;
 }
 
-/// Removes points that are no longer needed. Turns on executives that ended in the past cannot cause further events.
+/// Removes points that are no longer needed. A turn that ended before `now` cannot cause further events.
 void CriticalPath::forget(Time now) {
     if (!points_.should_forget())
         return;

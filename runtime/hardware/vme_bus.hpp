@@ -203,7 +203,7 @@ private:
     VmeBus& bus_;
     VmePlace place_;
     BusProgram program_;
-    std::string waiting_track_; ///< name of the track in a trace
+    std::string waiting_track_; ///< name of the track that shows waits for the bus in a trace
     std::deque<Block*> blocks_;
     bool asks_ = false;
     Time asked_at_{};
