@@ -147,8 +147,7 @@ private:
         return Lanes(results);
     }
 
-    // The results are `a > b ? a : b` and `a < b ? a : b`. The code names the instruction where GCC 12 does not choose
-    // it.
+    // The results are `a > b ? a : b` and `a < b ? a : b`. The code names the instruction where GCC 12 misses it.
     [[gnu::always_inline]] static void take_greater(const Register& a, const Register& b, Register& result) {
         result = a > b ? a : b;
     }

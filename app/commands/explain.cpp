@@ -47,7 +47,7 @@ void require_path_format(const std::filesystem::path& path) {
             fmt::format("{}: a critical path can be drawn in .json only, for ui.perfetto.dev", path.string()));
 }
 
-/// Returns the changes with the settings of --set; a change replaces a setting of the same name.
+/// Adds the settings of --set to the changes, except settings that a change replaces.
 Overrides with_set(const NetlistOptions& options, Overrides changes) {
     changes.merge(overrides_of(options.set));
     return changes;

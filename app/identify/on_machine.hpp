@@ -25,8 +25,9 @@ ExitCode run_on_machine(const ProcessSearch& search, const identification::Ident
                         boost::json::object& json);
 
 /// Runs an identification as run_on_machine() does, without printing. The run takes samples as fast as it can, unless
-/// ga.sensors reads them. The time of the answer is computed as if the machine began each sample when it is taken, and
-/// worked equally long on each. Throws UserError if there is no answer, or if ga.sensors reads with another period.
+/// ga.sensors reads them. The time of the answer is computed as if the machine worked on each sample as long as in the
+/// run, but not before the sample is taken. Throws UserError if there is no answer, or if ga.sensors reads with another
+/// period.
 identification::AnswerInTime answer_in_time(const ProcessSearch& search,
                                             const identification::ComplianceSearch& prepared, double period_s,
                                             std::uint64_t seed);

@@ -70,8 +70,8 @@ public:
 /// 1. The arbiter decides when the time `VmeTiming::arbitration` has passed since the bus was requested or given up. It
 /// decides among all masters that then request the bus.
 /// 2. The move of a word is always completed. After the word, a master with Release::on_request gives up the bus if any
-/// other master requests it. A master with Release::when_done gives it up only to a higher level, and only if the
-/// arbitration is PRI (BCLR). The rest of the block waits for the master's next turn.
+/// other master requests it. A master with Release::when_done gives it up within a block only to a higher level, and
+/// only if the arbitration is PRI (BCLR). The rest of the block waits for the master's next turn.
 /// 3. A master with Release::on_request keeps the bus until another master requests it. Meanwhile it needs no
 /// arbitration.
 /// 4. The words of a block follow each other without a break. One event covers the block until a request arrives to
