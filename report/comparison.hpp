@@ -43,14 +43,14 @@ std::string print_comparison(const Comparison&);
 
 /// Returns whether the first table, and every other judged table, is within its tolerances.
 bool are_within_tolerance(const std::vector<Comparison>&);
-/// Returns whether any of the tables has a cell with a tolerance or bound.
+/// Returns whether the first table, or any other judged table, has a cell with a tolerance or bound.
 bool is_any_judged(const std::vector<Comparison>&);
 /// Counts the cells of all tables.
 JudgedCells count_judged(const std::vector<Comparison>&);
 /// Prints for people, on one line, the number of cells that are judged against the thesis, and against other figures.
 std::string print_judged(const JudgedCells&);
-/// Prints for people whether all judged cells are within their tolerances. If there are several tables, `called` is the
-/// word for a table, such as "reading" in "the first reading".
+/// Prints for people whether all judged cells are within their tolerances. If only the first table is judged, the text
+/// says so: `called` is the word for a table, such as "reading" in "of the first reading".
 std::string print_verdict(const std::vector<Comparison>&, const std::string& called = "reading");
 /// Prints for people how far the outcomes are from the known figures; only cells in the unit of the first cell count.
 std::string print_fit(const std::vector<Cell>&);

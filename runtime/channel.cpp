@@ -35,7 +35,8 @@ void require_unused(const void* end, const AnyChannel& channel) {
 
 } // namespace
 
-/// Derives the identity from the process that makes the channel. Outside of a run, derives it from the channel's name.
+/// Derives the identity from the process that makes the channel. Outside of a run with histories, derives it from the
+/// channel's name.
 std::uint64_t AnyChannel::new_identity(const std::string& name) {
     const Kernel* kernel = Kernel::current();
     if (!kernel || !kernel->keeps_histories())

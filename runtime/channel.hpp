@@ -193,7 +193,8 @@ protected:
             return soft_partner(self, message_, input_out_of_order_, input_attempt_, "inputs from");
         return message_;
     }
-    /// Notifies observers that the second process has arrived at a soft channel.
+    /// Records in the fingerprint and in the trace that the second process has arrived at a soft channel. Throws
+    /// std::logic_error if the two processes are on different executives.
     void meet(Process& self) {
         const Executive *own = self.executive(), *other = waiting_->executive();
         if (own != other && own && other) [[unlikely]]

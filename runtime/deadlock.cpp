@@ -47,7 +47,7 @@ void add_awaited_by_output(const AnyChannel& channel, const Processes& living, P
         partners.push_back(who_is(other->output_waits() ? other->last_inputter() : other->last_outputter(), living));
 }
 
-/// Returns the processes for which this process waits. It continues when one of them acts.
+/// Returns the processes for which this process waits. A wait on channels ends when one of them acts.
 Processes awaited_by(const Process& process, const Processes& living) {
     Processes partners;
     if (halted(process))
