@@ -73,7 +73,7 @@ void charge_disabling(Process& self, std::span<const Guard> guards) {
 
 } // namespace
 
-/// A process that sleeps until one of its guards is ready. The guards are enabled on their channels as long as the
+/// The sleep of a process until one of its guards is ready. The guards are enabled on their channels as long as the
 /// object exists.
 class Alternation final : Event, Listener {
 public:
