@@ -70,7 +70,7 @@ ProcessKind buffer() {
             .ports = {packets_in(), packets_in("request", "asks for the next packet"), packets_out()},
             .parameters = {packet_count(),
                            integer("capacity", {.unit = "packets", .by_default = 10, .least = 1, .most = 1e9},
-                                   "packets that the buffer holds at most")},
+                                   "greatest number of packets in the buffer")},
             .measurements = {{"most_held", "packets", "at once"}},
             .body = hold,
             .promela = holding_in_promela};

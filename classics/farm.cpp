@@ -122,9 +122,9 @@ ProcessKind worker() {
     return {.name = "csp.worker",
             .about = "Computes for each task and returns it as the result, until the end message arrives.",
             .ports = {packets_in("in", "tasks"), packets_out("out", "results")},
-            .parameters = {packet_cycles("workload: cycles of a task, mean"),
+            .parameters = {packet_cycles("workload: mean number of cycles of a task"),
                            real("spread", {.by_default = 0, .least = 0, .most = 1},
-                                "tasks take from 1 - spread to 1 + spread times the mean")},
+                                "a task takes from 1 - spread to 1 + spread times the mean number of cycles")},
             .measurements = {{"tasks", "", "tasks done"}},
             .body = work_on_tasks};
 }

@@ -127,27 +127,28 @@ ProcessKind philosopher_kind() {
 
 ProcessKind fork_kind() {
     using namespace description;
-    return {.name = "csp.fork",
-            .about = "One neighbour picks it up and puts it down before the other can pick it up.",
-            .ports = {input<Signal>("hand", "signal", "an array: the neighbours")},
-            .parameters = {integer("uses", {.by_default = 20, .least = 1, .most = 1e9},
-                                   "number of times it is picked up before it ends: twice the meals of a "
-                                   "philosopher")},
-            .body = serve_as_fork,
-            .promela = fork_in_promela};
+    return {
+        .name = "csp.fork",
+        .about = "A fork: one neighbour picks it up and puts it down before the other neighbour can pick it up.",
+        .ports = {input<Signal>("hand", "signal", "an array: the neighbours")},
+        .parameters = {integer(
+            "uses", {.by_default = 20, .least = 1, .most = 1e9},
+            "number of times that the fork is picked up before its process ends: twice the meals of a philosopher")},
+        .body = serve_as_fork,
+        .promela = fork_in_promela};
 }
 
 ProcessKind butler_kind() {
     using namespace description;
-    return {
-        .name = "csp.butler",
-        .about = "Limits the number of philosophers at the table: with one fewer than all, some philosopher "
-                 "can always eat.",
-        .ports = {input<Signal>("philosopher", "signal", "an array: the philosophers")},
-        .parameters = {integer("seats", {.by_default = 4, .least = 1, .most = 1e6}, "most philosophers at the table"),
-                       meals("meals of each philosopher")},
-        .body = wait_on_table,
-        .promela = butler_in_promela};
+    return {.name = "csp.butler",
+            .about = "Limits the number of philosophers at the table: with one fewer than all, some philosopher "
+                     "can always eat.",
+            .ports = {input<Signal>("philosopher", "signal", "an array: the philosophers")},
+            .parameters = {integer("seats", {.by_default = 4, .least = 1, .most = 1e6},
+                                   "greatest number of philosophers at the table"),
+                           meals("meals of each philosopher")},
+            .body = wait_on_table,
+            .promela = butler_in_promela};
 }
 
 } // namespace

@@ -106,10 +106,9 @@ std::vector<std::string> searching_processes(const Network& network, const Netli
         if (!searches(process))
             continue;
         if (breeds_recoded(process))
-            throw UserError(
-                fmt::format("--on {}: \"{}\" is one of a pair, which identify has no settings for; expected "
-                            "ga.traditional, ga.master or ga.island",
-                            netlist.path.string(), process.name));
+            throw UserError(fmt::format("--on {}: \"{}\" is a coarse or a fine search, for which identify has no "
+                                        "settings; expected ga.traditional, ga.master or ga.island",
+                                        netlist.path.string(), process.name));
         names.push_back(process.name);
     }
     if (names.empty())
@@ -174,10 +173,10 @@ std::size_t whole_population(const Network& network, const NetlistAsked& netlist
         if (searches(process))
             sum += std::get<std::int64_t>(process.parameters.at("population"));
     if (sum != integer(wanted))
-        throw UserError(
-            fmt::format("--on {}: its searches have {} individuals together, but the identification has {}: give "
-                        "--population {}, or --set the netlist's",
-                        netlist.path.string(), sum, wanted, sum));
+        throw UserError(fmt::format(
+            "--on {}: the netlist's searches have {} individuals in all, but the identification has {}: give "
+            "--population {}, or change the netlist's populations with --set",
+            netlist.path.string(), sum, wanted, sum));
     return wanted;
 }
 

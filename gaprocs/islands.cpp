@@ -18,8 +18,8 @@ namespace {
 void require_generations_in_step(std::span<const SearchSettings> islands) {
     for (std::size_t i = 1; i < islands.size(); ++i)
         if (islands[i].window.trials != islands[0].window.trials)
-            throw UserError(fmt::format("island 0 makes {} per sample and island {} makes {}, expected the "
-                                        "same number: they exchange in the same generations",
+            throw UserError(fmt::format("island 0 makes {} per sample, but island {} makes {}; expected equal numbers, "
+                                        "because islands exchange in the same generations",
                                         counted(islands[0].window.trials, "generation"), i, islands[i].window.trials));
 }
 
@@ -100,12 +100,13 @@ std::string IslandsSettings::warning() const {
     auto parts = separate_parts(neighbours);
     if (parts.size() == 1) {
         auto lost = one_way(neighbours);
-        return lost ? fmt::format("nothing of island {} ever comes to island {}", lost->from, lost->never_to) : "";
+        return lost ? fmt::format("no individual from island {} ever reaches island {}", lost->from, lost->never_to)
+                    : "";
     }
     std::vector<std::string> listed;
     for (const auto& part : parts)
         listed.push_back(fmt::format("{}", fmt::join(part, ", ")));
-    return fmt::format("the islands are in {} parts that exchange nothing with each other: {}", parts.size(),
+    return fmt::format("the islands form {} groups that exchange nothing with each other: {}", parts.size(),
                        fmt::join(listed, "; "));
 }
 

@@ -43,14 +43,14 @@ void ProblemRegistry::require_new(const std::string& name) const {
     if (name.empty())
         throw std::invalid_argument("a search problem needs a name");
     if (problems_.contains(name) || families_.contains(name))
-        throw std::invalid_argument(fmt::format("search problem '{}' is named twice", name));
+        throw std::invalid_argument(fmt::format("a search problem named '{}' exists already", name));
 }
 
 template <class Record>
 void ProblemRegistry::add_recorded(std::string name, std::shared_ptr<const SearchProblem> problem, Record record) {
     require_new(name);
     if (!problem)
-        throw std::invalid_argument(fmt::format("search problem '{}': there is none", name));
+        throw std::invalid_argument(fmt::format("search problem '{}': the problem is a null pointer", name));
     try {
         problems_.emplace(name, RecordedProblem(std::move(problem), std::move(record)));
     } catch (const std::invalid_argument& unfit) {

@@ -13,9 +13,10 @@ RecodedProblem::RecodedProblem(const SearchProblem& problem, Recoding recoding)
     : problem_(problem.coded(Coding::natural)), recoding_(std::move(recoding)) {
     recoding_.validate();
     if (auto kind = problem_->representation().kind(); kind != StringKind::binary)
-        throw UserError(fmt::format("only binary strings have fields, and this problem's are {}", name_of(kind)));
+        throw UserError(
+            fmt::format("only binary strings have fields, but this problem's strings are {}", name_of(kind)));
     if (recoding_.problem_length() != problem_->bits())
-        throw UserError(fmt::format("the fields have {} bits in all, but the problem's string {}",
+        throw UserError(fmt::format("the fields have {} bits in all, but the problem's string has {}",
                                     recoding_.problem_length(), problem_->bits()));
     if (auto fields = problem_->fields(); !fields.empty() && fields != recoding_.problem_bits)
         throw UserError(fmt::format("the problem's fields have {} bits, not {}", fmt::join(fields, " "),

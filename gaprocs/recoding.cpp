@@ -26,8 +26,8 @@ void validate_field(std::size_t number, std::size_t bits, std::size_t problem_bi
                                                 counted(problem_bits, "bit"), most_field_bits));
     if (bits < 1 || bits > problem_bits)
         throw std::invalid_argument(
-            fmt::format("field {} is bred with {}, expected 1 to {}, which it has in the problem", number + 1,
-                        counted(bits, "bit"), problem_bits));
+            fmt::format("field {} is bred with {}, expected 1 to {}, the number of bits that it has in the problem",
+                        number + 1, counted(bits, "bit"), problem_bits));
 }
 
 /// Returns `centre` - 2^(`bits` - 1) + `code`, limited to the codes of a field of `problem_bits` bits.

@@ -52,8 +52,9 @@ Search::Search(std::vector<Genome> population, const SearchSettings& settings, R
                                                 counted(population_.size(), "string"), settings.population));
     for (const Genome& genome : population_)
         if (genome.size() != representation_.bits())
-            throw std::invalid_argument(fmt::format("a population of strings of {} and of {}", representation_.bits(),
-                                                    counted(genome.size(), "bit")));
+            throw std::invalid_argument(
+                fmt::format("the population has strings of {} bits and of {}, expected equal lengths",
+                            representation_.bits(), counted(genome.size(), "bit")));
 }
 
 void Search::next_generation(std::span<const double> fitness) {
@@ -126,7 +127,7 @@ Places Search::accept_among_offspring(std::span<const Individual> immigrants) {
 
 void Search::require_length(const Individual& immigrant) const {
     if (immigrant.genome.size() != representation_.bits())
-        throw std::invalid_argument(fmt::format("an immigrant of {} comes to an island of {}",
+        throw std::invalid_argument(fmt::format("an immigrant has {}, but the island's strings have {}",
                                                 counted(immigrant.genome.size(), "bit"),
                                                 counted(representation_.bits(), "bit")));
 }
@@ -134,10 +135,11 @@ void Search::require_length(const Individual& immigrant) const {
 void Search::require_fitness(std::span<const double> fitness) const {
     if (fitness.size() != population_.size())
         throw std::invalid_argument(
-            fmt::format("{} fitness values for a population of {}", fitness.size(), population_.size()));
+            fmt::format("{} fitness values were given for a population of {}", fitness.size(), population_.size()));
     for (std::size_t i = 0; i < fitness.size(); ++i)
         if (!std::isfinite(fitness[i]))
-            throw std::invalid_argument(fmt::format("the fitness of individual {} is {}", i, fitness[i]));
+            throw std::invalid_argument(
+                fmt::format("the fitness of individual {} is {}, expected a finite number", i, fitness[i]));
 }
 
 } // namespace placedpar

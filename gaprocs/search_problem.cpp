@@ -66,19 +66,17 @@ std::shared_ptr<const SearchProblem> SearchProblem::coded(Coding coding) const {
     if (coding.dont_care() == 0)
         return plain;
     if (plain->representation().kind() != StringKind::binary)
-        throw UserError(fmt::format("don't-care bits need binary strings, and this problem's are {}",
+        throw UserError(fmt::format("don't-care bits need binary strings, but this problem's strings are {}",
                                     name_of(plain->representation().kind())));
     return std::make_shared<StuffedProblem>(std::move(plain), coding);
 }
 
 void refuse_coding(Coding coding) {
     if (coding == Coding::real)
-        throw UserError(
-            "this problem has no real numbers to be bred, so that the coding \"real\" has no meaning for it");
-    throw UserError(
-        fmt::format("this problem does not read its binary string by fields, so that the coding \"{}\" has no "
-                    "meaning for it",
-                    coding.text()));
+        throw UserError("the coding \"real\" has no meaning for this problem, which has no real numbers to breed");
+    throw UserError(fmt::format(
+        "the coding \"{}\" has no meaning for this problem, which does not divide its binary string into fields",
+        coding.text()));
 }
 
 } // namespace placedpar

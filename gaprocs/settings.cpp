@@ -46,7 +46,7 @@ void WindowSettings::validate_for(std::size_t record_length) const {
     validate();
     if (length > record_length)
         throw UserError(
-            fmt::format("the window holds {}, the record only {}", counted(length, "sample"), record_length));
+            fmt::format("the window holds {}, but the record has only {}", counted(length, "sample"), record_length));
 }
 
 void SearchSettings::validate() const {

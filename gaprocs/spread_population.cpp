@@ -43,8 +43,8 @@ std::vector<Genome> spread_population(std::size_t count, const Recoding& reading
 std::vector<Genome> spread_population(std::size_t count, const SearchProblem& problem, RandomStream& random) {
     auto fields = problem.fields();
     if (fields.empty() || problem.representation().kind() != StringKind::binary)
-        throw UserError("a spread population needs strings with fields of bits that code numbers, and this problem's "
-                        "strings have none");
+        throw UserError("a spread population needs strings with fields of bits that code numbers, but this problem's "
+                        "strings have no fields");
     return spread_population(count, {.problem_bits = fields, .bits = fields, .coding = problem.coding()}, random);
 }
 

@@ -35,8 +35,8 @@ SearchSettings settings_for(const SearchProblem& problem, SearchSettings setting
 void require_fitting_reproduction(const SearchProblem& problem, const Reproduction& reproduction) {
     auto objective = problem.objective();
     if (objective && objective->goal == Goal::minimise && reproduction.needs_positive_fitness())
-        throw UserError(fmt::format("reproduction by {} discards individuals of fitness <= 0, and an objective that is "
-                                    "minimised is negated: expected ranking, scaled or tournament",
+        throw UserError(fmt::format("reproduction by {} discards individuals with fitness <= 0, but a minimised "
+                                    "objective is negated: expected ranking, scaled or tournament",
                                     reproduction.text()));
 }
 

@@ -41,10 +41,10 @@ bool flag_excitation(LinkIdentified& link, std::span<const CircuitSample> window
     double rms = excitation_psi_per_s(window, junction);
     bool still = rms < least_slope_psi_per_s && rms * link.compliance_in3_per_psi < least_flow_in3_per_s;
     if (still)
-        link.flags.push_back({FlagKind::no_excitation,
-                              fmt::format("no excitation: the pressure changes by {:.0f} psi/s (rms) over the last "
-                                          "window; below {:.0f} psi/s noise determines the answer",
-                                          rms, least_slope_psi_per_s)});
+        link.flags.push_back(
+            {FlagKind::no_excitation, fmt::format("no excitation: the pressure changes by {:.0f} psi/s (rms) over the "
+                                                  "last window; below {:.0f} psi/s, noise determines the answer",
+                                                  rms, least_slope_psi_per_s)});
     return still;
 }
 

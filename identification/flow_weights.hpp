@@ -39,7 +39,26 @@ FlowWeights weights_at(const hydraulics::Circuit& circuit, std::span<const hydra
                        const hydraulics::FlowConstants& flow, std::span<const double> compliance_in3_per_psi,
                        double mean_square);
 
-/// A CircuitProblem whose error is the root of the sum of squares of the scaled flows.
+/// The mean square of the weighed error at the best individual, as a share of the bias of equation 3.9. Fitness then
+/// selects equally well at each level of noise.
+inline constexpr double share_of_bias = 0.25;
+
+/// Returns the root of the sum of squares of the scaled flows.
+template <typename T>
+T weighed_error(const hydraulics::Circuit& circuit, std::span<const T> compliances,
+                const hydraulics::CircuitTerms& terms, const hydraulics::FlowConstants& flow,
+                const FlowWeights& weights) {
+    using std::sqrt;
+    auto missing =
+        hydraulics::missing_flows_in3_per_s<T>(circuit, compliances, terms, flow, hydraulics::InletFlow::as_signed);
+    auto scaled = weights.scaled<T>(missing, circuit.size());
+    T squares = scaled[0] * scaled[0];
+    for (std::size_t j = 1; j < circuit.size(); ++j)
+        squares += scaled[j] * scaled[j];
+    return sqrt(squares);
+}
+
+/// A CircuitProblem whose error is weighed_error().
 class WeighedCircuit : public CircuitProblem {
 public:
     WeighedCircuit(const CircuitProblem& problem, const hydraulics::FlowConstants& flow, const FlowWeights& weights)
@@ -47,14 +66,7 @@ public:
 
     template <typename T>
     T error_of(std::span<const T> compliances, const hydraulics::CircuitTerms& terms) const {
-        using std::sqrt;
-        auto missing = hydraulics::missing_flows_in3_per_s<T>(circuit(), compliances, terms, flow_,
-                                                              hydraulics::InletFlow::as_signed);
-        auto scaled = weights_.scaled<T>(missing, circuit().size());
-        T squares = scaled[0] * scaled[0];
-        for (std::size_t j = 1; j < circuit().size(); ++j)
-            squares += scaled[j] * scaled[j];
-        return sqrt(squares);
+        return weighed_error<T>(circuit(), compliances, terms, flow_, weights_);
     }
     template <typename T>
     T error_of(std::span<const T> compliances, std::span<const double> sample) const {

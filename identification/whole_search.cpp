@@ -22,10 +22,6 @@ using namespace hydraulics;
 
 namespace {
 
-/// The mean square of the weighed error of the best individual, as a share of the bias. With a fixed share, the fitness
-/// selects equally well at each level of noise.
-constexpr double share_of_bias = 0.25;
-
 /// The length of the thesis's window. The excitation is judged on this number of samples at the beginning.
 constexpr std::size_t transient_samples = 10;
 
@@ -83,19 +79,6 @@ void compare_with_weighed_fit(Identified& result, std::span<const CircuitSample>
     }
 }
 
-/// Flags a link whose answer may be wrong by more than 10 %, counting three standard errors. Noise in the readings also
-/// shifts the answer, which two standard errors would not cover.
-void flag_limit(LinkIdentified& link) {
-    constexpr double share = 0.1, errors = 3;
-    const double least = link.of_all_samples->compliance_in3_per_psi;
-    const double off = std::abs(link.compliance_in3_per_psi - least) + errors * link.standard_error;
-    if (std::isfinite(link.standard_error) && off > share * least && !link.flagged(FlagKind::unconfirmed))
-        link.flags.push_back(
-            {FlagKind::uncertain, fmt::format("uncertain: the noise allows a standard error of {:.1f} %, so the answer "
-                                              "may be wrong by more than {:.0f} % (three standard errors)",
-                                              100 * link.standard_error / link.compliance_in3_per_psi, 100 * share)});
-}
-
 } // namespace
 
 WholeWay whole_way(std::size_t links, Side side) {
@@ -110,6 +93,17 @@ WholeWay whole_way(std::size_t links, Side side) {
     if (side == Side::inlet)
         whole.way.usable.count = exact_fitness_terms;
     return whole;
+}
+
+void flag_limit(LinkIdentified& link) {
+    constexpr double share = 0.1, errors = 3;
+    const double least = link.of_all_samples->compliance_in3_per_psi;
+    const double off = std::abs(link.compliance_in3_per_psi - least) + errors * link.standard_error;
+    if (std::isfinite(link.standard_error) && off > share * least && !link.flagged(FlagKind::unconfirmed))
+        link.flags.push_back(
+            {FlagKind::uncertain, fmt::format("uncertain: the noise allows a standard error of {:.1f} %, so the answer "
+                                              "may be wrong by more than {:.0f} % (three standard errors)",
+                                              100 * link.standard_error / link.compliance_in3_per_psi, 100 * share)});
 }
 
 Identified identify_whole(const ComplianceSearch& prepared, const WholeWay& whole, std::uint64_t seed) {

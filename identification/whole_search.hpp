@@ -24,6 +24,10 @@ struct WholeWay {
 /// answer.
 WholeWay whole_way(std::size_t links, hydraulics::Side side = hydraulics::Side::inlet);
 
+/// Flags a link whose answer may differ by more than 10 % from LinkIdentified::of_all_samples, counting three standard
+/// errors. Noise in the readings also shifts the answer, which two standard errors would not cover.
+void flag_limit(LinkIdentified& link);
+
 /// Identifies the compliances from all samples together. LinkIdentified::standard_error and of_all_samples come from
 /// weighed least squares; the standard error is the least that the record's noise allows (the Cramer-Rao bound). Uses
 /// at most the first 1,024 samples (exact_fitness_terms). Throws UnfitRecord if there are fewer samples than the first

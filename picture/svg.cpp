@@ -313,7 +313,7 @@ private:
                               class_of(*node.kind));
         add_wires_to_legend();
         if (!marks_.empty())
-            add_to_legend(40, line_across("struck"), "fails in the run, as it says there");
+            add_to_legend(40, line_across("struck"), "fails during the run, as its label states");
         if (std::ranges::any_of(n_.processes, &ProcessInstance::high_priority) ||
             std::ranges::any_of(n_.nodes, [](const Node& node) { return node.name.ends_with(" !"); }))
             add_to_legend(12, SvgPen().text({2, 4}, "process", "!"), "process of high priority");

@@ -88,7 +88,7 @@ ConvergenceCurve curve_of(std::string name, std::span<const SeededLog> logs, con
         for (const LoggedGeneration& generation : searches.of(each.log))
             run.push_back(generation.*quantity);
         if (run.empty())
-            throw UserError(fmt::format("nothing to draw: with seed {} not every search made a generation", each.seed));
+            throw UserError(fmt::format("nothing to draw: with seed {} some search made no generation", each.seed));
     }
     return curve;
 }

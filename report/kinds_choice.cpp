@@ -64,7 +64,7 @@ void refuse_kind(const Catalogue& catalogue, const std::string& name, const std:
     if (meant.empty())
         meant = nearest_name(name, others);
     throw UserError(fmt::format("unknown process kind, device, problem or policy \"{}\"; {}", name,
-                                meant.empty() ? fmt::format("say {} kinds for those there are", program_name())
+                                meant.empty() ? fmt::format("{} kinds lists all", program_name())
                                               : fmt::format("did you mean \"{}\"?", meant)));
 }
 

@@ -110,8 +110,8 @@ std::string print_devices(const Catalogue& catalogue) {
 }
 
 const char* moment_of_acknowledge(const NodeType& type) {
-    return type.preset.overlapped_acknowledge ? "; a byte is acknowledged while it comes in"
-                                              : "; a byte is acknowledged when it has come in";
+    return type.preset.overlapped_acknowledge ? "; each byte is acknowledged while it arrives"
+                                              : "; each byte is acknowledged when it has arrived";
 }
 
 std::string print_link_count(const NodeType& type) {

@@ -28,7 +28,7 @@ std::optional<PolicyDescription> family_named(const ProblemRegistry& problems, s
 std::string base_of(const std::string& name) { return name.substr(0, name.find('(')); }
 
 std::string record_of(const RecordedProblem& recorded) {
-    return fmt::format("identified over a record of {} of {}", counted(recorded.samples(), "sample"),
+    return fmt::format("identified from a record of {} of {}", counted(recorded.samples(), "sample"),
                        counted(recorded.problem()->channels(), "number"));
 }
 

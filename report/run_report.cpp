@@ -205,7 +205,7 @@ const char* what_was_struck(MessageStruck message) {
     switch (message) {
     case MessageStruck::whole: return "a message on";
     case MessageStruck::packet: return "a packet of";
-    case MessageStruck::acknowledging_packet: return "a packet that acknowledges one of";
+    case MessageStruck::acknowledging_packet: return "a packet that acknowledges a packet of";
     }
     return "";
 }

@@ -405,8 +405,8 @@ private:
 template <class T>
 class Channel final : public AnyChannel {
     static_assert(Protocol<T>,
-                  "a message has a fixed size, or says by wire_form() const what it is on a wire; moving it does not "
-                  "throw; it is no pointer, reference or view: processes share no memory");
+                  "a message must have a fixed size, or wire_form() const must return its form on a wire; moving it "
+                  "must not throw; it must not be a pointer, a reference or a view, since processes share no memory");
 
 public:
     using AnyChannel::AnyChannel;

@@ -171,8 +171,8 @@ std::vector<std::string> describe_held_up(const Processes& stuck) {
                 }
     std::vector<std::string> texts;
     for (const auto& [channels, by] : held_up)
-        texts.push_back(fmt::format("{}: until {} {} {}, too: one message goes to all of them{}", names_of(channels),
-                                    names_of(by), by.size() == 1 ? "is" : "are",
+        texts.push_back(fmt::format("{}: waits until {} {} {}, too, because one message goes to all of them{}",
+                                    names_of(channels), names_of(by), by.size() == 1 ? "is" : "are",
                                     by.front()->output_waits() ? "taken" : "output",
                                     by.front()->output_waits() ? "" : ", which a program outputs in a PAR"));
     return texts;
@@ -188,10 +188,9 @@ std::vector<std::string> describe_unreset(const Processes& stuck, const Processe
             if ((!input && !channel->output_must_be_reset()) || !known.insert(channel).second)
                 continue;
             const auto &left = channel->last_outputter(), &waits = channel->last_inputter();
-            texts.push_back(fmt::format("{}: until {} gives up its message and resets its end, too: {} has given it up "
-                                        "in the middle",
-                                        channel->name(), path_of(input ? waits : left, living),
-                                        path_of(input ? left : waits, living)));
+            texts.push_back(fmt::format(
+                "{}: waits until {} gives up its message and resets its end, too, because {} gave it up in the middle",
+                channel->name(), path_of(input ? waits : left, living), path_of(input ? left : waits, living)));
         }
     return texts;
 }

@@ -28,7 +28,7 @@ public:
     /// the result exceeds most_parts.
     constexpr WireForm behind_tag() const {
         if (parts_ == most_parts)
-            throw std::length_error("a variant of a message has 3 parts at most, behind its tag");
+            throw std::length_error("a variant of a message can have at most 3 parts after its tag");
         WireForm tagged(1);
         for (std::size_t part = 0; part < parts_; ++part)
             tagged.bytes_[tagged.parts_++] = bytes_[part];

@@ -68,7 +68,8 @@ void check_row(std::string_view line, const TextRow& row, std::size_t open_quote
             error_at(row.line, open_quote, "a quoted value has no closing quote", "close the quote on the same line"));
     std::string_view inside = line.substr(0, line.find_last_not_of(blanks) + 1);
     if (std::size_t end = inside.find('\r'); end != std::string_view::npos)
-        faults.push_back(error_at(row.line, end + 1, "a carriage return within a line", "lines end in LF or in CR LF"));
+        faults.push_back(error_at(row.line, end + 1, "the line has a carriage return before its end",
+                                  "lines end in LF or in CR LF"));
 }
 
 void check_header(std::string_view line, const TextRow& header, std::vector<Diagnostic>& faults) {

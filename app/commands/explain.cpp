@@ -43,8 +43,8 @@ struct ExplainOptions {
 void require_path_format(const std::filesystem::path& path) {
     require_trace_format(path);
     if (std::string ending = lower_case(path.extension().string()); ending == ".vcd" || ending == ".svg")
-        throw UserError(
-            fmt::format("{}: a critical path can be drawn in .json only, for ui.perfetto.dev", path.string()));
+        throw UserError(fmt::format(
+            "{}: a timeline with the critical path can be written only as .json, for ui.perfetto.dev", path.string()));
 }
 
 /// Adds the settings of --set to the changes, except settings that a change replaces.
@@ -171,7 +171,7 @@ Action declare_explain(Options& command, const std::string& typed) {
     add_file(command, "--page", options->recorded.page,
              "writes an HTML page that shows the run, with the critical path as a line");
     command.add_flag("--no-what-if", options->no_what_if,
-                     "leaves out the runs that measure what changes of the machine would gain");
+                     "leaves out the additional runs, which measure how much time changes of the machine would save");
     return [options, typed] { return explain(*options, typed); };
 }
 

@@ -35,8 +35,8 @@ void add_wish(Options& command, generate::TopologyRequest& request) {
         .required();
     add_count(command, "--branches", request.branches, "tree: number of children of a processor; default: 2");
     add_count(command, "--chord", request.chord,
-              "chordal ring: processors that a chord skips ahead; default: about the "
-              "square root of the size");
+              "chordal ring: length of a chord, counted in processors along the ring; default: about the square root "
+              "of the size");
     add_count(command, "--degree", request.degree, "chordal ring: links of a processor, 3 or 4; default: 3");
     add_file(command, "--job", request.job,
              "software: a farm, islands, or one process of the kind KIND on each "
@@ -49,9 +49,11 @@ void add_wish(Options& command, generate::TopologyRequest& request) {
              "left for the workstation")
         .one_of({"workstation", "node"})
         .show_default();
-    add_file(command, "--output", request.output, "the kind's array of outputs to the neighbours", "PORT")
+    add_file(command, "--output", request.output,
+             "with --job KIND: name of the kind's array of outputs to the neighbours", "PORT")
         .show_default();
-    add_file(command, "--input", request.input, "the kind's array of inputs from the neighbours", "PORT")
+    add_file(command, "--input", request.input,
+             "with --job KIND: name of the kind's array of inputs from the neighbours", "PORT")
         .show_default();
 }
 

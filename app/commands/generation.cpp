@@ -43,7 +43,7 @@ void write_single_frames(const std::filesystem::path& folder, const std::string&
 }
 
 std::string frames_line(const std::string& path) {
-    return fmt::format("frames: {0}-step-*.svg, all in one {0}.svg\n", path);
+    return fmt::format("frames: {0}-step-*.svg; all frames in one file: {0}.svg\n", path);
 }
 
 /// Writes a file for each step, and a file with all steps of the generation.

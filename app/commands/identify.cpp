@@ -63,7 +63,11 @@ void require_files(const IdentifyOptions& options) {
 
 ExitCode identify_record(IdentifyOptions options, const std::string& command_line) try {
     if (options.side == "outlet" && options.way == "service")
-        options.way = "whole";
+        throw UserError("--side outlet works only with --way thesis or whole; --way service identifies inlet sides");
+    if (options.way.empty())
+        options.way = options.side == "outlet" ? "whole" : "service";
+    if (options.way != "service" && options.configuration.empty())
+        options.configuration = "a";
     require_files(options);
     require_one_way(options);
     boost::json::object json{

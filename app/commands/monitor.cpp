@@ -71,16 +71,15 @@ void add_limits(Options& command, ServiceLimits& limits) {
     add("--max-clients-per-peer", limits.clients_per_peer, "N", {1, 65536},
         "simultaneous connections from one address");
     add("--max-machines-per-peer", limits.machines_per_peer, "N", {1, 1e6},
-        "machines first announced from one address");
+        "machines that one address was the first to announce");
     add("--max-takeovers", limits.takeovers_per_peer, "N", {1, 1e6},
-        "takeovers of a machine's control by one address in a minute");
+        "number of times in a minute that one address may take over the control of a machine");
     add("--known-after", limits.known_s, "S", {0, 1e9},
-        "time span of samples after which a machine is known; at least 1000 "
-        "samples");
+        "a machine is known after samples over this time, and at least 1000 samples");
     add("--newcomer-timeout", limits.newcomer_s, "S", timeouts,
-        "time after which an unknown machine without sample and connection is "
-        "forgotten");
-    add("--history", limits.history, "N", {1, 1e6}, "estimates, and alarms, of each machine that the state file keeps");
+        "time without samples and connections after which a machine that is not yet known is forgotten");
+    add("--history", limits.history, "N", {1, 1e6},
+        "number of estimates, and of alarms, that the state file keeps for each machine");
     add("--max-line", limits.line_bytes, "BYTES", {100, 1 << 24}, "longest message");
     add("--max-queue", limits.queue_bytes, "BYTES", {1 << 14, 1 << 30}, "most bytes waiting to be sent to one client");
     add("--hello-timeout", limits.hello_s, "S", timeouts, "longest time from the connection to the hello");
@@ -95,16 +94,16 @@ void add_diagnosis(Options& command, DiagnosisSettings& diagnosis) {
         add_number(command, "Diagnosis", name, value, type, bounds, about);
     };
     WindowSettings& window = diagnosis.search.window;
-    add("--population", diagnosis.search.population, "N", {3, 10000}, "individuals of a population set");
-    add("--bits", diagnosis.bits, "N", {4, 16}, "length of one compliance in the string");
+    add("--population", diagnosis.search.population, "N", {3, 10000}, "number of individuals in each population");
+    add("--bits", diagnosis.bits, "N", {4, 16}, "number of bits that code one compliance");
     add("--window", window.length, "N", {1, exact_fitness_terms}, "samples in the window");
     add("--trials", window.trials, "N", {1, 1000}, "generations for each sample");
     add("--gate", diagnosis.gate.slope_psi_per_s, "PSI/S", {0, 1e6},
-        "rms slope of the pressure below which an estimate is frozen");
+        "an estimate is frozen while the rms slope of the pressure is less than this");
     add("--inconsistent-over", diagnosis.inconsistent_over, "FRACTION", {0.01, 100},
-        "spread between population sets above which estimates are flagged");
+        "estimates are flagged if the population sets differ by more than this fraction");
     add("--stale-after", diagnosis.stale_after_s, "S", {0.01, 1e9},
-        "age above which estimates take no part in cross-checks");
+        "estimates that are older than this are not used in cross-checks");
 }
 
 struct MonitorOptions {
@@ -132,7 +131,7 @@ void add_options(Options& command, MonitorOptions& options) {
     add_file(command, "--token-file", settings.token_file, "file with the token that clients must send");
     command.add("--host-name", settings.host_names,
                 "host name that browsers use for this server, such as a proxy's; may be repeated");
-    add_file(command, "--state", settings.state, "file (SQLite) that keeps the state of all machines over a restart");
+    add_file(command, "--state", settings.state, "SQLite file that keeps the state of all machines across restarts");
     add_seed(command, settings.seed);
     Option netlist = add_file(command, "--on", options.netlist,
                               "also searches each movement by the processes of this netlist, as identify --way thesis "

@@ -204,7 +204,8 @@ std::string reason_of(Session& session, const Optimum& optimum, const Overrides&
     auto start = path_of(session, session.space.fixed()), end = path_of(session, best);
     if (start && end)
         return print_paths(*start, *end) + "\n";
-    return session.interruption.requested() ? "" : "the critical paths are not compared: the runs are too long\n\n";
+    return session.interruption.requested() ? ""
+                                            : "the critical paths are not compared, because the runs are too long\n\n";
 }
 
 /// Returns the settings of the best machine, whichever search found it.
@@ -267,7 +268,7 @@ Action declare_optimise(Options& command, const std::string&) {
     auto options = std::make_shared<OptimiseOptions>();
     command.add("STUDY", options->study, "a study (.toml) with a table [search]").required().check(not_a_name);
     add_search_size(command, *options);
-    command.add_flag("--random", options->random, "also tries the same number of random machines, for comparison");
+    command.add_flag("--random", options->random, "also tries as many machines drawn at random, for comparison");
     command.add_flag("--exhaustive", options->exhaustive, "also tries all machines, for comparison");
     add_file(command, "--results", options->results,
              "file of the results, which is read and extended; default: the study's name with .sqlite, in this folder");
@@ -275,7 +276,8 @@ Action declare_optimise(Options& command, const std::string&) {
              "writes the best machines, or the Pareto front, as comma-separated values");
     add_file(command, "--svg", options->svg, "draws the course of the search, or the Pareto front");
     command.add_flag("--yes", options->yes, "starts any number of runs without asking");
-    command.add_flag("--any-version", options->any_version, "adds runs to results of another version of PlacedPar");
+    command.add_flag("--any-version", options->any_version,
+                     "adds runs even if another version of PlacedPar made the results in the file");
     return [options] { return optimise(*options); };
 }
 

@@ -34,8 +34,8 @@ struct RecordOptions {
 
 LinksInMotion moving_of(const RecordOptions& options, const RecordScenario& scenario) {
     if (!scenario.any_links && !(options.links.empty() && options.configuration.empty()))
-        throw UserError(fmt::format("--{}: the scenario \"{}\" has fixed links and a fixed configuration; use "
-                                    "the scenario \"links\" to choose them",
+        throw UserError(fmt::format("--{}: the scenario \"{}\" has fixed links and a fixed configuration; use the "
+                                    "scenario \"links\" to choose them",
                                     options.links.empty() ? "configuration" : "link", scenario.name));
     return {options.configuration.empty() ? Configuration::a : *configuration_named(options.configuration),
             links_of(options.links.empty() ? "bucket,boom" : options.links)};

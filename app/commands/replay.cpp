@@ -103,9 +103,9 @@ void require_printed(const Experiment& experiment, const ReplayOptions& options)
         if (each.has_printed)
             having.push_back(each.name);
     if (options.against == "printed" && !experiment.has_printed)
-        throw UserError(fmt::format("--against printed has no effect on {}, which has no other expected figures; "
-                                    "it applies to {}",
-                                    experiment.name, fmt::join(having, ", ")));
+        throw UserError(fmt::format(
+            "--against printed has no effect on {}, whose expected figures are the printed ones; it applies to {}",
+            experiment.name, fmt::join(having, ", ")));
 }
 
 void require_study(const Experiment& experiment, const ReplayOptions& options) {
@@ -193,8 +193,8 @@ Action declare_replay(Options& command, const std::string& typed) {
              "keeps finished runs in this file, and skips the runs that it already has");
     command
         .add("--against", options->against,
-             "expected: judges figures that follow from the thesis's measurements; printed: judges the figures "
-             "that the thesis prints where they differ")
+             "which of two figures of the thesis to judge by, where they differ: expected (the figure that follows "
+             "from its measurements) or printed")
         .one_of({"expected", "printed"})
         .show_default();
     command.add_flag("--yes", options->yes, "starts any number of runs without asking");

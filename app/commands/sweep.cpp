@@ -134,8 +134,8 @@ private:
 
     std::string left(std::uint64_t ended) const {
         if (ended == 0)
-            return seconds() < patience_seconds ? "none has finished yet"
-                                                : "none has finished yet; --until stops endless runs";
+            return seconds() < patience_seconds ? "no run has finished yet"
+                                                : "no run has finished yet; --until TIME stops endless runs";
         auto runs = static_cast<double>(missing_.runs - std::min(made_ + ended, missing_.runs));
         return print_duration(seconds() * runs / static_cast<double>(ended)) + " left";
     }
@@ -271,7 +271,8 @@ Action declare_sweep(Options& command, const std::string&) {
     add_file(command, "--results", options->results,
              "file of the results, which is read and extended; default: the study's name with .sqlite, in this folder");
     command.add_flag("--yes", options->yes, "starts any number of runs without asking");
-    command.add_flag("--any-version", options->any_version, "adds runs to results of another version of PlacedPar");
+    command.add_flag("--any-version", options->any_version,
+                     "adds runs even if another version of PlacedPar made the results in the file");
     return [options] { return sweep(*options); };
 }
 

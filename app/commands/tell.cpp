@@ -53,7 +53,7 @@ std::string message_of(const TellOptions& options) {
         refuse_words(fmt::format("\"{}\" is not a command for the monitor", words[0]));
     std::size_t more = words.size() - 1;
     if (more < saying->least_words || more > saying->most_words)
-        refuse_words(fmt::format("wrong number of words after {}: {}", words[0], more));
+        refuse_words(fmt::format("the command {} has a wrong number of arguments: {}", words[0], more));
     json::object message{{"type", words[0]}};
     if (more >= 1)
         message["machine"] = words[1];

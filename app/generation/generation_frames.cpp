@@ -107,7 +107,7 @@ std::vector<DrawnHypercube> draw_walk(const WalkedGeneration& walked) {
 
 VertexLegend walk_legend() {
     return {{VertexLook::member, "in the population"},
-            {VertexLook::parent, "parent; thick links: the space between mates"},
+            {VertexLook::parent, "parent; thick links: the subcube that two mates span"},
             {VertexLook::offspring, "new offspring"},
             {VertexLook::empty, "no individual"}};
 }

@@ -17,7 +17,7 @@ double sum_of(const std::vector<double>& fitness) { return std::accumulate(fitne
 std::string evaluation_text(const WalkedGeneration& walked) {
     double sum = sum_of(walked.fitness), from = 0;
     std::string out = "step 0: fitness, and the sectors of the roulette wheel\n"
-                      "  no.  string   x  fitness   share  sector          copies expected\n";
+                      "  no.  string   x  fitness   share  sector          expected copies\n";
     for (std::size_t i = 0; i < walked.population.size(); ++i) {
         double share = sum > 0 ? walked.fitness[i] / sum : 0;
         out +=
@@ -33,7 +33,7 @@ std::string evaluation_text(const WalkedGeneration& walked) {
 std::string reproduction_text(const WalkedGeneration& walked) {
     if (walked.parents.empty())
         return "step 1: every sector has width 0, so the whole population is drawn at random\n";
-    std::string out = "step 1: reproduction, a spin of the wheel for each place\n  place   spin  in sector  copy\n";
+    std::string out = "step 1: reproduction, a spin of the wheel for each mate\n   mate   spin  in sector  copy\n";
     for (std::size_t i = 0; i < walked.parents.size(); ++i)
         out += fmt::format("  {:5}  {:.3f}  {:9}  {}\n", i + 1, walked.spins[i], walked.parents[i] + 1,
                            walked.reproduced[i].to_string());

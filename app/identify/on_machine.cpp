@@ -79,7 +79,7 @@ std::string print_answer(const SearchAnswers& answers, const Identified& native,
     const std::size_t last = answers.generations() - 1, best = answers.fittest(last);
     const double here = native.estimates.back().compliance_in3_per_psi[parameter];
     const double there = answers.of(best, last).values[parameter];
-    std::string text = fmt::format("{}: {:.5f} in^3/psi by the direct search, {:.5f} by ",
+    std::string text = fmt::format("{}: {:.5f} in^3/psi from the direct search, {:.5f} from ",
                                    answers.problem().parameter_names()[parameter], here, there);
     if (answers.searches().size() == 1)
         return text + fmt::format("the netlist's processes: {}\n", here == there ? "equal" : "different");
@@ -89,7 +89,7 @@ std::string print_answer(const SearchAnswers& answers, const Identified& native,
 
 std::string print_time(const RunReport& report, std::span<const SampleAnswers> rows, const SearchAnswers& answers,
                        std::span<const CircuitSample> samples) {
-    return fmt::format("the last answer is ready {:.3f} s after the first sample is sent; the {} last {:.3f} s; the "
+    return fmt::format("the last answer is ready {:.3f} s after the first sample is sent; the {} cover {:.3f} s; the "
                        "run ends at {:.3f} s\n",
                        seconds(answers.ready(rows.back().generation)), counted(samples.size(), "sample"),
                        samples.back().time_s - samples.front().time_s, seconds(report.result.time));
@@ -166,7 +166,7 @@ ExitCode run_on_machine(const ProcessSearch& search, const Identified& native, c
         return exit_code_of(report.result.ending);
     const std::vector<SampleAnswers> rows = by_sample(search, answers, prepared.samples);
     if (rows.empty()) {
-        print_out("the processes answered nothing: their islands begin later than the record's last sample\n");
+        print_out("the processes gave no answer: their first generation needs more samples than the record has\n");
         return ExitCode::missed_tolerance;
     }
     const std::vector<double>& there =

@@ -7,6 +7,7 @@
 #include "app/standard_error.hpp"
 #include "explore/load.hpp"
 #include "hydraulics/circuit/circuit.hpp"
+#include "identification/on_line/moving_identification.hpp"
 #include "identification/on_line/record_diagnosis.hpp"
 #include "identification/report/diagnosis_report.hpp"
 #include "text/counted.hpp"
@@ -48,6 +49,11 @@ DiagnosisSettings settings_of(const IdentifyOptions& options) {
 
 LinkSet wanted_links(const IdentifyOptions& options, const ChannelSet& there) {
     return options.links.empty() ? links_to_diagnose(there) : links_of(options.links);
+}
+
+/// Returns whether the configuration is to be recognised.
+bool moves(const IdentifyOptions& options, const ChannelSet& there) {
+    return options.configuration.empty() && recognisable(there);
 }
 
 /// Rounds to nanoseconds, since clock steps written as decimals are whole nanoseconds.
@@ -139,8 +145,8 @@ std::string print_beginning(const Identifying& identifying, const IdentifyOption
 }
 
 [[noreturn]] void refuse_rest(const Identifying& identifying) {
-    throw UnfitRecord(fmt::format("no movement in {}: in a movement, a valve opens long enough while the "
-                                  "pressure lets oil flow into the cylinder",
+    throw UnfitRecord(fmt::format("no movement in {}: expected a valve that opens for long enough while the pressure "
+                                  "lets oil flow into the cylinder",
                                   counted(identifying.diagnosis().samples(), "sample")));
 }
 
@@ -156,17 +162,25 @@ void report(Identifying& identifying, boost::json::object& json) {
 
 } // namespace
 
-ExitCode identify_as_service(const IdentifyOptions& options, boost::json::object& json) {
+ExitCode identify_as_service(const IdentifyOptions& typed, boost::json::object& json) {
+    IdentifyOptions options = typed;
     settings_of(options); // reports wrong settings before anything is read
     InterruptedBySignals interruption;
     RecordPieces pieces(options.record,
-                        needs_of(options, [&](const ChannelSet& there) { return wanted_links(options, there); }),
+                        needs_of(options,
+                                 [&](const ChannelSet& there) {
+                                     return moves(options, there) ? LinkSet::all() : wanted_links(options, there);
+                                 }),
                         print_warnings, [&] { return interruption.requested(); });
     std::optional<Identifying> identifying;
     ProgressLine progress;
     while (auto piece = pieces.next()) {
         progress.clear();
+        if (!identifying && moves(options, piece->channels()))
+            return identify_moving(options, std::move(*piece), pieces, json);
         if (!identifying) {
+            if (options.configuration.empty())
+                options.configuration = "a";
             identifying.emplace(options, *piece);
             print_out(print_beginning(*identifying, options));
         }

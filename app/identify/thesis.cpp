@@ -120,16 +120,16 @@ Case read_case(const IdentifyOptions& options, const IdentificationWay& way) {
 std::string print_whole(const Identified& identified, const ComplianceSearch& prepared, const WholeWay& whole,
                         const SearchCost& cost) {
     std::string text = fmt::format(
-        "\nsettings for {}: {} rounds of {}, {} for each compliance in {} code, an elite of {}\nafter each "
-        "round, each link's flow error is weighed by its scatter at the best individual\nleast possible standard "
-        "error with the noise of these samples (Cramer-Rao limit):",
+        "\nsettings for {}: {} rounds of {}, {} for each compliance in {} code, an elite of {}\nafter each round, each "
+        "link's flow error is divided by its scatter at the best individual\nleast possible standard error with the "
+        "noise of these samples (Cramer-Rao bound):",
         counted(identified.links.size(), "link"), whole.rounds, counted(whole.way.search.window.trials, "generation"),
         counted(whole.way.bits, "bit"), whole.way.coding == Coding::gray ? "Gray" : "natural", whole.way.search.elite);
     for (const LinkIdentified& link : identified.links)
         text += fmt::format("{} {} {:.1f} %", &link == &identified.links.front() ? "" : ",", name_of(link.link),
                             100 * link.standard_error / link.compliance_in3_per_psi);
-    return text + fmt::format("\ncost: {:.0f} individuals, evaluated at {}; {:.0f} s on one T800 of 20 MHz, "
-                              "{:.0f} s on 16 T800s\n",
+    return text + fmt::format("\ncost: {:.0f} individuals, each evaluated at {}; this takes {:.0f} s on one T800 of 20 "
+                              "MHz, {:.0f} s on 16 T800s\n",
                               cost.individuals, counted(prepared.samples.size(), "sample"), cost.seconds,
                               cost.seconds_on_16);
 }

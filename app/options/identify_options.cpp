@@ -18,8 +18,9 @@ void declare_question(Options& command, IdentifyOptions& options) {
     add_links(command, options.links,
               "links to identify, with commas: bucket, boom, stick, swing; default: every link with readings; "
               "with --way thesis: boom");
-    add_configuration(command, options.configuration, "configuration of the main valve during the record")
-        .show_default();
+    add_configuration(command, options.configuration,
+                      "configuration of the main valve during the record; default: recognised sample by sample if the "
+                      "record has pressure, angle and areas of all links, otherwise a");
     add_file(command, "--machine", options.machine, "file with constants that replace those of placedpar parameters");
     command
         .add("--areas-from", options.areas,
@@ -28,12 +29,12 @@ void declare_question(Options& command, IdentifyOptions& options) {
         .one_of({"areas", "spool", "servo"});
     command
         .add("--offset", options.offset,
-             "inches by which the readings of the boom's spool are too high; default: none. With --way thesis "
-             "the default is auto, which finds the offset in the record's steady motion")
+             "offset by which the readings of the boom's spool are too high, in inches; default: none. With --way "
+             "thesis the default is auto, which finds the offset in the record's steady motion")
         .type("auto|none|INCHES");
     command
         .add("--missing", options.missing,
-             "treatment of a row without some reading: refuse the record, or skip the row")
+             "what to do with a row that lacks a reading: refuse the record, or skip the row")
         .one_of({"refuse", "skip"})
         .show_default();
 }
@@ -43,20 +44,22 @@ void declare_way(Options& command, IdentifyOptions& options) {
         .add("--way", options.way,
              "service: identifies and judges every movement, as placedpar monitor does; thesis: one search over "
              "the first transient, as in chapter 3; whole: one search for several links over the whole movement, "
-             "which weighs each link's flow error by its scatter")
-        .one_of({"service", "thesis", "whole"})
-        .show_default();
+             "which divides each link's flow error by its scatter; default: service, with --side outlet whole")
+        .one_of({"service", "thesis", "whole"});
     // With fewer bits, about one step of the code separates the compliance of a sound machine from the lower bound.
-    add_number(command, "--bits", options.bits, 6, 52, "bits of a compliance; default: 10, with --way whole 12");
+    add_number(command, "--bits", options.bits, 6, 52,
+               "number of bits that code a compliance; default: 10, with --way whole 12");
     add_number(command, "--elite", options.elite, 0, a_million,
-               "best individuals that survive unchanged; default: depends on --way");
+               "number of best individuals that survive unchanged; default: depends on --way");
     add_number(command, "--population", options.population, 2, a_million,
-               "individuals; default: 120, with --way whole 120 to 600");
+               "number of individuals; default: 120, with --way whole 120 to 600");
     add_number(command, "--trials", options.trials, 1, a_million,
                "generations for each new sample, default: 5; with --way whole for each round, default: 20 to 80");
     add_number(command, "--window", options.window, 1, 1024,
                "number of samples that the fitness sums over; default: 10, with --way whole all");
-    command.add("--bias", options.bias, "bias B of equation 3.9, in (in^3/s)^2").type("NUMBER").show_default();
+    command.add("--bias", options.bias, "bias B of the fitness (equation 3.9 of the thesis), in (in^3/s)^2")
+        .type("NUMBER")
+        .show_default();
     add_seed(command, options.seed);
 }
 

@@ -12,7 +12,7 @@ namespace placedpar {
 
 /// The options of `placedpar identify`. An option that only one --way uses is empty if it was not typed.
 struct IdentifyOptions {
-    std::string record, links, configuration = "a", way = "service", offset, areas, missing = "refuse", machine, json;
+    std::string record, links, configuration, way, offset, areas, missing = "refuse", machine, json;
     std::uint64_t seed = 1;
     std::optional<std::size_t> bits, population, trials, window, elite; ///< empty: the default of the way
     double bias = 400;

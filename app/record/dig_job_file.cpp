@@ -28,7 +28,7 @@ public:
                     {"move", [&](const toml::node& node) { read_moves(node); }}},
                    "job");
         if (!started_ || job_.moves.empty())
-            report(top.source().begin, "a job has a start and at least one move",
+            report(top.source().begin, "a job needs a start and at least one move",
                    "start = {reach = 300, height = -20, pitch = -60, swing = 0} and [[move]]");
         refuse_if_failed();
         const std::vector<JoystickMove> once = job_.moves;
@@ -44,7 +44,7 @@ private:
     double number(const toml::node& node, double least, double most) {
         const double value = node.is_number() ? node.value_or(0.0) : std::nan("");
         if (!(value >= least && value <= most)) {
-            report(node.source().begin, fmt::format("it takes a number from {:g} to {:g}", least, most));
+            report(node.source().begin, fmt::format("expected a number from {:g} to {:g}", least, most));
             return least;
         }
         return value;
@@ -69,7 +69,7 @@ private:
 
     void read_moves(const toml::node& node) {
         for (const toml::table* table : tables_in(node, "it takes tables of moves", "[[move]]")) {
-            JoystickMove move{0, {}, 0};
+            JoystickMove move{0, {}, 0, table->source().begin.line};
             Handlers handlers = handlers_of(move.velocity);
             handlers["seconds"] = [&](const toml::node& each) { move.seconds = number(each, 0.02, most_s); };
             handlers["soil"] = [&](const toml::node& each) { move.soil_lbf = number(each, 0, 1e6); };
@@ -90,7 +90,7 @@ private:
             report(places_[*move % moves],
                    fmt::format("the arm does not reach the tip's path in {}",
                                *move < moves ? "this move" : "a repetition of this move"),
-                   "a shorter or slower move, or another start; all moves of a repetition should add up to none");
+                   "a shorter or slower move, or another start; with repeat, the moves should lead back to the start");
         refuse_if_failed();
     }
 

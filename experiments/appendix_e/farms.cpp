@@ -46,7 +46,7 @@ void add_under_way(Comparison& comparison, const StudyReplay& study, const FarmO
 }
 
 Comparison under_way_table(const StudyReplay& study) {
-    Comparison comparison{.name = "dealt out on demand: several tasks under way to each slave"};
+    Comparison comparison{.name = "dealt out on demand: 1 to 3 unanswered tasks at each slave"};
     for (const FarmOnDemand& farm : farms_on_demand)
         for (int under_way : {1, 2, 3})
             add_under_way(comparison, study, farm, under_way);

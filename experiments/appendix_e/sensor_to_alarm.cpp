@@ -29,10 +29,10 @@ struct AlarmCase {
 struct StageShown {
     const char *process, *measure, *row;
 };
-constexpr std::array stages_shown{StageShown{"host", "from_sensors", "1 bus master to Sun"},
-                                  StageShown{"host", "to_masters", "2 Sun to all islands"},
-                                  StageShown{"host", "response", "3 generations, and back to the Sun"},
-                                  StageShown{"alarm", "from_host", "4 Sun to the other bus master"},
+constexpr std::array stages_shown{StageShown{"host", "from_sensors", "1: bus master to Sun"},
+                                  StageShown{"host", "to_masters", "2: Sun to all islands"},
+                                  StageShown{"host", "response", "3: generations, and back to the Sun"},
+                                  StageShown{"alarm", "from_host", "4: Sun to the other bus master"},
                                   StageShown{"alarm", "from_sensors", "sensors to alarm, mean of all samples"},
                                   StageShown{"alarm", "longest_from_sensors", "  the longest"}};
 constexpr std::size_t first_stage = 2; // of the figures: raised, and the bus's share, come before
@@ -98,7 +98,8 @@ void draw_stage(SvgPen& pen, double from, double to, double y, const std::string
 /// Draws Figure D.1 with the delays of each stage on an idle and on a full bus.
 std::string draw_delays(const std::vector<Figures>& idle, const std::vector<Figures>& full) {
     SvgPen pen;
-    pen.text({24, 30}, "title", "Figure D.1: from the sensors to the alarm, ms on the idle bus / on the busy bus");
+    pen.text({24, 30}, "title",
+             "Figure D.1: delays from the sensors to the alarm, in ms, on the idle bus / on the busy bus");
     pen.rect({{460, 230}, 870, 150}, {{"class", "bus"}});
     pen.text({40, 298}, "label",
              fmt::format("VMEbus, busy {:.1f} % / {:.1f} %", median_figure(idle, 1), median_figure(full, 1)));

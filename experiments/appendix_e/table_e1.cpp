@@ -32,14 +32,13 @@ std::string print_constants(const ReplayContext& context) {
         return std::get<std::int64_t>(master_of(network).parameters.at(parameter));
     };
     return fmt::format(
-        "w  workload: {} cycles an error evaluation ({} under the reading 30) and {} ({}) cycles of genetic operators\n"
-        "   an individual, read off the column without slaves; {} bytes of measurements, 240 of strings and 240 of\n"
-        "   fitness (appendix E)\n"
-        "c  calibrated: {} cycles to make a word of the measurements ready to send, to C_time2 with three slaves\n"
-        "   calibrated to other machines: {} cycles a call of the communication library (a ping-pong on real T805s,\n"
-        "   Poznan 2008), a link's pauses between packets (measured rates)\n"
-        "   published: 20 MHz, 20 Mbit/s, a link's bits (databook), instruction times, block move 6 cycles a word\n"
-        "!  an outcome that is off by more than 3 %; the thesis's own T_exe differs from its T_sr + S_time2 by up to "
+        "w  workload: {} cycles for an error evaluation ({} under the reading 30) and {} ({}) cycles of genetic "
+        "operators\n   for an individual, from the column without slaves; {} bytes of measurements, 240 of strings and "
+        "240 of\n   fitness (appendix E)\nc  calibrated: {} cycles to prepare a word of the measurements for sending, "
+        "from C_time2 with three slaves\n   calibrated on other machines: {} cycles for a call of the communication "
+        "library (a ping-pong on real T805s,\n   Poznan 2008), a link's pauses between packets (measured rates)\n   "
+        "published: 20 MHz, 20 Mbit/s, a link's bits (databook), instruction times, 6 cycles for a word of a block "
+        "move\n!  an outcome that is off by more than 3 %; in the thesis T_exe differs from T_sr + S_time2 by up to "
         "0.9 %\n",
         value(at_120, "cycles_per_error"), value(at_30, "cycles_per_error"), value(at_120, "cycles_per_individual"),
         value(at_30, "cycles_per_individual"), value(at_120, "measurement_bytes"),
@@ -67,7 +66,7 @@ struct TimingColumn {
 void add_communication(Comparison& comparison, const TimingColumn& slaves, const TimingColumn& fewer) {
     // T_exe is off T_sr + S_time2 by up to 0.3 ms in the thesis, and each figure is rounded by up to 0.05 ms.
     constexpr double noise_of_thesis_ms = 0.3 + 2 * 0.05;
-    Cell more = compared_cell("increase of C_time2 with one slave more", slaves.name, "ms",
+    Cell more = compared_cell("increase of C_time2 with one more slave", slaves.name, "ms",
                               slaves.known("C_time2") - fewer.known("C_time2"),
                               slaves.simulated("C_time2") - fewer.simulated("C_time2"), 2);
     more.tolerance_percent = 15;
@@ -88,8 +87,8 @@ Comparison communication_table(const StudyReplay& study, const Comparison& table
     const std::array columns{"0 slaves", "1 slave", "2 slaves", "3 slaves"};
     for (std::size_t i = 1; i < columns.size(); ++i)
         add_communication(comparison, {study, table_e1, columns[i]}, {study, table_e1, columns[i - 1]});
-    comparison.notes = "both differences are the communication that evaluation does not hide; in the thesis they "
-                       "differ by up to\n0.3 ms, so the second is not judged\n";
+    comparison.notes = "both differences are the communication time that does not overlap with evaluation; in the "
+                       "thesis they differ by up to\n0.3 ms, so the second is not judged\n";
     return comparison;
 }
 

@@ -21,10 +21,12 @@ std::string print_where_it_goes(const StudyReplay& study, const char* individual
     double generation = 1000 / all("generations_per_second");
     double ideal = 1000 / one("generations_per_second") / 16;
     return fmt::format(
-        "A + B: a generation takes {:.2f} ms; a sixteenth of the traditional one's would be {:.2f}, a twelfth {:.2f}:\n"
+        "A + B: a generation takes {:.2f} ms; a sixteenth of the traditional algorithm's would be {:.2f} ms, a twelfth "
+        "{:.2f} ms:\n"
         "  {:5.2f} ms  the master's own error evaluations (a sixteenth: {:.2f})\n"
         "  {:5.2f} ms  genetic operators, a quarter of the population on each master (a sixteenth: {:.2f})\n"
-        "  {:5.2f} ms  sending to the slaves and waiting for their results, two of them having one individual more\n"
+        "  {:5.2f} ms  sending to the slaves and waiting for their results; two slaves have one individual more than "
+        "the others\n"
         "  {:5.2f} ms  exchange with the other islands and new samples\n",
         generation, ideal, ideal * 16 / 12, all("P_time2"), one("P_time2") / 16, all("S_time2"), one("S_time2") / 16,
         all("T_sr") - all("P_time2"), generation - all("T_sr") - all("S_time2"));

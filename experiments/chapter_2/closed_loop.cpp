@@ -153,7 +153,7 @@ Comparison leak_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& l
     Comparison comparison{
         .name = fmt::format("a leak: the lag that an operator sees, and the compliance identified; {} seeds", seeds),
         .notes = "the reference moves at 4 deg/s; lag: mean of the last second; from, to: 95 % interval of the median\n"
-                 "judged: the compliance grows by 5 % or more (our bound)\n",
+                 "judged: the compliance grows by 5 % or more (a bound chosen here)\n",
         .against = "own"};
     for (const LoopRuns& leak : leaks)
         for (bool closed : {false, true})
@@ -164,7 +164,7 @@ Comparison leak_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& l
 /// Judges the claim that the closed loop masks the leak: the share of the open loop's lag that remains.
 Comparison mask_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& leaks) {
     Comparison comparison{.name = "the closed loop's additional lag as a share of the open loop's",
-                          .notes = "judged: a quarter or less (our bound)\n",
+                          .notes = "judged: a quarter or less (a bound chosen here)\n",
                           .against = "own",
                           .judged = true};
     for (const LoopRuns& leak : leaks) {
@@ -263,9 +263,8 @@ Replay replay_closed_loop(const ReplayContext& context) {
     Replay replay = replay_of({leak_comparison(sound, leaks, context.seeds), mask_comparison(sound, leaks),
                                drift_comparison(sound, drifts, false), drift_comparison(sound, drifts, true)},
                               {{"closed-loop", plot}});
-    replay.constants =
-        "the gains K_p and K_v are calibrated (ours): the thesis gives no numbers; the speed of 4 deg/s is "
-        "published (3.1.2)\n";
+    replay.constants = "the gains K_p and K_v are calibrated, because the thesis states none; the speed of 4 deg/s is "
+                       "published (thesis 3.1.2)\n";
     return replay;
 }
 
@@ -273,7 +272,7 @@ Replay replay_closed_loop(const ReplayContext& context) {
 
 extern const Experiment closed_loop_experiment{
     .name = "closed-loop",
-    .about = "a closed loop masks a leak; a servo-valve's voltage drifts (2.3.2)",
+    .about = "how a closed loop masks a leak, and what a drift of the servo-valve's voltage does (2.3.2)",
     .chapter = "2",
     .number = 5,
     .run = replay_closed_loop,

@@ -38,8 +38,8 @@ struct ComplianceRow {
 
 constexpr std::array air_fractions{.01, .02, .05, .10};
 constexpr ComplianceRow known_softer[]{
-    {.name = "compliance 10 times that of oil below", .share = 0.1, .psia = {60, 85, 137, 199}},
-    {.name = "twice that of oil below", .share = 0.5, .psia = {181, 257, 412, 598}},
+    {.name = "pressure where C is 10 times oil's C", .share = 0.1, .psia = {60, 85, 137, 199}},
+    {.name = "pressure where C is twice oil's C", .share = 0.5, .psia = {181, 257, 412, 598}},
 };
 
 std::string percent(double fraction) { return fmt::format("{:g} % air", 100 * fraction); }
@@ -101,7 +101,7 @@ Panel modulus_panel() {
 }
 
 Panel compliance_panel() {
-    Panel panel{.title = "Compliance C = V / β over that of the same volume of oil alone",
+    Panel panel{.title = "Compliance C = V / β, divided by that of the same volume of oil alone",
                 .x = {"absolute pressure [psi]", 20, 3000, true},
                 .y = {"C with air / C without", 0.8, 100, true},
                 .marks = {{"an order of magnitude", 10}}};
@@ -114,8 +114,7 @@ Panel compliance_panel() {
 }
 
 Replay replay_figure_2_3(const ReplayContext&) {
-    Comparison comparison{.name =
-                              "bulk modulus of oil of 220 000 psi with free air, and what it means for C = V / beta",
+    Comparison comparison{.name = "bulk modulus of oil (220 000 psi) with free air, and the compliance C = V / beta",
                           .against = "known"};
     add_moduli(comparison);
     add_compliances(comparison);

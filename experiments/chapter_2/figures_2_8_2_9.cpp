@@ -132,7 +132,7 @@ Series poles_at(const PdLoop& loop, double factor, int colour) {
 }
 
 Panel loci_panel(const PdLoop& loop) {
-    Panel panel{.title = "Poles while C grows from half to ten times",
+    Panel panel{.title = "Poles while C grows from half to ten times its value",
                 .x = {"real part [1/s]", -25, 5},
                 .y = {"imaginary part [1/s]", -12, 12},
                 .series = {locus(loop, "real pole", 0, 7), locus(loop, "pair", 1, 5), locus(loop, "", 2, 5)}};

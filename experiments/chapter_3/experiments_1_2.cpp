@@ -103,16 +103,16 @@ void add_errors(Comparison& comparison, const ThesisExperiment& way, const BoomD
     auto identified = identify_boom(data, model, rising_way(), seed);
     auto generations = watch_search(data, identified.samples, rising_way(), seed);
     auto add = [&](const char* row, double value) { comparison.add(plain_cell(row, way.name, "in^3/s", value, 2)); };
-    add("Error, mean of the population, first", generations.front().mean_error_in3_per_s);
+    add("Error, population mean, generation 1", generations.front().mean_error_in3_per_s);
     add("  last generation", generations.back().mean_error_in3_per_s);
-    add("Error of the best individual, first", generations.front().best_error_in3_per_s);
+    add("Error, best individual, generation 1", generations.front().best_error_in3_per_s);
     add("  of the last generation", generations.back().best_error_in3_per_s);
 }
 
 /// Tests the thesis's "decreasing monotonically" without noise, for the best of all codes in every window.
 void add_clean_errors(Comparison& comparison, const ThesisExperiment& way, const BoomData& clean) {
     auto least = least_errors(clean, samples_while_rising(clean, model_of(clean, way.from)), rising_way());
-    comparison.add(plain_cell("Error without noise, best code, first", way.name, "in^3/s", least.front(), 2));
+    comparison.add(plain_cell("noise-free Error, best code, window 1", way.name, "in^3/s", least.front(), 2));
     comparison.add(plain_cell("  last window", way.name, "in^3/s", least.back(), 2));
     comparison.add(judged_cell("  how often it rises", way.name, "", 0, static_cast<double>(rises(least)), 0, 0));
 }
@@ -139,7 +139,8 @@ void add_found(Comparison& comparison, const ThesisExperiment& way, const std::v
 }
 
 Comparison simple_comparison(const std::vector<BoomData>& motions, const Seeds& seeds) {
-    Comparison comparison{.name = fmt::format("{}: what both experiments find", simple.name), .against = "true"};
+    Comparison comparison{.name = fmt::format("{}: the compliance that each experiment finds", simple.name),
+                          .against = "true"};
     BoomData clean = measure(motion_of(simple_clean, by_voltage_in3_per_psi), seeds.front());
     for (const ThesisExperiment& way : thesis_experiments)
         add_found(comparison, way, motions, seeds, {0.12, 0.03});
@@ -153,8 +154,9 @@ Comparison simple_comparison(const std::vector<BoomData>& motions, const Seeds& 
 /// Compares both experiments on the measured machine. The model ignores its hoses, stiction and ripple, and its 10 ms
 /// of dead time, which in experiment 2 act like an a_0 that is too high.
 Comparison measured_comparison(const std::vector<BoomData>& motions, const Seeds& seeds) {
-    Comparison comparison{
-        .name = fmt::format("{}: what both experiments find", measured.name), .against = "true", .judged = true};
+    Comparison comparison{.name = fmt::format("{}: the compliance that each experiment finds", measured.name),
+                          .against = "true",
+                          .judged = true};
     for (const ThesisExperiment& way : thesis_experiments)
         add_found(comparison, way, motions, seeds,
                   way.from == AreasFrom::spool ? Allowed{0.12, 0.03} : Allowed{0.2, 0.1});

@@ -56,10 +56,10 @@ constexpr KnownCheck known_checks[]{
 };
 
 Comparison known_comparison() {
-    Comparison comparison{
-        .name = "scenario A without noise: its pressure simulated from the recorded spool and angle, with other C",
-        .against = "known",
-        .judged = true};
+    Comparison comparison{.name = "scenario A without noise: its pressure simulated from the recorded spool and angle, "
+                                  "with other values of C",
+                          .against = "known",
+                          .judged = true};
     BoomData data = measure(motion_at(4, BoomPlant::simple, no_noise), 1);
     for (const KnownCheck& known : known_checks) {
         double compliance = known.factor * thesis_in3_per_psi;
@@ -142,8 +142,8 @@ Comparison other_comparison(const OtherRecords& other) {
     for (std::size_t i = 0; i < other_motions.size(); ++i)
         add_motion(comparison, other_motions[i].deg_per_s, other.motions[i], other.identified_in3_per_psi,
                    other_motions[i].excellent_psi(other.plant));
-    comparison.notes = "the thesis says \"excellent\" of the identified C (known 0), \"a significant difference\" of "
-                       "the others (1: yes)\n";
+    comparison.notes = "the thesis calls the identified C \"excellent\" (known 0) and finds \"a significant "
+                       "difference\" with the others (1: yes)\n";
     return comparison;
 }
 
@@ -154,9 +154,8 @@ Comparison blind_comparison(const Seeds& seeds) {
     double lag = lag_that_finds(thesis_in3_per_psi, clean);
     BoomData other = measure(motion_at(3, BoomPlant::simple, low_noise, found_by_spool_in3_per_psi), seeds[1]);
     Comparison comparison{
-        .name = fmt::format("true C .005 and a_0 8, but a_0 taken for {:.2f}: rms difference of the pressure at "
-                            "3 deg/s",
-                            lag)};
+        .name = fmt::format(
+            "true C .005 and a_0 8, but a_0 assumed to be {:.2f}: rms difference of the pressure at 3 deg/s", lag)};
     for (double compliance :
          {thesis_in3_per_psi / 2, found_by_spool_in3_per_psi, thesis_in3_per_psi, 2 * thesis_in3_per_psi}) {
         std::string column = fmt::format("C = {}", compliance);
@@ -206,7 +205,7 @@ Plot plot_of_check(const OtherRecords& other) {
     return {
         "Figure 3.8: pressure of the measured machine, and simulated, 3 deg/s",
         {pressure_panel("a: with the identified compliance C [in³/psi]", slower, other.identified_in3_per_psi, false),
-         pressure_panel("b: with half and twice of it, too", slower, other.identified_in3_per_psi, true)}};
+         pressure_panel("b: also with half and twice this compliance", slower, other.identified_in3_per_psi, true)}};
 }
 
 Replay replay_figure_3_8(const ReplayContext& context) {

@@ -22,8 +22,9 @@ constexpr std::size_t samples_in_figure_3_9 = 84; // 20 ms each, from the valves
 Comparison steady_comparison(const TwoLinkMotion& motion) {
     const ExcavatorState& end = motion.motion.states.back();
     InternalStates states = true_states(end);
-    Comparison comparison{
-        .name = "scenario R2, simulated (Figure 3.9): when it is steady", .against = "known", .judged = true};
+    Comparison comparison{.name = "scenario R2, simulated (Figure 3.9): states when the motion is steady",
+                          .against = "known",
+                          .judged = true};
     auto add = [&](const char* row, const char* unit, double known, double value) {
         comparison.add(judged_cell(row, "t = 4 s", unit, known, value, 0.005 * known, 1));
     };
@@ -69,7 +70,8 @@ void add_study(Comparison& comparison, const TwoLinkCase& study, const TwoLinkMo
 Comparison study_comparison(const TwoLinkMotion& motion, const Seeds& seeds) {
     Comparison comparison{
         .name = fmt::format("C_BUi and C_BOi found together, {} records, 20 samples of 5 generations", seeds.size()),
-        .notes = "judged from below: four deviations of the difference of two samples of so many records are left\n",
+        .notes = "judged: at least the known share minus four standard deviations of the difference between two such "
+                 "samples of records\n",
         .against = "known"};
     add_study(comparison, {"as the thesis has it", thesis_way(), no_noise, 65}, motion, seeds);
     add_study(comparison, {"elite, 2 skipped", elite_way(), no_noise, 98}, motion, seeds);
@@ -78,8 +80,9 @@ Comparison study_comparison(const TwoLinkMotion& motion, const Seeds& seeds) {
 }
 
 Comparison noise_comparison(const TwoLinkMotion& motion, const Seeds& seeds) {
-    Comparison comparison{
-        .name = "the same at low noise (2 psi, .003 deg, .1 % of an area)", .against = "known", .judged = true};
+    Comparison comparison{.name = "C_BUi and C_BOi found together at low noise (2 psi, .003 deg, .1 % of an area)",
+                          .against = "known",
+                          .judged = true};
     add_study(comparison, {"as the thesis has it", thesis_way(), low_noise, 55}, motion, seeds);
     add_study(comparison, {"elite, 2 skipped", elite_way(), low_noise, 80}, motion, seeds);
     add_study(comparison, {"and Gray code", gray_way(), low_noise, 86}, motion, seeds);
@@ -111,13 +114,12 @@ StateErrors worst_errors(const TwoLinkMotion& motion, const IdentificationWay& w
 /// Tests the thesis's "states within 10 %".
 Comparison states_comparison(const TwoLinkMotion& motion, std::uint64_t seed) {
     constexpr std::array<const char*, InternalStates::count> names{"P_11", "P_12", "Q_11", "Q_12", "Q_BUi", "Q_BOi"};
-    Comparison comparison{
-        .name = "internal states by the best individual (Figure 3.10): greatest error from the sixth sample on, of "
-                "one search without noise",
-        .notes = "judged: with an elite, the first two samples skipped, and Gray code; as the thesis has it, chance "
-                 "decides\n",
-        .against = "thesis",
-        .judged = true};
+    Comparison comparison{.name = "internal states from the best individual (Figure 3.10): greatest error from the "
+                                  "sixth sample on, of one search without noise",
+                          .notes = "judged: the search with an elite, the first two samples skipped, and Gray code; in "
+                                   "the thesis's search, chance decides\n",
+                          .against = "thesis",
+                          .judged = true};
     StateErrors gray = worst_errors(motion, gray_way(), seed), plain = worst_errors(motion, thesis_way(), seed);
     for (std::size_t i = 0; i < names.size(); ++i) {
         comparison.add(plain_cell(names[i], "as the thesis has it", "%", plain[i], 1));

@@ -115,8 +115,8 @@ Comparison attempt_comparison(const Seeds& seeds) {
         .against = "known"};
     for (const KnownOffset& known : known_offsets)
         add_attempt(comparison, known, seeds);
-    comparison.notes =
-        "the known figures are an independent prototype's; at -.02 in its error differs, so only the sign is judged\n";
+    comparison.notes = "the known figures come from an independent prototype; at -.02 in its error differs, so only "
+                       "the sign is judged\n";
     return comparison;
 }
 
@@ -160,7 +160,7 @@ void add_scatter(Comparison& comparison, const KnownScatter& known, const Seeds&
         mean_tolerance(known.known_in, seeds.size(), bias_in));
     add("  its standard deviation", known.known_in, deviation(found),
         deviation_tolerance(known.known_in, seeds.size(), 0.000005));
-    comparison.add(plain_cell("  the one that the calibration states", known.name, "in", mean(stated), 5));
+    comparison.add(plain_cell("  deviation stated in the calibration", known.name, "in", mean(stated), 5));
 }
 
 /// Adds the calibration of the same record with a k or Q that is 1 % wrong.

@@ -71,7 +71,9 @@ Comparison share_comparison(const TwoLinkMotion& motion, const Runs& plain, cons
 
 /// Compares the ways at low noise. An elite keeps the answer only without noise.
 Comparison low_noise_comparison(const TwoLinkMotion& motion, const Seeds& shown) {
-    Comparison comparison{.name = "the same at low noise (2 psi, .003 deg, .1 % of an area)", .against = "known"};
+    Comparison comparison{.name = "two links at low noise (2 psi, .003 deg, .1 % of an area): both within 10 %, while "
+                                  "the motion grows steady",
+                          .against = "known"};
     auto add = [&](const char* row, const IdentificationWay& way) {
         add_shares(comparison, row, search_many(motion, low_noise, way, shown));
     };
@@ -128,8 +130,8 @@ void add_lost(Comparison& comparison, const LosingWay& way, double percent) {
 /// Asks which ways of searching can have made the thesis's single run.
 Comparison single_run_comparison(const TwoLinkMotion& motion, const Runs& plain, const Seeds& seeds) {
     Comparison comparison{
-        .name = fmt::format("{} records, no gate: the generation from which on one of both is off for 100 generations, "
-                            "of the searches that found both",
+        .name = fmt::format("{} records, no gate: the generation from which one of the two compliances is off for 100 "
+                            "generations, of the searches that found both",
                             plain.size()),
         .notes = "585: not within the record. Figure 3.11: both \"start to deviate\" at 425\n",
         .judged = true};

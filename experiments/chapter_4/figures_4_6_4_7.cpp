@@ -174,7 +174,7 @@ Comparison run_on_t800s(SpeedupRuns& runs) {
             return compared_cell(row, column, "", formula_c_1(times_at(alpha, runs.communication(point)), processors),
                                  runs.speedup(point), 2);
         });
-    comparison.notes = "(4.9) uses the n t_c2 that each run measured (C_time2)\n";
+    comparison.notes = "equation (4.9) is computed with the n t_c2 that each run measured (C_time2)\n";
     return comparison;
 }
 
@@ -224,8 +224,8 @@ Comparison run_at_alpha(SpeedupRuns& runs) {
     Comparison comparison{.name = "alpha processors evaluate", .against = "formula", .judged = true};
     for (int alpha : speedup_alphas)
         add_at_alpha(comparison, runs, alpha);
-    comparison.notes = "efficiency: speedup / processors; a master that only breeds is one processor more than alpha\n"
-                       "tolerance: the effect of whole evaluations, and 1 %; if pipelined, and 3 %\n";
+    comparison.notes = "efficiency: speedup / processors; a master that only breeds adds one processor to "
+                       "alpha\ntolerance: the effect of whole evaluations plus 1 %; if pipelined, plus 3 %\n";
     return comparison;
 }
 
@@ -278,8 +278,8 @@ Replay replay_speedup(const ReplayContext& context) {
     replay.constants =
         "   workload:   the 10 error evaluations of an individual take the cycles of table-e1, and breeding takes\n"
         "               1 / alpha of them; both are multiplied by 1,000 where communication takes no time\n"
-        "   own share:  with a pipeline the master evaluates (alpha - slaves) / (alpha + 1) of a slave's share, so\n"
-        "               that both work equally long; without a pipeline 1, and 0 if it only breeds\n";
+        "   own share:  with a pipeline the master evaluates (alpha - slaves) / (alpha + 1) of a slave's share, so\n   "
+        "            that both work equally long; without a pipeline the share is 1, or 0 if it only breeds\n";
     replay.fingerprint = runs.fingerprint();
     replay.plots = speedup_plots(runs);
     return replay;

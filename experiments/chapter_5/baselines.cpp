@@ -201,7 +201,7 @@ Replay replay_baselines(const ReplayContext& context) {
         {"white noise, sigma = 0.3", {.noise = 0.3}},
         {"coloured noise, sigma = 0.3, c1 = .8", {.noise = 0.3, .colour = {colour, 0}}}};
     std::vector<Comparison> comparisons(1);
-    Plot plot{"Followers of the pole other than genetic algorithms, " + median_of_seeds(context), {}};
+    Plot plot{"Other methods than genetic algorithms that follow the pole, " + median_of_seeds(context), {}};
     for (const NoiseScenario& scenario : scenarios) {
         auto searched = searches(context, scenario.plant), exact = estimates(context, scenario.plant);
         if (scenario.plant.noise == 0)

@@ -124,7 +124,7 @@ Replay replay_local_population(const ReplayContext& context) {
         tasks.push_back(study_islands(context, task));
     std::vector<Comparison> comparisons{
         judged_sizes(tasks), maximisation_table(tasks),
-        claims_comparison("claims, functions that stand still", maximisation_claims(tasks))};
+        claims_comparison("claims, functions that do not change", maximisation_claims(tasks))};
     Plot plot{"How small may an island be? " + median_of_seeds(context), {}};
     const Axis sizes{"individuals of an island, of 96 in all", 0, 100};
     plot.panels.push_back(

@@ -110,7 +110,7 @@ Replay replay_population_size(const ReplayContext& context) {
         plot.panels.push_back(pole_panel("the plant, " + noise_name(noise), rows_of(studies)));
     }
     comparisons.push_back(evaluations_table(tasks));
-    comparisons.push_back(claims_comparison("claims, functions that stand still", size_claims(tasks)));
+    comparisons.push_back(claims_comparison("claims, functions that do not change", size_claims(tasks)));
     return replay_of(std::move(comparisons), {{"population-size", plot}});
 }
 

@@ -61,7 +61,8 @@ CoarseTable coarse_table(const ReplayContext& context, const std::string& name, 
             fmt::format("{} bits, {} ({})", string_bits(row.field_bits), row.population, row.thesis);
         add_tally(table.comparison, table.tallies.back(), row.*expected);
     }
-    table.comparison.notes = "other: 60 or 100 other seeds of this program; in parentheses what the thesis says\n";
+    table.comparison.notes =
+        "other: figures of this program with 60 or 100 other seeds; in parentheses: what the thesis says\n";
     return table;
 }
 
@@ -73,7 +74,8 @@ CoarseFineSettings pair_settings(std::size_t population, std::size_t field_bits)
 
 /// Compares the pair with controls whose population is the sum of both halves.
 Comparison pair_table(const ReplayContext& context) {
-    Comparison comparison{.name = "the pair, the fine one's answer; and single searches with as many evaluations",
+    Comparison comparison{.name =
+                              "the pair (answer of the fine search), and single searches with equally many evaluations",
                           .against = "other",
                           .judged = true};
     const std::array<std::array<Expected, 3>, 2> expected{
@@ -214,7 +216,7 @@ Replay replay_coarse_fine(const ReplayContext& context) {
     Comparison pair = pair_table(context);
     Plot plot{"Table 6.4: coarse searches that converged before the plant changed, with 95 % intervals",
               {table_6_4_panel("an elite of one, universal sampling", with_elite.tallies),
-               table_6_4_panel("to the letter: roulette, no elite", letter.tallies)}};
+               table_6_4_panel("as in the thesis: roulette, no elite", letter.tallies)}};
     Replay replay = replay_of(
         {with_elite.comparison, letter.comparison, pair, landscape_table(context), near_optimum_claims(context)},
         {{"table-6-4", plot}, {"figure-6-7", figure_6_7()}});
@@ -226,7 +228,8 @@ Replay replay_coarse_fine(const ReplayContext& context) {
 
 extern const Experiment coarse_fine_experiment{
     .name = "coarse-fine",
-    .about = "a coarse and a fine search in the place of one, and all strings of the coarse one: Tables 6.3, 6.4",
+    .about =
+        "a coarse and a fine search in place of a single search, and all strings of the coarse search: Tables 6.3, 6.4",
     .chapter = "6",
     .number = 3,
     .run = replay_coarse_fine,

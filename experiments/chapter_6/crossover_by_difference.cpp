@@ -89,7 +89,7 @@ Panel crossing_panel(const Comparison& shares) {
 
 Replay replay_crossover_by_difference(const ReplayContext& context) {
     std::vector<Comparison> comparisons;
-    Plot plot{"Ways to cross: how soon and how often they find the plant, with 95 % intervals", {}};
+    Plot plot{"Crossover operators: how soon and how often they find the plant, with 95 % intervals", {}};
     for (const CrossingGroup& group : crossing_groups) {
         std::vector<Comparison> compared = compare_crossings(group, context);
         plot.panels.push_back(crossing_panel(compared.front()));

@@ -151,11 +151,10 @@ void add_bounds(Comparison& comparison, const SchemaStudy& study, SchemaFit fit)
 }
 
 Comparison compare_bounds(const std::vector<SchemaStudy>& studies, SchemaFit fit) {
-    Comparison comparison{.name =
-                              fmt::format("schemata {} the mean fitness: counted in {} runs of {} generations, over "
-                                          "what equation 6.2 expects at least",
-                                          fit == SchemaFit::above ? "above" : "below", studies.front().runs.size(),
-                                          schema_generations),
+    Comparison comparison{.name = fmt::format("schemata {} the mean fitness: number counted in {} runs of {} "
+                                              "generations / least number that equation 6.2 expects",
+                                              fit == SchemaFit::above ? "above" : "below", studies.front().runs.size(),
+                                              schema_generations),
                           .against = "claim",
                           .judged = true};
     for (const SchemaStudy& study : studies)
@@ -183,10 +182,8 @@ Comparison compare_claims(const SchemaStudy& crossed, const SchemaStudy& uncross
 /// Compares the strings of fit schemata after crossover and mutation with the number from reproduction alone, and with
 /// the share that equation 6.2 guarantees.
 Comparison compare_survival(const SchemaStudy& study) {
-    Comparison comparison{
-        .name = "schemata above the mean fitness, number counted / number that reproduction alone would give of "
-                "them",
-        .against = "eq. 6.2"};
+    Comparison comparison{.name = "schemata above the mean fitness: number counted / number from reproduction alone",
+                          .against = "eq. 6.2"};
     for (std::size_t length = 0; length < schema_bits; ++length) {
         std::string row = length_row(length), name = study.name;
         Interval interval = study.interval(length, SchemaFit::above, counted_strings, reproduced);
@@ -225,8 +222,9 @@ Replay replay_schemata(const ReplayContext& context) {
     Panel bounds = schemata_panel(studies, bound, "schemata of order 2 above the mean fitness",
                                   {"counted / bound", 0, std::nullopt});
     bounds.marks = {{"the bound", 1}};
-    Panel survival = schemata_panel({studies.front()}, reproduced, "the same: what survives crossover and mutation",
-                                    {"counted / reproduced", 0, 1.2});
+    Panel survival =
+        schemata_panel({studies.front()}, reproduced, "schemata of order 2: share that survives crossover and mutation",
+                       {"counted / reproduced", 0, 1.2});
     return replay_of({compare_bounds(studies, SchemaFit::above), compare_bounds(studies, SchemaFit::below),
                       compare_survival(studies.front()), compare_claims(studies[0], studies[1])},
                      {{"schemata", {"Equation 6.2 and what comes", {bounds, survival}}}});

@@ -34,9 +34,10 @@ public:
 
 private:
     Comparison all_{.name = "published figures",
-                    .notes = "outcome: follows from rules and constants that were found elsewhere, and can fail\n"
-                             "constant: gives back one constant of the model, so it tests the program, not the model\n"
-                             "calibrated, fitted: one constant, or several, were set so that it comes out\n",
+                    .notes =
+                        "outcome: the figure follows from rules and constants that were found elsewhere, and can "
+                        "fail\nconstant: the figure is one constant of the model, so it tests the program, not the "
+                        "model\ncalibrated, fitted: one constant, or several, were set so that the figure comes out\n",
                     .against = "publ.",
                     .judged = true,
                     .names_origins = true};
@@ -59,9 +60,9 @@ std::vector<Constant> of_the_thesis(const Network& cluster) {
     return {
         {group, "an individual's error at one sample", stated("cycles_per_error"), "cycles", workload,
          "Table E.1, P_time2 without slaves"},
-        {group, "the genetic operators, an individual", stated("cycles_per_individual"), "cycles", workload,
+        {group, "genetic operators for an individual", stated("cycles_per_individual"), "cycles", workload,
          "Table E.1, S_time2 without slaves"},
-        {group, "a word of measurements, made ready", stated("cycles_per_measurement_word"), "cycles", calibrated,
+        {group, "preparing a word of measurements", stated("cycles_per_measurement_word"), "cycles", calibrated,
          "Table E.1, C_time2 with 3 slaves"},
         {group, "an individual's string", stated("string_bytes"), "bytes", workload, "appendix E: 240 of 120"},
         {group, "an individual's fitness", stated("fitness_bytes"), "bytes", workload, "appendix E: 240 of 120"},

@@ -90,8 +90,8 @@ Replay replay_links(const ReplayContext& context) {
     replay.constants =
         "   published:  a byte is 11 bits and its acknowledge 2; 1.75 bit times through a C004 (its manual)\n"
         "   fitted:     an acknowledge begins 5.2 bit times after its byte, the next byte 3.6 bit times and 120 ns\n"
-        "               after the acknowledge: to these figures but 10 and 5 Mbit/s one way, one C004 and the last of\n"
-        "               the databook's; at 20 Mbit/s within the 5 to 6 bit times that were published\n";
+        "               after the acknowledge. Fitted to these figures, except 10 and 5 Mbit/s one way, one C004 and "
+        "the\n               databook's last figure; at 20 Mbit/s, both are within the published 5 to 6 bit times\n";
     replay.fingerprint = rates.fingerprint();
     return replay;
 }

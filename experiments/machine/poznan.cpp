@@ -64,8 +64,9 @@ Replay replay_poznan(const ReplayContext& context) {
     comparison.add(cell("a word through three C004", 4.30, switched.word_us, 0.01 * 4.30, Origin::fitted));
     comparison.notes = "three switches between the slower pairs are inferred from their rate\n";
     Replay replay{.comparisons = {comparison}};
-    replay.constants = "   calibrated: 201 cycles for a call of the toolset's ChanIn or ChanOut, to the start\n"
-                       "   The link is that of placedpar replay links, fitted to the time of a word among others.\n";
+    replay.constants =
+        "   calibrated to the time to start: 201 cycles for a call of the toolset's ChanIn or ChanOut\n   The link's "
+        "constants are those of placedpar replay links, fitted to the time of a word and to other figures.\n";
     replay.fingerprint = runs.fingerprint();
     return replay;
 }

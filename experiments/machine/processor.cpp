@@ -171,7 +171,7 @@ Cell compare(const std::string& name, const Published& published, double simulat
 
 constexpr const char* ticks = "INMOS ticks.inc";
 constexpr const char* slices = "databook, 1.3: 1 to 2 periods of 1.024 ms";
-constexpr const char* waits = "databook, 1.3: 2n - 2 periods beside n - 1";
+constexpr const char* waits = "databook, 1.3: 2n - 2 periods with n - 1 others";
 constexpr const char* cycles_table = "T4 notebook (pahihu/t4)";
 
 /// Compares turns with the databook's bounds. The bounds are for waits that a program cannot foresee, so the simulation
@@ -218,7 +218,8 @@ Replay replay_processor(const ReplayContext& context) {
     context.progress("processor");
     OneProcessor t800(context);
     Replay replay{.comparisons = {compare_scheduler(t800), compare_memory(t800)}};
-    replay.constants = "a floating-point instruction is taken to last 78 - 19 cycles, a division lasts 39\n";
+    replay.constants =
+        "the longest floating-point instruction is assumed to take 78 - 19 cycles; a division takes 39 cycles\n";
     replay.fingerprint = t800.fingerprint();
     return replay;
 }

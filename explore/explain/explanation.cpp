@@ -123,7 +123,7 @@ std::string why_not_kept() {
 
 std::string print_path(const Explanation& explanation) {
     if (explanation.path_too_long)
-        return fmt::format("\ncritical path: not kept: {}\n", why_not_kept());
+        return fmt::format("\ncritical path: too long to keep: {}\n", why_not_kept());
     Time whole = explanation.report.result.time;
     std::vector<PathShare> by_array = shares_by_array(explanation.path), alone = shares_of(explanation.path);
     std::string out = path_heading("critical path") + print_shares(by_array, 12, whole);
@@ -159,10 +159,9 @@ bool differs(const Answer& answer, Time whole) {
 }
 
 std::string remark_on_slower(bool any) {
-    return any ? "Slower though a part is faster: messages then come in another order, and what has to share a "
-                 "processor, a link or\na bus takes turns in another order (Graham's anomaly, Braess's paradox); or "
-                 "more "
-                 "processes share the work.\n"
+    return any ? "A run can be slower although a part is faster: messages then arrive in another order, and the users "
+                 "of a shared\nprocessor, link or bus take turns in another order (Graham's anomaly, Braess's "
+                 "paradox); or more processes share\nthe work.\n"
                : "";
 }
 
@@ -172,7 +171,7 @@ std::string print_answers(const Explanation& explanation) {
     constexpr std::size_t most = 24;
     Time whole = explanation.report.result.time;
     if (!explanation.not_tried.empty())
-        return fmt::format("\nwhat if: no change was tried: {}\n", explanation.not_tried);
+        return fmt::format("\nwhat if: no change of the machine was tried: {}\n", explanation.not_tried);
     if (explanation.answers.empty())
         return "";
     std::string out = painted(Paint::heading, fmt::format("\n{:>12}  {:>8}  {}\n", "ms", "gain", "what if"));
@@ -187,11 +186,12 @@ std::string print_answers(const Explanation& explanation) {
         slower = slower || (differs(answer, whole) && !answer.why.empty());
     }
     if (gains > most)
-        out += fmt::format("{} more gain less than these (--json has all)\n", gains - most);
+        out += fmt::format("changes that gain less than these: {} (--json lists all)\n", gains - most);
     if (same > 0)
-        out += fmt::format("{} more make a difference of less than 0.1 %\n", same);
+        out += fmt::format("changes that make a difference of less than 0.1 %: {}\n", same);
     if (explanation.left_out > 0)
-        out += fmt::format("{} more were not tried: interrupted\n", explanation.left_out);
+        out +=
+            fmt::format("changes that were not tried, because the command was interrupted: {}\n", explanation.left_out);
     return out + remark_on_slower(slower);
 }
 

@@ -205,7 +205,9 @@ Topology chordal_ring(const TopologyRequest& request) {
         refuse_size(request,
                     fmt::format("--degree {}: expected 3 or 4, the links of a processor of a chordal ring", degree));
     if (chord < 2 || chord + 1 >= nodes)
-        refuse_size(request, fmt::format("chord {} leads to a neighbour or around the whole ring", chord));
+        refuse_size(request, fmt::format("a chord of length {} leads to a neighbour or around the whole ring; use a "
+                                         "chord from 2 to half of the size",
+                                         chord));
     return degree == 3 ? chordal_ring_of_three(request, nodes, chord) : chordal_ring_of_four(request, nodes, chord);
 }
 

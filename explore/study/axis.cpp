@@ -131,7 +131,7 @@ std::uint64_t StudyAxis::count() const {
     std::uint64_t sum = 0;
     for (const StudyValues& part : parts) {
         if (part.count() > std::numeric_limits<std::uint64_t>::max() - sum)
-            throw UserError(fmt::format("{}: its {} ranges and values have too many values to count: more than {}",
+            throw UserError(fmt::format("{}: the {} ranges and values have too many values to count: more than {}",
                                         name, parts.size(), std::numeric_limits<std::uint64_t>::max()));
         sum += part.count();
     }

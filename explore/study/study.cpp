@@ -45,7 +45,8 @@ std::uint64_t count_with(std::uint64_t seeds, const StudyProduct& product) {
 
 void require_seeds(std::uint64_t first, std::uint64_t seeds) {
     if (seeds > 0 && first > most - (seeds - 1))
-        throw UserError(fmt::format("{} from {} on exceed the greatest seed, {}", counted(seeds, "seed"), first, most));
+        throw UserError(
+            fmt::format("{} from {} on are too many: the greatest seed is {}", counted(seeds, "seed"), first, most));
 }
 
 } // namespace

@@ -91,8 +91,8 @@ Places OwnAcceptance::operator()(const IslandPopulation& island, std::span<const
         auto is_free = [&](std::size_t place) { return std::ranges::count(free, place) > 0; };
         require(places.size() == immigrants.size() && are_different(taken, 0, island.strings.size()) &&
                     std::ranges::all_of(taken, is_free),
-                "it must give each immigrant an answer: no place, or a place outside the elite that exists and that no "
-                "other immigrant has");
+                "for each immigrant it must return nothing, or the index of an individual outside the elite; no two "
+                "immigrants may have the same index");
         return places;
     });
 }

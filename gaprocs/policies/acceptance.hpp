@@ -36,12 +36,12 @@ using Places = std::vector<std::optional<std::size_t>>;
 
 /// Replaces the least fit individuals; among equals the lowest index first. Draws no number.
 struct WorstAcceptance {
-    static constexpr std::string_view name = "worst", about = "the least fit is replaced",
-                                      source = "ours: the thesis does not say";
+    static constexpr std::string_view name = "worst", about = "the least fit individual is replaced",
+                                      source = "PlacedPar's choice: the thesis states none";
     bool only_if_better = false;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"only_if_better", &WorstAcceptance::only_if_better, 0, 1,
-                                       "1: only if the immigrant is fitter; 0: always"});
+                                       "1: replaces the individual only if the immigrant is fitter; 0: always"});
     }
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };
@@ -54,7 +54,7 @@ struct RandomAcceptance {
     bool only_if_better = false;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"only_if_better", &RandomAcceptance::only_if_better, 0, 1,
-                                       "1: only if the immigrant is fitter; 0: always"});
+                                       "1: replaces the individual only if the immigrant is fitter; 0: always"});
     }
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };
@@ -69,7 +69,7 @@ struct AlikeAcceptance {
     bool only_if_better = false;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"only_if_better", &AlikeAcceptance::only_if_better, 0, 1,
-                                       "1: only if the immigrant is fitter; 0: always"});
+                                       "1: replaces the individual only if the immigrant is fitter; 0: always"});
     }
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };

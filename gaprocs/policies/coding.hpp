@@ -20,19 +20,22 @@ struct NaturalCoding {
                                       source = "thesis eq. 1.5; don't-care bits: eq. 6.14 and 6.15";
     std::size_t dont_care = 0;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"dont_care", &NaturalCoding::dont_care, 0, 64,
-                                       "unused bits between every two bits of the string (6.14, 6.15)"});
+        return std::tuple(
+            PolicyNumber{"dont_care", &NaturalCoding::dont_care, 0, 64,
+                         "don't-care bits between every two bits of the string (thesis eq. 6.14 and 6.15)"});
     }
 };
 
 /// The binary reflected Gray code. The codes of neighbouring numbers differ in one bit.
 struct GrayCoding {
-    static constexpr std::string_view name = "gray", about = "fields in Gray code: neighbours differ in one bit",
+    static constexpr std::string_view name = "gray",
+                                      about = "fields in Gray code: the codes of successive numbers differ in one bit",
                                       source = "F. Gray, 1953; don't-care bits: thesis eq. 6.14 and 6.15";
     std::size_t dont_care = 0;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"dont_care", &GrayCoding::dont_care, 0, 64,
-                                       "unused bits between every two bits of the string (6.14, 6.15)"});
+        return std::tuple(
+            PolicyNumber{"dont_care", &GrayCoding::dont_care, 0, 64,
+                         "don't-care bits between every two bits of the string (thesis eq. 6.14 and 6.15)"});
     }
 };
 

@@ -21,7 +21,7 @@ namespace placedpar {
 
 /// Exchanges the first k of L characters, where k is uniform in 1 ... L - 1 (thesis eq. 1.1 and 1.2). Draws one number.
 struct OnePointCrossover {
-    static constexpr std::string_view name = "one-point", about = "the characters before a cut",
+    static constexpr std::string_view name = "one-point", about = "mates exchange the characters before a cut",
                                       source = "thesis 1.1, eq. 1.1 and 1.2";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind != StringKind::permutation; }
@@ -31,7 +31,7 @@ struct OnePointCrossover {
 /// Exchanges the characters between two cuts. The string is treated as a ring, so a cut may be before any character,
 /// the first included. Each pair of cuts is equally likely. Draws two numbers.
 struct TwoPointCrossover {
-    static constexpr std::string_view name = "two-point", about = "the characters between two cuts",
+    static constexpr std::string_view name = "two-point", about = "mates exchange the characters between two cuts",
                                       source = "K. De Jong, 1975";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind != StringKind::permutation; }
@@ -41,7 +41,7 @@ struct TwoPointCrossover {
 /// Exchanges each character with probability 1/2 (G. Syswerda, "Uniform crossover in genetic algorithms", 1989). Draws
 /// ceil(L / 32) random numbers for a binary string of L bits, and one for each number of a real vector.
 struct UniformCrossover {
-    static constexpr std::string_view name = "uniform", about = "each character with probability 1/2",
+    static constexpr std::string_view name = "uniform", about = "mates exchange each character with probability 1/2",
                                       source = "G. Syswerda, 1989";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind != StringKind::permutation; }
@@ -52,9 +52,10 @@ struct UniformCrossover {
 /// the last bit in which the parents differ. Parents that differ in fewer than two bits cannot be mates. Draws one
 /// number.
 struct DifferenceCrossover {
-    static constexpr std::string_view name = "by-difference",
-                                      about = "a cut between different bits; mates differ in two bits or more",
-                                      source = "thesis 6.3";
+    static constexpr std::string_view
+        name = "by-difference",
+        about = "the cut is between bits in which the mates differ; mates differ in at least two bits",
+        source = "thesis 6.3";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::binary; }
     /// REQUIRES: the strings differ in two bits or more.
@@ -66,15 +67,15 @@ struct DifferenceCrossover {
 /// interval-schemata", 1993: BLX-alpha). A drawn number outside the parameter's range is replaced by the nearest end of
 /// the range. Draws two random numbers for each number of the vector.
 struct BlendCrossover {
-    static constexpr std::string_view
-        name = "blend",
-        about = "numbers between the parents' numbers, and up to `alpha` times their distance beyond",
-        source = "L. Eshelman and J. Schaffer, 1993";
+    static constexpr std::string_view name = "blend",
+                                      about = "offspring get numbers between the parents' numbers, or outside by up to "
+                                              "`alpha` times the parents' distance",
+                                      source = "L. Eshelman and J. Schaffer, 1993";
     double alpha = 0.5;
     static constexpr auto numbers() {
-        return std::tuple(
-            PolicyNumber{"alpha", &BlendCrossover::alpha, 0, 10,
-                         "how far beyond its parents' numbers an offspring's may be, as a multiple of their distance"});
+        return std::tuple(PolicyNumber{"alpha", &BlendCrossover::alpha, 0, 10,
+                                       "how far outside the parents' numbers an offspring's number may be, as a "
+                                       "multiple of the parents' distance"});
     }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::real; }
     void operator()(Genome& a, Genome& b, const RealVector& reals, RandomStream& random) const;
@@ -84,9 +85,10 @@ struct BlendCrossover {
 /// entries between two cuts from one parent. The missing entries follow, in the order in which the other parent has
 /// them. Draws two numbers, for the cuts, as TwoPointCrossover does.
 struct OrderCrossover {
-    static constexpr std::string_view name = "order",
-                                      about = "a part of one parent, the rest in the order of the other",
-                                      source = "L. Davis, 1985";
+    static constexpr std::string_view
+        name = "order",
+        about = "an offspring copies a part of one parent, and takes the rest in the order of the other parent",
+        source = "L. Davis, 1985";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::permutation; }
     void operator()(Genome& a, Genome& b, const Permutation& permutation, RandomStream& random) const;

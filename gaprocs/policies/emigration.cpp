@@ -57,7 +57,7 @@ std::vector<std::size_t> OwnEmigration::operator()(std::span<const double> fitne
     return tried([&] {
         std::vector<std::size_t> chosen = choose_(fitness, random);
         require(chosen.size() == count && are_different(chosen, 0, fitness.size()),
-                "it must choose `count` different individuals");
+                "it must choose `count` different individuals of the population");
         return chosen;
     });
 }

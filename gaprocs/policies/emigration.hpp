@@ -18,7 +18,8 @@ class RandomStream;
 
 /// Chooses the best individuals; among equals the lowest index first. Draws no number.
 struct BestEmigration {
-    static constexpr std::string_view name = "best", about = "the `count` best", source = "thesis 4.3 and 5.2.1";
+    static constexpr std::string_view name = "best", about = "the `count` best individuals",
+                                      source = "thesis 4.3 and 5.2.1";
     std::size_t count = 1;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"count", &BestEmigration::count, 1, 1e6, "individuals that leave"});
@@ -28,8 +29,8 @@ struct BestEmigration {
 
 /// Chooses individuals at random, all with the same probability. Draws at least one number for each emigrant.
 struct RandomEmigration {
-    static constexpr std::string_view name = "random", about = "`count` drawn at random",
-                                      source = "a control: not in the thesis";
+    static constexpr std::string_view name = "random", about = "`count` individuals drawn at random",
+                                      source = "a control for comparisons, not in the thesis";
     std::size_t count = 1;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"count", &RandomEmigration::count, 1, 1e6, "individuals that leave"});
@@ -40,7 +41,8 @@ struct RandomEmigration {
 /// Chooses each emigrant by a tournament: the best of `size` individuals, drawn with replacement from those not yet
 /// chosen; among equals the one drawn first. Draws at least `size` numbers for each emigrant.
 struct TournamentEmigration {
-    static constexpr std::string_view name = "tournament", about = "`count` times the best of `size` drawn at random",
+    static constexpr std::string_view name = "tournament",
+                                      about = "`count` individuals, each the best of `size` drawn at random",
                                       source = "not in the thesis";
     std::size_t count = 1, size = 2;
     static constexpr auto numbers() {
@@ -67,7 +69,8 @@ private:
 class Emigration : public OneOf<Emigration, BestEmigration, RandomEmigration, TournamentEmigration, OwnEmigration> {
 public:
     using OneOf::OneOf;
-    static constexpr std::string_view noun = "emigration", about = "who leaves an island, and how many";
+    static constexpr std::string_view noun = "emigration",
+                                      about = "which individuals leave an island as copies, and how many";
 
     /// Returns the number of individuals that leave in one exchange.
     std::size_t count() const;

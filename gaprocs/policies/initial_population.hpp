@@ -15,7 +15,7 @@ namespace placedpar {
 class RandomStream;
 
 struct RandomStart {
-    static constexpr std::string_view name = "random", about = "every string is drawn", source = "thesis 1.1";
+    static constexpr std::string_view name = "random", about = "every string is drawn at random", source = "thesis 1.1";
     static constexpr std::tuple<> numbers() { return {}; }
 };
 
@@ -24,7 +24,7 @@ struct RandomStart {
 struct SpreadStart {
     static constexpr std::string_view
         name = "spread",
-        about = "the codes of each field are evenly spread over its range, in an order drawn for each field",
+        about = "the codes of each field are spread evenly over its range, in a random order for each field",
         source = "thesis 6.3, predefined populations; M. McKay et al., 1979";
     static constexpr std::tuple<> numbers() { return {}; }
 };
@@ -42,9 +42,8 @@ public:
                                    RandomStream& random) const {
         return tried([&] {
             std::vector<Genome> strings = begin_(population, representation, random);
-            require(
-                strings.size() <= population && representation.holds(strings),
-                "it begins with more strings than the population has, or with a string that is not one of the problem");
+            require(strings.size() <= population && representation.holds(strings),
+                    "it must return valid strings of the problem, at most as many as the population has");
             return strings;
         });
     }
@@ -57,8 +56,9 @@ private:
 class InitialPopulation : public OneOf<InitialPopulation, RandomStart, SpreadStart, OwnStart> {
 public:
     using OneOf::OneOf;
-    static constexpr std::string_view noun = "initial-population",
-                                      about = "where a search begins: at random, spread, or with strings of a file";
+    static constexpr std::string_view
+        noun = "initial-population",
+        about = "strings of the first population: drawn at random, spread evenly, or read from a file";
 
     bool is_spread() const { return std::holds_alternative<SpreadStart>(policy()); }
     /// Returns the policy if it is user-defined, otherwise null.

@@ -28,8 +28,8 @@ class RandomStream;
 struct PrintedChoice {
     static constexpr std::string_view
         name = "printed",
-        about = "greatest Sw/SA as printed, with squared errors; if errors do not depend on the window, never prefers "
-                "the shortest window to the longest, which it nearly always chooses",
+        about = "greatest ratio Sw/SA (eq. 5.7) as printed, with squared errors; nearly always chooses the longest "
+                "window, and never prefers the shortest to it if errors do not depend on the window",
         source = "thesis eq. 5.1 and 5.3 to 5.7";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
@@ -37,7 +37,8 @@ struct PrintedChoice {
 
 /// Chooses as PrintedChoice does, but with the sums of eq. 5.2, in which errors of opposite signs cancel.
 struct PlainSumChoice {
-    static constexpr std::string_view name = "plain", about = "greatest Sw/SA, plain errors summed with their signs",
+    static constexpr std::string_view name = "plain",
+                                      about = "greatest ratio Sw/SA, with errors summed with their signs",
                                       source = "thesis eq. 5.2 to 5.7, to the letter";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
@@ -46,8 +47,9 @@ struct PlainSumChoice {
 /// Chooses as PrintedChoice does, but with mean squared errors instead of sums. So a window does not have a greater
 /// error just because it is longer.
 struct MeansChoice {
-    static constexpr std::string_view name = "means", about = "greatest Sw/SA of mean squared errors",
-                                      source = "a reading of thesis eq. 5.3 and 5.4";
+    static constexpr std::string_view name = "means",
+                                      about = "greatest ratio Sw/SA, with means of squared errors instead of sums",
+                                      source = "an interpretation of thesis eq. 5.3 and 5.4";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
@@ -56,9 +58,9 @@ struct MeansChoice {
 /// best individual of an island with that of island i, in the same window. Sums and means give the same choice.
 struct RowChoice {
     static constexpr std::string_view name = "row",
-                                      about =
-                                          "greatest Sw/SA, divided by the row's own error; the same for sums and means",
-                                      source = "a reading of thesis eq. 5.3 and 5.4";
+                                      about = "greatest ratio Sw/SA, with each error divided by that of the row's own "
+                                              "island; sums and means give the same choice",
+                                      source = "an interpretation of thesis eq. 5.3 and 5.4";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
@@ -66,7 +68,7 @@ struct RowChoice {
 /// Always chooses `island`; islands are numbered from 0.
 struct FixedChoice {
     static constexpr std::string_view name = "fixed", about = "always the same island, counted from 0",
-                                      source = "a control: not in the thesis";
+                                      source = "a control for comparisons, not in the thesis";
     std::size_t island = 0;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"island", &FixedChoice::island, 0, 1e6, "from 0"});
@@ -78,7 +80,7 @@ struct FixedChoice {
 /// Chooses an island at random: a baseline for the other policies. Draws one number.
 struct RandomChoice {
     static constexpr std::string_view name = "random", about = "an island drawn at random each time",
-                                      source = "a control: not in the thesis";
+                                      source = "a control for comparisons, not in the thesis";
     static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream& random) const;
 };
@@ -101,7 +103,7 @@ public:
     using OneOf::OneOf;
     static constexpr std::string_view
         noun = "choice",
-        about = "which island's best is the answer, among islands with windows of different lengths";
+        about = "which island's best individual is the answer, among islands with windows of different lengths";
 
     /// Throws UserError if the policy is FixedChoice and its island does not exist.
     void validate_for(std::size_t islands) const;

@@ -43,9 +43,11 @@ struct BitMutation {
 /// distances from one flipped bit to the next, until a distance leads past the end of the population. So it draws one
 /// number for each flip, and one more. REQUIRES: all strings have the same length.
 struct DistanceMutation {
-    static constexpr std::string_view name = "distance",
-                                      about = "as bit, by drawing the distance to the next flipped bit",
-                                      source = "thesis 1.1, with other random draws";
+    static constexpr std::string_view
+        name = "distance",
+        about =
+            "bits are flipped as with bit, but a random number is drawn only for the distance to the next flipped bit",
+        source = "thesis 1.1, with other random draws";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::binary; }
 
@@ -56,7 +58,9 @@ struct DistanceMutation {
 /// Adds a normal deviate to the number. A sum outside the number's range is replaced by the nearest end of the range.
 /// Draws two numbers.
 struct GaussianMutation {
-    static constexpr std::string_view name = "gaussian", about = "a normal deviate is added, `deviation` of the range",
+    static constexpr std::string_view name = "gaussian",
+                                      about = "a normal deviate is added; its standard deviation is `deviation` times "
+                                              "the width of the parameter's bounds",
                                       source = "I. Rechenberg, 1973";
     double deviation = 0.1;
     static constexpr auto numbers() {
@@ -73,15 +77,16 @@ struct GaussianMutation {
 /// Mühlenbein and D. Schlierkamp-Voosen, "Predictive models for the breeder genetic algorithm", 1993). Draws two
 /// numbers.
 struct BreederMutation {
-    static constexpr std::string_view name = "breeder",
-                                      about = "a step of any size from `range` down to `range` 2^-precision",
-                                      source = "H. Mühlenbein and D. Schlierkamp-Voosen, 1993";
+    static constexpr std::string_view
+        name = "breeder",
+        about = "a step is added or subtracted, of any size from `range` down to `range` * 2^-precision",
+        source = "H. Mühlenbein and D. Schlierkamp-Voosen, 1993";
     double range = 0.1, precision = 24;
     static constexpr auto numbers() {
         return std::tuple(
             PolicyNumber{"range", &BreederMutation::range, 0, 1, "greatest step, in widths of the parameter's bounds"},
             PolicyNumber{"precision", &BreederMutation::precision, 0, 60,
-                         "the least step is the greatest divided by 2 to this power"});
+                         "the smallest step is the greatest step divided by 2 to this power"});
     }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::real; }
     void operator()(Genome& genome, std::size_t place, const Representation& representation,
@@ -100,7 +105,8 @@ struct UniformMutation {
 
 /// Exchanges the entry at this position with that at another, random position. Draws one number.
 struct SwapMutation {
-    static constexpr std::string_view name = "swap", about = "two places are exchanged", source = "not in the thesis";
+    static constexpr std::string_view name = "swap", about = "two elements of the permutation are exchanged",
+                                      source = "not in the thesis";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::permutation; }
     void operator()(Genome& genome, std::size_t place, const Representation& representation,
@@ -111,7 +117,8 @@ struct SwapMutation {
 /// part continues from the end of the string to its beginning. In a closed tour this changes two edges. Draws one
 /// number.
 struct InversionMutation {
-    static constexpr std::string_view name = "inversion", about = "the places from one to another are reversed",
+    static constexpr std::string_view name = "inversion",
+                                      about = "the elements between two positions of the permutation are reversed",
                                       source = "the 2-opt step of G. Croes, 1958";
     static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::permutation; }

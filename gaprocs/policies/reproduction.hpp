@@ -21,9 +21,10 @@ using Parents = std::optional<std::vector<std::size_t>>;
 /// Parents are drawn with replacement, individual i with a probability proportional to max(f_i, 0). So individuals
 /// whose fitness is not positive, or NaN, are discarded (thesis 3.1.1, step 4).
 struct RouletteReproduction {
-    static constexpr std::string_view name = "roulette",
-                                      about = "a spin for each parent; individuals of fitness <= 0 are discarded",
-                                      source = "thesis 1.1 and 3.1.1, step 4";
+    static constexpr std::string_view
+        name = "roulette",
+        about = "the roulette wheel is spun once for each parent; individuals with fitness <= 0 are discarded",
+        source = "thesis 1.1 and 3.1.1, step 4";
     static constexpr bool needs_positive_fitness = true;
     static constexpr std::tuple<> numbers() { return {}; }
 
@@ -35,9 +36,10 @@ struct RouletteReproduction {
 /// spin of a wheel with `count` evenly spaced balls. If roulette makes e copies of an individual on average, this
 /// policy makes floor(e) or ceil(e) copies. The parents are then shuffled, because crossover takes neighbours as mates.
 struct UniversalReproduction {
-    static constexpr std::string_view name = "universal",
-                                      about = "stochastic universal sampling: one spin with evenly spaced balls",
-                                      source = "J. Baker, 1987";
+    static constexpr std::string_view
+        name = "universal",
+        about = "stochastic universal sampling: one spin with evenly spaced pointers chooses all parents",
+        source = "J. Baker, 1987";
     static constexpr bool needs_positive_fitness = true;
     static constexpr std::tuple<> numbers() { return {}; }
 
@@ -51,7 +53,8 @@ struct UniversalReproduction {
 /// used instead. Only differences of fitness matter, so fitness may be negative. The parents are sampled as by
 /// UniversalReproduction.
 struct ScaledReproduction {
-    static constexpr std::string_view name = "scaled", about = "linear scaling: `best` copies of the best on average",
+    static constexpr std::string_view name = "scaled",
+                                      about = "linear scaling: the best individual gets `best` copies on average",
                                       source = "D. Goldberg, 1989, p. 76";
     static constexpr bool needs_positive_fitness = false;
     double best = 2;
@@ -69,7 +72,8 @@ struct ScaledReproduction {
 /// is a linear function of the rank: `best` for the best individual, and 2 - `best` for the worst. Individuals of equal
 /// fitness share the mean of their ranks. The parents are sampled as by UniversalReproduction.
 struct RankingReproduction {
-    static constexpr std::string_view name = "ranking", about = "linear ranking: `best` copies of the best on average",
+    static constexpr std::string_view name = "ranking",
+                                      about = "linear ranking: the best individual gets `best` copies on average",
                                       source = "J. Baker, 1985";
     static constexpr bool needs_positive_fitness = false;
     double best = 2;
@@ -93,7 +97,8 @@ struct TournamentReproduction {
     static constexpr bool needs_positive_fitness = false;
     std::size_t size = 2;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"size", &TournamentReproduction::size, 1, 1e6, "individuals that are drawn"});
+        return std::tuple(
+            PolicyNumber{"size", &TournamentReproduction::size, 1, 1e6, "individuals drawn for each parent"});
     }
 
     /// Draws at least `size` numbers for each parent. Always returns parents.

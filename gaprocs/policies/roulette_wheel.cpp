@@ -13,7 +13,7 @@ RouletteWheel::RouletteWheel(std::span<const double> fitness) : ends_(fitness.si
     for (std::size_t i = 0; i < fitness.size(); ++i)
         ends_[i] = end += fitness[i] > 0 ? fitness[i] : 0; // NaN counts as 0
     if (!std::isfinite(end))
-        throw std::invalid_argument("roulette: the fitness values add up beyond a double");
+        throw std::invalid_argument("roulette: the sum of the fitness values is beyond the range of a double");
 }
 
 bool RouletteWheel::empty() const { return ends_.empty() || ends_.back() < std::numeric_limits<double>::min(); }

@@ -18,7 +18,8 @@ namespace placedpar {
 // are numbered from 1. Exchange n follows generation n * `every`.
 
 struct BroadcastSchedule {
-    static constexpr std::string_view name = "broadcast", about = "every `every` generations to all neighbours at once",
+    static constexpr std::string_view name = "broadcast",
+                                      about = "every `every` generations emigrants go to all neighbours at once",
                                       source = "thesis 5.3.2; every third generation: 4.3";
     std::size_t every = 3;
     static constexpr auto numbers() {
@@ -30,9 +31,10 @@ struct BroadcastSchedule {
 /// Sends to the first neighbour at the first exchange, to the second at the second, and so on; after the last neighbour
 /// comes the first again. In a hypercube of two dimensions the neighbours are i xor 1 and i xor 2 (thesis 5.3.2).
 struct SequentialSchedule {
-    static constexpr std::string_view name = "sequential",
-                                      about = "every `every` generations to one neighbour, each in turn",
-                                      source = "thesis 5.2.1 and 5.3.2";
+    static constexpr std::string_view
+        name = "sequential",
+        about = "every `every` generations emigrants go to one neighbour, the next in the list each time",
+        source = "thesis 5.2.1 and 5.3.2";
     std::size_t every = 3;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"every", &SequentialSchedule::every, 1, 1e6, "generations"});
@@ -44,9 +46,10 @@ struct SequentialSchedule {
 /// those from one neighbour only the latest. Which emigrants have arrived depends on simulated times, and is the same
 /// in every run.
 struct AsynchronousSchedule {
-    static constexpr std::string_view name = "asynchronous",
-                                      about = "every `every` generations to all neighbours, without waiting for them",
-                                      source = "not in the thesis";
+    static constexpr std::string_view
+        name = "asynchronous",
+        about = "every `every` generations emigrants go to all neighbours, and no island waits for another",
+        source = "not in the thesis";
     std::size_t every = 3;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"every", &AsynchronousSchedule::every, 1, 1e6, "generations"});
@@ -63,7 +66,7 @@ public:
     explicit OwnSchedule(Policy policy) : OwnPolicy(policy), every(policy.every), choose_(policy) {
         tried([&] {
             require(every > 0 && !numbers().empty() && description().numbers.front().name == "every",
-                    "the first number of a schedule is `every`, 1 or more");
+                    "the first number of a schedule must be `every`, and at least 1");
         });
     }
     std::size_t every;

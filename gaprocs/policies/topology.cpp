@@ -99,8 +99,8 @@ Neighbours RingTopology::operator()(std::size_t islands) const {
 
 Neighbours HypercubeTopology::operator()(std::size_t islands) const {
     if (!std::has_single_bit(islands))
-        throw UserError(fmt::format("a hypercube of {} islands, expected a power of two such as {} or {}", islands,
-                                    std::bit_floor(islands), std::bit_ceil(islands)));
+        throw UserError(fmt::format("a hypercube cannot have {} islands, expected a power of two such as {} or {}",
+                                    islands, std::bit_floor(islands), std::bit_ceil(islands)));
     return neighbours_by(islands, [&](std::size_t i, NeighbourList& list) {
         for (std::size_t digit = 1; digit < islands; digit *= 2)
             list.add(i ^ digit);
@@ -109,7 +109,7 @@ Neighbours HypercubeTopology::operator()(std::size_t islands) const {
 
 Neighbours TorusTopology::operator()(std::size_t islands) const {
     if (islands % rows != 0)
-        throw UserError(fmt::format("a torus of {} in {} rows, expected rows that divide {}: {}",
+        throw UserError(fmt::format("a torus of {} cannot have {} rows, expected a divisor of {}: {}",
                                     counted(islands, "island"), rows, islands, fmt::join(divisors(islands), ", ")));
     std::size_t columns = islands / rows;
     return neighbours_by(islands, [&](std::size_t i, NeighbourList& list) {
@@ -138,7 +138,7 @@ Neighbours CompleteTopology::operator()(std::size_t islands) const {
 
 Neighbours GivenTopology::operator()(std::size_t islands) const {
     if (neighbours.size() != islands)
-        throw UserError(fmt::format("the neighbours of {} are given, expected those of {}",
+        throw UserError(fmt::format("the list has the neighbours of {}, expected those of {}",
                                     counted(neighbours.size(), "island"), islands));
     for (std::size_t i = 0; i < islands; ++i)
         for (std::size_t other : neighbours[i])

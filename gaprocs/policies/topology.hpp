@@ -25,12 +25,14 @@ using Neighbours = std::vector<std::vector<std::size_t>>;
 /// Connects each island to the next, and the last to the first. If `ways` is 2, also connects each island to the
 /// previous one, and the first to the last.
 struct RingTopology {
-    static constexpr std::string_view name = "ring", about = "to the next island; with 2 ways also to the one before",
+    static constexpr std::string_view name = "ring",
+                                      about =
+                                          "each island sends to the next; with ways = 2 also to the preceding island",
                                       source = "thesis, appendix E";
     std::size_t ways = 1;
     static constexpr auto numbers() {
-        return std::tuple(
-            PolicyNumber{"ways", &RingTopology::ways, 1, 2, "1: to the next island; 2: to the one before as well"});
+        return std::tuple(PolicyNumber{"ways", &RingTopology::ways, 1, 2,
+                                       "1: sends to the next island; 2: also to the preceding island"});
     }
     Neighbours operator()(std::size_t islands) const;
 };
@@ -38,8 +40,10 @@ struct RingTopology {
 /// Connects islands whose numbers differ in one binary digit: i xor 1, i xor 2, i xor 4, ... (thesis 5.3.2 has two
 /// dimensions). The number of islands must be a power of two.
 struct HypercubeTopology {
-    static constexpr std::string_view name = "hypercube", about = "to islands whose numbers differ in one binary digit",
-                                      source = "thesis 5.2.1 and 5.3.2";
+    static constexpr std::string_view
+        name = "hypercube",
+        about = "each island sends to the islands whose numbers differ from its own in one binary digit",
+        source = "thesis 5.2.1 and 5.3.2";
     static constexpr std::tuple<> numbers() { return {}; }
     Neighbours operator()(std::size_t islands) const;
 };
@@ -47,10 +51,11 @@ struct HypercubeTopology {
 /// Connects each island of a rectangle to its neighbours in the east, south, west and north, in this order. At an edge,
 /// the neighbour is at the opposite edge. Island i is in row i / columns and column i % columns.
 struct TorusTopology {
-    static constexpr std::string_view name = "torus",
-                                      about =
-                                          "a rectangle closed in both directions: to the east, south, west and north",
-                                      source = "not in the thesis";
+    static constexpr std::string_view
+        name = "torus",
+        about =
+            "a rectangle closed in both directions: each island sends to its neighbours east, south, west and north",
+        source = "not in the thesis";
     std::size_t rows = 2;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"rows", &TorusTopology::rows, 1, 1e6,
@@ -61,23 +66,26 @@ struct TorusTopology {
 
 /// Connects island 0 with each other island, in both directions.
 struct StarTopology {
-    static constexpr std::string_view name = "star",
-                                      about = "island 0 with all other islands, which have no other neighbours",
-                                      source = "not in the thesis";
+    static constexpr std::string_view
+        name = "star",
+        about = "island 0 exchanges with each other island; these do not exchange with each other",
+        source = "not in the thesis";
     static constexpr std::tuple<> numbers() { return {}; }
     Neighbours operator()(std::size_t islands) const;
 };
 
 /// Connects each island to all others. Island i has the neighbours i + 1, i + 2, ..., then 0, 1, ... up to i - 1.
 struct CompleteTopology {
-    static constexpr std::string_view name = "complete", about = "to all others, from the next on",
+    static constexpr std::string_view name = "complete",
+                                      about = "each island sends to all others, beginning with the next",
                                       source = "thesis 5.3.2, broadcasting";
     static constexpr std::tuple<> numbers() { return {}; }
     Neighbours operator()(std::size_t islands) const;
 };
 
 struct NoTopology {
-    static constexpr std::string_view name = "none", about = "no exchange", source = "a control: not in the thesis";
+    static constexpr std::string_view name = "none", about = "islands exchange nothing",
+                                      source = "a control for comparisons, not in the thesis";
     static constexpr std::tuple<> numbers() { return {}; }
     Neighbours operator()(std::size_t islands) const { return Neighbours(islands); }
 };
@@ -85,8 +93,10 @@ struct NoTopology {
 /// Connects islands as listed in `neighbours`. The policy's text does not contain the list, because in a netlist the
 /// connections define it. An island may send without receiving, or receive without sending.
 struct GivenTopology {
-    static constexpr std::string_view name = "given", about = "neighbours as listed",
-                                      source = "as a netlist connects islands";
+    static constexpr std::string_view
+        name = "given",
+        about = "each island sends to the neighbours in a list; in a netlist, to the islands connected to it",
+        source = "the netlist's connections";
     static constexpr std::tuple<> numbers() { return {}; }
     Neighbours neighbours;
     /// Throws UserError if `neighbours` is for another number of islands, or if a neighbour does not exist, is the

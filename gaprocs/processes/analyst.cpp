@@ -157,15 +157,15 @@ ProcessKind analyst_kind(const ProblemRegistry& problems, SearchObserver* observ
     return {
         .name = "ga.analyst",
         .about = "Active error analysis (thesis 5.3.2) of islands with different windows. After each exchange it "
-                 "chooses the island whose best is the answer of all islands, and keeps this answer until the next "
-                 "exchange. The islands do not change.",
+                 "chooses the island whose best individual is the answer of all islands, and keeps this answer until "
+                 "the next exchange. The islands do not change.",
         .ports = {from_host(), input<EstimateMessage>("from_islands", "estimate", "an array: one end for each island")},
         .parameters = {policy<IslandChoice>("choice", "row",
                                             "how the island is chosen; islands are in the order of from_islands"),
                        cycles_per_error()},
         .measurements = {{"answers", "",
                           "number of answers; the first is given when the windows of all islands are full"},
-                         {"chosen", "", "the island whose best is the answer at the end"},
+                         {"chosen", "", "the island whose best individual is the last answer"},
                          {"the problem's parameters", "", "as decoded from the best individual of that island"}},
         .body = [&problems,
                  observer](ProcessEnvironment& environment) { run_analyst(environment, problems, observer); },

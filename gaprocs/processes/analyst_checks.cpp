@@ -51,10 +51,10 @@ private:
     }
 
     void check_steps() {
-        const char* why = "an analyst compares bests of the same generation, and only islands that exchange in step "
-                          "report those";
+        const char* why = "an analyst compares the best individuals of the same generation; only islands that exchange "
+                          "in step report these";
         if (!schedule_of(instance(first_island())).in_step())
-            return refuse("", "islands of an asynchronous schedule do not keep step", why);
+            return refuse("", "islands with an asynchronous schedule are not all in the same generation", why);
         Archipelago archipelago(network_);
         auto together = archipelago.part_of(archipelago.number_of(first_island()));
         for (const auto& [port, process] : reporters_)
@@ -78,9 +78,9 @@ private:
         auto host = [&](std::size_t process) { return other_end(network_, process, "from_host")->process; };
         for (const Peer& each : reporters_)
             if (host(each.process) != host(analyst_))
-                return refuse("from_host", fmt::format("the samples of \"{}\" come from another process than those of "
-                                                       "\"{}\"",
-                                                       name(analyst_), name(each.process)));
+                return refuse("from_host",
+                              fmt::format("\"{}\" does not get its samples from the same process as \"{}\"",
+                                          name(analyst_), name(each.process)));
     }
 
     void check_choice() {
@@ -111,11 +111,11 @@ private:
         if (last > 0 && run->samples_at(last) >= longest_window())
             return;
         std::string why = last == 0
-                              ? fmt::format("the first exchange is due after {} generations, and the run has {}", every,
-                                            run->generations())
+                              ? fmt::format("the first exchange is due after {} generations, but the run has only {}",
+                                            every, run->generations())
                               : fmt::format("the last exchange comes after {} samples, but the longest window needs {}",
                                             run->samples_at(last), longest_window());
-        complaints_.push_back({analyst_, "", fmt::format("\"{}\" answers nothing: {}", name(analyst_), why), "", true});
+        complaints_.push_back({analyst_, "", fmt::format("\"{}\" gives no answer: {}", name(analyst_), why), "", true});
     }
 
     const Network& network_;

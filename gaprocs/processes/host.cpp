@@ -29,7 +29,7 @@ namespace {
 std::size_t samples_to_send(const ProcessEnvironment& environment, std::size_t recorded) {
     auto wanted = static_cast<std::size_t>(environment.integer("samples"));
     if (wanted > recorded)
-        throw UserError(fmt::format("samples = {}, but the record of \"{}\" has {}", wanted,
+        throw UserError(fmt::format("samples = {}, but the record of \"{}\" has only {}", wanted,
                                     environment.text("problem"), recorded));
     return wanted == 0 ? recorded : wanted;
 }
@@ -211,8 +211,9 @@ ProcessKind host_kind(const ProblemRegistry& problems) {
                                                   "an array: one end for each master whose estimates come back")),
                   optional(input<HostMessage>("from_sensors", "host message",
                                               "samples that ga.sensors reads, in place of the record's")),
-                  optional(output<Finding>("to_alarm", "finding",
-                                           "the fittest estimate after each sample, when all estimates have come"))},
+                  optional(
+                      output<Finding>("to_alarm", "finding",
+                                      "the fittest estimate after each sample, sent when all estimates have arrived"))},
         .parameters =
             {problem(),
              integer("samples", {.unit = "samples", .by_default = 0, .least = 0, .most = 1e9},

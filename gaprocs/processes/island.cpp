@@ -30,9 +30,10 @@ Parameters exchange_parameters() {
             policy<Schedule>("schedule", "broadcast", "when emigrants leave, and to which neighbours"),
             policy<Emigration>("emigration", Emigration().text(), "which individuals leave as copies, and how many"),
             policy<Acceptance>("acceptance", Acceptance().text(), "which individual an immigrant replaces"),
-            policy<Topology>("topology", "given",
-                             "\"given\": as the ports are connected; otherwise the named topology of all islands in "
-                             "the order of their declaration, with which the connections must agree")};
+            policy<Topology>(
+                "topology", "given",
+                "\"given\": the neighbours are the islands connected to the ports; another name: a topology of all "
+                "islands, numbered in the order of declaration, which must agree with the connections")};
 }
 
 PortDescription to_neighbours() {
@@ -53,8 +54,8 @@ PortDescription from_neighbours() {
 
 PortDescription to_analyst() {
     using namespace description;
-    return optional(output<EstimateMessage>("to_analyst", "estimate",
-                                            "its best individual, after every generation in which an exchange is due"));
+    return optional(output<EstimateMessage>(
+        "to_analyst", "estimate", "the island's best individual, after every generation in which an exchange is due"));
 }
 
 ProcessKind with_exchange(ProcessKind searching, const ProblemRegistry& problems) {

@@ -84,9 +84,10 @@ private:
         if (!expected.does_not_fit.empty())
             refuse("topology", expected.does_not_fit);
         else if (!std::ranges::is_permutation(expected.neighbours[number_], self().neighbours))
-            refuse("topology", fmt::format("\"{}\" is connected to {}, but to {} in the topology \"{}\" of {} islands",
-                                           process_.name, names(self().neighbours), names(expected.neighbours[number_]),
-                                           Topology::named(topology).text(), archipelago_.islands().size()));
+            refuse("topology",
+                   fmt::format("\"{}\" is connected to {}, expected {} in the topology \"{}\" of {} islands",
+                               process_.name, names(self().neighbours), names(expected.neighbours[number_]),
+                               Topology::named(topology).text(), archipelago_.islands().size()));
     }
 
     /// Refuses an island without connections if another island has some; this is probably a mistake. If no island has
@@ -139,7 +140,7 @@ private:
             refuse(process_.given.contains("exchange_every") ? "exchange_every" : "schedule",
                    fmt::format("the schedule of \"{}\" is {}, but that of \"{}\" is {}", process_.name, ours.text(),
                                first.name, theirs.text()),
-                   "islands that exchange have the same schedule");
+                   "islands that exchange must have the same schedule");
         else if (ours.in_step())
             check_generations_agree(first);
     }
@@ -147,10 +148,11 @@ private:
     void check_generations_agree(const ProcessInstance& first) {
         if (integer(process_, "trials") != integer(first, "trials"))
             refuse("trials",
-                   fmt::format("{} per sample on \"{}\", but {} on \"{}\"",
+                   fmt::format("\"trials\" is {} per sample for \"{}\", but {} for \"{}\"",
                                counted(static_cast<std::size_t>(integer(process_, "trials")), "generation"),
                                process_.name, integer(first, "trials"), first.name),
-                   "they exchange in the same generations");
+                   "islands that exchange must make the same generations: give them equal \"trials\" and equal numbers "
+                   "of samples");
         auto ours = samples_sent_to(network_, index_, problems_),
              theirs =
                  samples_sent_to(network_, static_cast<std::size_t>(&first - network_.processes.data()), problems_);
@@ -158,7 +160,8 @@ private:
             refuse("",
                    fmt::format("\"{}\" and \"{}\" are sent different numbers of samples: {} and {}", process_.name,
                                first.name, *ours, *theirs),
-                   "they exchange in the same generations");
+                   "islands that exchange must make the same generations: give them equal \"trials\" and equal numbers "
+                   "of samples");
     }
 
     void check_room() {
@@ -202,15 +205,16 @@ private:
         for (const auto& part : parts)
             listed.push_back(names(part));
         warn(parts[1].front(), "",
-             fmt::format("the islands are in {} parts that exchange nothing with each other: {}", parts.size(),
+             fmt::format("the islands form {} groups that exchange nothing with each other: {}", parts.size(),
                          fmt::join(listed, "; ")));
     }
 
     void warn_of_one_way() {
         if (auto lost = one_way(archipelago_.neighbours()))
             warn(lost->from, "",
-                 fmt::format("nothing of \"{}\" ever comes to \"{}\"", names({lost->from}), names({lost->never_to})),
-                 "a ring leads back to the first island");
+                 fmt::format("no individual from \"{}\" ever reaches \"{}\"", names({lost->from}),
+                             names({lost->never_to})),
+                 "to close a ring, connect the last island to the first");
     }
 
     /// Warns that no island is connected, unless all islands have topology = "none". The warning points to the first
@@ -218,10 +222,11 @@ private:
     void warn_of_islands_alone() {
         for (std::size_t island = 0; island < archipelago_.islands().size(); ++island)
             if (Topology::named(text(instance(island), "topology")).is_given())
-                return warn(island, "",
-                            fmt::format("none of {} islands is connected to another: they exchange nothing",
-                                        archipelago_.islands().size()),
-                            "connect to_neighbours[0] of each; or say topology = \"none\", if that is meant");
+                return warn(
+                    island, "",
+                    fmt::format("none of the {} islands is connected to another, so they exchange nothing",
+                                archipelago_.islands().size()),
+                    "connect to_neighbours[0] of each island; for searches without exchange, set topology = \"none\"");
     }
 
     /// Warns if the run ends before the first exchange. Of islands that exchange in step, only the first of a part
@@ -234,7 +239,8 @@ private:
             (schedule.in_step() && part.front() != number_))
             return;
         warn(number_, process_.given.contains("exchange_every") ? "exchange_every" : "schedule",
-             fmt::format("\"{}\" never exchanges: it would do so every {} generations, and the run has {}",
+             fmt::format("\"{}\" never exchanges individuals: the first exchange is due after {} generations, but the "
+                         "run has only {}",
                          process_.name, schedule.every(), run->generations()));
     }
 

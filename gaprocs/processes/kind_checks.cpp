@@ -39,10 +39,10 @@ public:
         if (!recorded_)
             return;
         if (has_objective())
-            return refuse_given({"samples", "sample_bytes"}, "\"generations\" sets how long it is searched");
+            return refuse_given({"samples", "sample_bytes"}, "\"generations\" sets the length of the search");
         refuse_generations();
         if (integer("samples") > record_length())
-            refuse("samples", fmt::format("samples = {}, but the record of \"{}\" has {}", integer("samples"),
+            refuse("samples", fmt::format("samples = {}, but the record of \"{}\" has only {}", integer("samples"),
                                           text("problem"), record_length()));
     }
 
@@ -55,7 +55,7 @@ public:
             refuse("elite",
                    fmt::format("an elite of {} leaves no pair to be bred in a population of {}", integer("elite"),
                                integer("population")),
-                   fmt::format("it is {} at the most", integer("population") - 2));
+                   fmt::format("the elite can have at most {} individuals", integer("population") - 2));
         check_coding();
         warn_of_short_strings();
         check_operators();
@@ -76,7 +76,8 @@ public:
         std::string names;
         for (auto each = circle.rbegin(); each != circle.rend(); ++each)
             names += (names.empty() ? "\"" : ", \"") + name(*each) + "\"";
-        refuse("from_master", fmt::format("the tasks of {} go round in a circle, which no master reaches", names));
+        refuse("from_master",
+               fmt::format("the slaves {} are connected in a circle, so no master's tasks reach them", names));
     }
 
     std::vector<Complaint> take() { return std::move(complaints_); }
@@ -117,10 +118,11 @@ private:
     void check_single(const char* port) {
         for (const PortBinding& binding : network_.processes[process_].ports)
             if (base_name(binding.port) == port && binding.port != port)
-                return refuse(
-                    binding.port,
-                    fmt::format("\"{}.{}\" is one channel: a slave has one process before it", name(process_), port),
-                    fmt::format("connect ... {}.{};", name(process_), port));
+                return refuse(binding.port,
+                              fmt::format("\"{}.{}\" is a single channel, not an array: a slave is connected to one "
+                                          "master or preceding slave",
+                                          name(process_), port),
+                              fmt::format("connect ... {}.{};", name(process_), port));
     }
 
     void warn(std::string about, std::string message, std::string hint) {
@@ -151,9 +153,8 @@ private:
         auto stated = integer("string_bytes"), needed = static_cast<std::int64_t>(string_bytes(0, *coded_problem_));
         if (stated != 0 && stated < needed)
             warn("string_bytes",
-                 fmt::format(
-                     "string_bytes = {}, but a string of \"{}\" takes {}: the messages are shorter than their strings",
-                     stated, text("problem"), needed),
+                 fmt::format("string_bytes = {}, but a string of \"{}\" has {} bytes: it does not fit into the message",
+                             stated, text("problem"), needed),
                  "leave it out: the default is the length of the problem's strings");
     }
 
@@ -186,11 +187,11 @@ private:
         for (const Peer& search : peers_at(network_, process_, "from_masters")) {
             auto host = search.process == nowhere ? std::nullopt : other_end(network_, search.process, "from_host");
             if (!host || host->process != process_)
-                refuse(
-                    search.port,
-                    fmt::format("\"{}.{}\" brings estimates of a process that does not get its samples from this host",
-                                name(process_), search.port),
-                    fmt::format("connect {}.to_masters[...] to the same process's from_host", name(process_)));
+                refuse(search.port,
+                       fmt::format(
+                           "\"{}.{}\" receives estimates from a process that does not get its samples from this host",
+                           name(process_), search.port),
+                       fmt::format("connect {}.to_masters[...] to the same process's from_host", name(process_)));
         }
     }
 
@@ -199,8 +200,8 @@ private:
             refuse("generations",
                    fmt::format("generations applies only to problems without a record: \"{}\" has a record of {}",
                                text("problem"), counted(recorded_->samples(), "sample")),
-                   "\"samples\" sets how many of them are sent, and \"trials\" of a master how many generations are "
-                   "made for each sample");
+                   "\"samples\" sets how many samples are sent; \"trials\" of a master sets the number of generations "
+                   "for each sample");
     }
 
     /// Checks that a crossover or a mutation fits the strings of the problem.
@@ -228,7 +229,7 @@ private:
     void check_objective() {
         refuse_given({"window", "first_window", "trials", "bias", "measurement_bytes", "cycles_per_measurement_word",
                       "measurements"},
-                     "leave it out: \"generations\" of ga.host sets how long it is searched");
+                     "leave it out: \"generations\" of ga.host sets the length of the search");
         if (text("reproduction") != search_description::usual)
             try {
                 require_fitting_reproduction(*recorded_->problem(), Reproduction::named(text("reproduction")));
@@ -241,19 +242,18 @@ private:
         if (recorded_)
             warn_of_advice();
         if (recorded_ && integer("window") > record_length())
-            refuse("window", fmt::format("the window holds {} samples, the record of \"{}\" only {}", integer("window"),
-                                         text("problem"), record_length()));
+            refuse("window", fmt::format("the window holds {} samples, but the record of \"{}\" has only {}",
+                                         integer("window"), text("problem"), record_length()));
         bool stated = network_.processes[process_].given.contains("first_window");
         if (stated && integer("first_window") > integer("window"))
             refuse("first_window", fmt::format("the first generation waits for {} samples, but the window holds {}",
                                                integer("first_window"), integer("window")));
         if (recorded_ && recorded_->problem()->depends_on_window() && given("split") && text("split") == "evaluations")
-            refuse(
-                "split",
-                fmt::format("single evaluations of \"{}\" cannot be dealt out: its error at a sample depends on those "
-                            "before it in the window",
-                            text("problem")),
-                "split = \"individuals\" deals out whole individuals");
+            refuse("split",
+                   fmt::format("single evaluations of \"{}\" cannot be dealt out: its error at a sample depends on the "
+                               "earlier samples in the window",
+                               text("problem")),
+                   "split = \"individuals\" deals out whole individuals");
     }
 
     void check_host(std::size_t host) {
@@ -281,7 +281,7 @@ private:
         const RecordedProblem* problem = named_problem(problems_, network_.processes[process]);
         if (problem && problem != named_problem(problems_, network_.processes[other]))
             refuse_of(process, "problem",
-                      fmt::format("\"{}\" works on the problem \"{}\", but \"{}\" on \"{}\"", name(process),
+                      fmt::format("\"{}\" works on the problem \"{}\", but \"{}\" works on \"{}\"", name(process),
                                   text_of(process, "problem"), name(other), text_of(other, "problem")));
     }
 
@@ -290,8 +290,8 @@ private:
         SlaveTree tree = follow_slaves(network_, process_);
         complaints_.insert(complaints_.end(), tree.complaints.begin(), tree.complaints.end());
         if (tree.complaints.empty() && tree.others == 0 && std::cmp_not_equal(tree.slaves.size(), slaves))
-            refuse("slaves", fmt::format("slaves = {}, but \"{}.to_slaves\" leads to {}", slaves, name(process_),
-                                         tree.slaves.size()));
+            refuse("slaves", fmt::format("slaves = {}, but the number of slaves connected to \"{}.to_slaves\" is {}",
+                                         slaves, name(process_), tree.slaves.size()));
         else if (slaves >= population)
             refuse("slaves", fmt::format("slaves = {}, but a population of {} has work for {} slave{} at the most, "
                                          "because the master evaluates, too",
@@ -306,9 +306,10 @@ private:
             refuse("tasks_under_way",
                    fmt::format("tasks_under_way = {}, but with the split \"{}\" each slave is sent one task",
                                integer("tasks_under_way"), text("split")),
-                   "split = \"demand\" sends several");
+                   "split = \"demand\" sends several tasks to each slave");
         if (given("own_share") && text("split") == "demand")
-            refuse("own_share", "with the split \"demand\" the master evaluates whenever it is idle",
+            refuse("own_share",
+                   "own_share has no effect with the split \"demand\": the master evaluates whenever it is idle",
                    "own_share is for the splits \"individuals\" and \"evaluations\"");
         for (std::size_t slave : tree.slaves) {
             check_problem(slave, process_);

@@ -53,8 +53,8 @@ ProcessKind coarse_kind(const ProblemRegistry& problems, SearchObserver* observe
         "ga.coarse",
         "The coarse search of a pair (thesis 6.2, Figure 6.6): it breeds the most significant bits of each field; the "
         "other bits are 0. The best of each generation goes to the fine search.",
-        optional(output<BiasPoint>("to_fine", "bias point", "the best, as a string of the problem")), problems,
-        observer);
+        optional(output<BiasPoint>("to_fine", "bias point", "the best individual, as a string of the problem")),
+        problems, observer);
 }
 
 ProcessKind fine_kind(const ProblemRegistry& problems, SearchObserver* observer) {

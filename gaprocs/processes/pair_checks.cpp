@@ -63,7 +63,7 @@ private:
             check_equal(parameter, coarse);
         if (other_end(network_, process_, "from_host")->process !=
             other_end(network_, end->process, "from_host")->process)
-            refuse("from_host", fmt::format("the samples of \"{}\" come from another process than those of \"{}\"",
+            refuse("from_host", fmt::format("\"{}\" does not get its samples from the same process as \"{}\"",
                                             self().name, coarse.name));
     }
 
@@ -74,9 +74,9 @@ private:
         };
         if (ours != theirs)
             refuse(parameter,
-                   fmt::format("{} is {} of \"{}\", but {} of \"{}\"", parameter, text(ours), self().name, text(theirs),
-                               coarse.name),
-                   "a coarse and a fine search make the same generations, over the same window");
+                   fmt::format("{} is {} for \"{}\", but {} for \"{}\"", parameter, text(ours), self().name,
+                               text(theirs), coarse.name),
+                   "a coarse and a fine search must make the same generations, over the same window");
     }
 
     const Network& network_;

@@ -39,7 +39,7 @@ private:
         if (n_.processes[peer.process].parameters.contains("slaves"))
             return true;
         refuse(peer.port,
-               fmt::format("\"{}.{}\" brings tasks of \"{}\", which is not a master", name(process_), peer.port,
+               fmt::format("\"{}.{}\" receives tasks from \"{}\", which is not a master", name(process_), peer.port,
                            name(peer.process)),
                "ga.master and ga.island have slaves");
         return false;
@@ -49,16 +49,16 @@ private:
         std::size_t master = tasks.process;
         if (!results || results->process != master)
             refuse(results ? results->port : tasks.port,
-                   fmt::format("\"{}.{}\" brings tasks of \"{}\", but their results go elsewhere", name(process_),
-                               tasks.port, name(master)),
+                   fmt::format("\"{}.{}\" receives tasks from \"{}\", but does not return the results to it",
+                               name(process_), tasks.port, name(master)),
                    fmt::format("from_masters[...] and to_masters[...] of one master have the same subscript"));
         if (ends_of(n_, master, "to_slaves").size() > 1)
-            refuse(tasks.port, fmt::format("\"{}\" has other slaves beside those that it shares", name(master)),
+            refuse(tasks.port, fmt::format("\"{}\" has other slaves besides those that it shares", name(master)),
                    "a master's to_slaves leads to one ga.pipeline and nothing else");
         if (text(master, "split") == "demand")
             refuse(tasks.port,
-                   fmt::format("\"{}\" deals out on demand: two such masters would take turns at every individual, and "
-                               "then breed at the same time",
+                   fmt::format("\"{}\" deals out individuals on demand: masters that share slaves would alternate at "
+                               "every individual, and then all breed at the same time",
                                name(master)),
                    "split = \"individuals\" or \"evaluations\"");
     }

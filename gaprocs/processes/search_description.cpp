@@ -30,7 +30,7 @@ Parameters population_parameters() {
                                    "samples over which the fitness is summed (eq. 3.9)")),
         deciding("window",
                  integer("first_window", {.unit = "samples", .by_default = 5, .least = 1, .most = 1024},
-                         "samples needed for the first generation; a shorter window is enough when it is full")),
+                         "samples that the first generation waits for; a shorter window only has to be full")),
         deciding("window", integer("trials", {.unit = "generations", .by_default = 5, .least = 1, .most = 1e6},
                                    "generations for each new sample (thesis 4.3)")),
     };
@@ -43,14 +43,15 @@ void check_initial(const std::string& text) {
     try {
         InitialPopulation::named(text);
     } catch (const UserError& no_policy) {
-        throw UserError(fmt::format("there is no file of this name; else {}", no_policy.what()));
+        throw UserError(fmt::format("there is no file of this name; read as a policy: {}", no_policy.what()));
     }
 }
 
 ParameterDescription initial() {
-    auto description = policy<InitialPopulation>("initial", InitialPopulation().text(),
-                                                 "where the search begins: a policy, or a file with a string in each "
-                                                 "line for the first population; other strings are drawn at random");
+    auto description =
+        policy<InitialPopulation>("initial", InitialPopulation().text(),
+                                  "the first population: a policy, or a file with a string in each line; if the file "
+                                  "has too few, the other strings are drawn at random");
     description.check = check_initial;
     return description;
 }
@@ -66,7 +67,7 @@ Parameters operator_parameters() {
                                    "probability that a pair is crossed over")),
         deciding("mutation",
                  real("mutation", {.by_default = 0.01, .least = 0, .most = 1},
-                      "probability that a bit is flipped (or a number, or a place of a permutation changed)")),
+                      "probability that a bit is flipped, or a number or an element of a permutation changed")),
         deciding(
             "elitism",
             integer(
@@ -77,8 +78,8 @@ Parameters operator_parameters() {
             "how parents are chosen (usual: roulette, as in the thesis; ranking for a problem without a record)"),
         usual_policy<Crossover>("crossover_operator", "what two mates exchange (usual: one-point, as in the thesis; "
                                                       "blend for real numbers, order for permutations)"),
-        usual_policy<Mutation>("mutation_operator", "how a place is mutated (usual: bit, as in the thesis; gaussian "
-                                                    "for real numbers, inversion for permutations)"),
+        usual_policy<Mutation>("mutation_operator", "how a bit, number or element is mutated (usual: bit, as in the "
+                                                    "thesis; gaussian for real numbers, inversion for permutations)"),
         policy<Coding>("coding", Coding().text(),
                        "how a field of the string codes a number (thesis: natural); slaves get it from their master"),
         initial(),
@@ -93,7 +94,7 @@ Parameters workload_parameters() {
         integer("cycles_per_individual", {.unit = "cycles", .by_default = 1750, .least = 0, .most = 1e9},
                 "workload: the genetic operators, for one individual"),
         integer("cycles_per_measurement_word", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1e9},
-                "workload: making a word of the measurements ready to send"),
+                "workload: preparing a word of the measurements for sending"),
     };
 }
 
@@ -111,7 +112,7 @@ ParameterDescription problem() {
 ParameterDescription cycles_per_error() {
     auto parameter =
         description::integer("cycles_per_error", {.unit = "cycles", .by_default = 1440, .least = 0, .most = 1e9},
-                             "workload: one individual's error at one sample");
+                             "workload: computing one individual's error at one sample");
     parameter.computes_reals = true;
     return parameter;
 }
@@ -122,32 +123,34 @@ ParameterDescription bytes_in_message(std::string name, std::int64_t by_default,
 }
 
 ParameterDescription fitness_bytes() {
-    return bytes_in_message("fitness_bytes", 2, "an individual's fitness in a message");
+    return bytes_in_message("fitness_bytes", 2, "size of an individual's fitness in a message");
 }
 
 Parameters search_parameters() {
     return population_parameters() + operator_parameters() + workload_parameters() +
            Parameters{
-               description::integer("string_bytes", {.unit = "bytes", .by_default = 0, .least = 0, .most = 65536},
-                                    "an individual's string in a message; 0: the length of the problem's string in "
-                                    "whole bytes, 8 for each number or place"),
+               description::integer(
+                   "string_bytes", {.unit = "bytes", .by_default = 0, .least = 0, .most = 65536},
+                   "size of an individual's string in a message; 0: the length of the problem's string in whole bytes, "
+                   "with 8 bytes for each real number or element of a permutation"),
                fitness_bytes(),
-               bytes_in_message("measurement_bytes", 148, "the measurements of a window in a message (appendix E)")};
+               bytes_in_message("measurement_bytes", 148, "size of a window's measurements in a message (appendix E)")};
 }
 
 std::vector<MeasurementDescription> search_measurements() {
     std::vector<MeasurementDescription> all{
         {"T_exe", "ms",
-         "one generation: mean over the generations with a full window; absent, as all times, if there was none"},
-        {"T_sr", "ms", "from the first send to the last receive"},
-        {"P_time2", "ms", "the process's own share of the error evaluations"},
-        {"C_time2", "ms", "the communication of a generation with new measurements and nothing to evaluate"},
+         "mean time of a generation with a full window; this time and the other times are absent if no generation had "
+         "one"},
+        {"T_sr", "ms", "time from the first send to the last receive of a generation"},
+        {"P_time2", "ms", "time of the process's own share of the error evaluations"},
+        {"C_time2", "ms", "communication time of a generation with new measurements and nothing to evaluate"},
         {"S_time2", "ms", "the genetic operators"},
         {"generations", "", "generations evaluated"},
         {"generations_per_second", "1/s",
-         "generations of this process's own population, with all costs of a generation and of a new sample; absent if "
-         "they take no time"},
-        {"populations", "", "a hash of every population, in order: equal for equal generations"},
+         "generations of this process's own population in a second, with all costs of a generation and of a new "
+         "sample; absent if generations take no time"},
+        {"populations", "", "a hash over all populations in order: equal in two runs if all generations are equal"},
     };
     for (MeasurementDescription& each : individual_measurements("the last generation's best individual"))
         all.push_back(std::move(each));
@@ -170,33 +173,34 @@ PortDescription from_host() {
 PortDescription to_host() {
     return description::optional(description::output<EstimateMessage>(
         "to_host", "estimate",
-        "its best individual after the generations of each sample, to the host that sends the samples"));
+        "the search's best individual after the generations of each sample, to the host that sends the samples"));
 }
 
 Parameters farm_parameters() {
     using namespace description;
     return {
-        deciding("farm", integer("slaves", {.by_default = 1, .least = 1, .most = 4096},
-                                 "number of slaves, if any are connected; the connections must reach the same number")),
+        deciding("farm",
+                 integer("slaves", {.by_default = 1, .least = 1, .most = 4096},
+                         "number of slaves, if any are connected; it must equal the number of connected slaves")),
         deciding("farm",
                  text("split", {.by_default = "individuals", .choices = {"individuals", "demand", "evaluations"}},
-                      "how the evaluations are dealt out: whole individuals; individuals one by one, each to an idle "
-                      "evaluator; or single error evaluations")),
+                      "how evaluations are dealt out: a share of whole individuals to each slave; individuals one by "
+                      "one, each to an idle evaluator (demand); or single error evaluations")),
         deciding("farm", real("own_share", {.by_default = 1, .least = 0, .most = 1},
-                              "the master's own share as a fraction of a slave's share; 0: it evaluates nothing; on "
-                              "demand it evaluates whenever it is idle")),
+                              "the master's own share as a fraction of a slave's share; 0: the master evaluates "
+                              "nothing; no effect with the split demand, where it evaluates whenever it is idle")),
         deciding("farm",
                  text("measurements", {.by_default = "sample", .choices = {"sample", "generation"}},
                       "when the slaves are sent the measurements: with each new sample, or in every generation")),
         deciding("farm", integer("tasks_under_way", {.unit = "tasks", .by_default = 1, .least = 1, .most = 1024},
-                                 "with the split demand: largest number of unanswered tasks of a slave; with 2, the "
-                                 "next task is there when one is done")),
+                                 "with the split demand: largest number of unanswered tasks of a slave; with 2, a "
+                                 "slave already has its next task when it finishes one")),
         deciding("farm", text("sending", {.by_default = "in turn", .choices = {"in turn", "at once"}},
                               "how the master sends tasks: one after another, or at once by a process for each "
                               "channel, so that all links are busy")),
         deciding("farm", text("results", {.by_default = "chain", .choices = {"chain", "ready"}},
-                              "how results come back: in the order of the chain, the farthest first, and chain by "
-                              "chain if there are several; or each when it is ready, as always on demand")),
+                              "order of the results: the farthest slave of the chain first, and one chain after "
+                              "another; or each result when it is ready, as always with the split demand")),
         integer("rehearsals", {.unit = "rounds", .by_default = 100, .least = 0, .most = 1e6},
                 "rounds of communication without evaluations, which measure C_time2 after the work and do not count in "
                 "its totals; 0: no measurement"),
@@ -205,12 +209,12 @@ Parameters farm_parameters() {
 
 PortDescription to_slaves() {
     return description::optional(
-        description::output<Task>("to_slaves", "task", "to a slave, or an array: one end for each"));
+        description::output<Task>("to_slaves", "task", "to a slave; or an array with one end for each slave"));
 }
 
 PortDescription from_slaves() {
-    return description::optional(
-        description::input<Fitnesses>("from_slaves", "fitnesses", "from a slave, or an array: one end for each"));
+    return description::optional(description::input<Fitnesses>(
+        "from_slaves", "fitnesses", "from a slave; or an array with one end for each slave"));
 }
 
 } // namespace placedpar::search_description

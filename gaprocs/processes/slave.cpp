@@ -208,8 +208,8 @@ ProcessKind slave_kind(const ProblemRegistry& problems) {
             .about =
                 "A slave of algorithm A: evaluates its share and passes on the messages of the slaves beyond it. The "
                 "connections make a chain, a star or any other tree of a master and its slaves.",
-            .ports = {input<Task>("from_master", "task", "from the master or the slave before"),
-                      output<Fitnesses>("to_master", "fitnesses", "to the master or the slave before"),
+            .ports = {input<Task>("from_master", "task", "from the master, or from the slave before this one"),
+                      output<Fitnesses>("to_master", "fitnesses", "to the master, or to the slave before this one"),
                       formerly("to_next", to_slaves()), formerly("from_next", from_slaves())},
             .parameters = {problem(), cycles_per_error(), fitness_bytes()},
             .body = [&problems](ProcessEnvironment& environment) { run_slave(environment, problems); },

@@ -39,7 +39,7 @@ public:
         if (from.size() > to.size()) {
             const PortBinding& loose = from[to.size()];
             complain(process, loose,
-                     fmt::format("\"{}\" brings results, but \"{}\" is connected to nothing", name(process, loose.port),
+                     fmt::format("\"{}\" receives results, but \"{}\" is not connected", name(process, loose.port),
                                  name(process, counterpart(loose.port, "to_slaves"))),
                      fmt::format("connect {} to ...;", name(process, counterpart(loose.port, "to_slaves"))));
         }
@@ -56,7 +56,7 @@ public:
         const std::string& slave = n_.processes[to.process].name;
         if (auto [first, added] = reached_.emplace(to.process, name(process, tasks.port)); !added)
             return complain(process, tasks,
-                            fmt::format("\"{}\" leads to the slave \"{}\", which is reached by \"{}\" already",
+                            fmt::format("\"{}\" leads to the slave \"{}\", but \"{}\" leads to the same slave",
                                         name(process, tasks.port), slave, first->second),
                             "a slave takes its tasks from one process, over one channel");
         auto port = counterpart(tasks.port, "from_slaves");
@@ -64,7 +64,7 @@ public:
         if (results == from.end() || end_beyond(n_, *results).process != to.process ||
             base_name(end_beyond(n_, *results).port) != "to_master")
             return complain(process, results == from.end() ? tasks : *results,
-                            fmt::format("\"{}\" leads to the slave \"{}\", but \"{}\" comes from \"{}\"",
+                            fmt::format("\"{}\" leads to the slave \"{}\", but the results at \"{}\" come from \"{}\"",
                                         name(process, tasks.port), slave, name(process, port),
                                         results == from.end() ? "nowhere" : shown(n_, end_beyond(n_, *results))),
                             fmt::format("connect {}.to_master to {};", slave, name(process, port)));
@@ -99,7 +99,7 @@ private:
             complain(process, ends[i],
                      fmt::format("\"{}\" is connected, but \"{}\" is not", name(process, ends[i].port),
                                  name(process, wanted)),
-                     fmt::format("the channels {}[...] of a process are numbered 0, 1, 2 ...", base));
+                     fmt::format("the channels {}[...] of a process must be numbered 0, 1, 2 ... without a gap", base));
             return false;
         }
         return true;

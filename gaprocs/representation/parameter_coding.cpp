@@ -19,15 +19,16 @@ void validate(const ParameterField& field, std::size_t number) {
             fmt::format("parameter {}: the range is {} to {}, expected a lower and a higher number", number, field.low,
                         field.high));
     if (!std::isfinite(field.high - field.low))
-        throw std::invalid_argument(fmt::format("parameter {}: the range {} to {} is wider than a number can say",
-                                                number, field.low, field.high));
+        throw std::invalid_argument(
+            fmt::format("parameter {}: the width of the range {} to {} is beyond the range of a double", number,
+                        field.low, field.high));
 }
 
 } // namespace
 
 ParameterCoding::ParameterCoding(std::vector<ParameterField> fields) : fields_(std::move(fields)) {
     if (fields_.empty())
-        throw std::invalid_argument("a binary string that codes no parameter");
+        throw std::invalid_argument("a binary string must code at least one parameter");
     for (const ParameterField& field : fields_) {
         validate(field, places_.size());
         places_.push_back({bits_, field.bits, field.low, field.resolution(), field.whole});

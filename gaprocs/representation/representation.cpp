@@ -111,8 +111,8 @@ Genome read_string(const RealVector& reals, std::string_view text) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         RealRange range = reals.range(i);
         if (!(numbers[i] >= range.low && numbers[i] <= range.high))
-            throw UserError(fmt::format("{} is out of range: number {} goes from {} to {}", numbers[i], i + 1,
-                                        range.low, range.high));
+            throw UserError(fmt::format("{} is out of range: number {} of a string may be from {} to {}", numbers[i],
+                                        i + 1, range.low, range.high));
         reals.set(genome, i, numbers[i]);
     }
     return genome;
@@ -124,7 +124,7 @@ Genome read_string(const Permutation& permutation, std::string_view text) {
     for (std::size_t each : order) {
         if (each >= order.size() || there[each])
             throw UserError(fmt::format("{} {}, expected each of 0 to {} once", each,
-                                        each < order.size() ? "is there twice" : "is not a place", order.size() - 1));
+                                        each < order.size() ? "occurs twice" : "is not an element", order.size() - 1));
         there[each] = true;
     }
     return permutation.encode(order);
@@ -150,8 +150,9 @@ RealVector::RealVector(std::vector<RealRange> ranges) : ranges_(std::move(ranges
                 fmt::format("parameter {}: the range is {} to {}, expected a lower and a higher number", i,
                             ranges_[i].low, ranges_[i].high));
         if (!std::isfinite(ranges_[i].high - ranges_[i].low))
-            throw std::invalid_argument(fmt::format("parameter {}: the range {} to {} is wider than a number can say",
-                                                    i, ranges_[i].low, ranges_[i].high));
+            throw std::invalid_argument(
+                fmt::format("parameter {}: the width of the range {} to {} is beyond the range of a double", i,
+                            ranges_[i].low, ranges_[i].high));
     }
 }
 

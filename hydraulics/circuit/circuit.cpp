@@ -27,10 +27,10 @@ constexpr ValvePosition stick_then_boom{Link::stick, false, Link::boom},
 /// The first link of a branch is alone with its pump, because the pressure downstream is higher.
 constexpr ValvePosition bucket_alone{Link::bucket, true, {}, true}, swing_alone{Link::swing, true, {}, true};
 
-using MainValve = std::array<ValvePosition, 4>; // upstream before downstream
+using ValvePositions = std::array<ValvePosition, 4>; // upstream before downstream
 
-const MainValve& main_valve(Configuration configuration) {
-    static constexpr std::array<MainValve, 5> valves{{
+const ValvePositions& positions_in(Configuration configuration) {
+    static constexpr std::array<ValvePositions, 5> valves{{
         {bucket_then_boom, boom_last, swing_then_stick, stick_last},
         {bucket_alone, swing_then_stick, stick_then_boom, boom_last},
         {swing_alone, bucket_then_boom, boom_then_stick, stick_last},
@@ -40,12 +40,12 @@ const MainValve& main_valve(Configuration configuration) {
     return valves[static_cast<std::size_t>(configuration)];
 }
 
-const ValvePosition& place_of(const MainValve& valve, Link link) {
+const ValvePosition& place_of(const ValvePositions& valve, Link link) {
     return *std::ranges::find(valve, link, &ValvePosition::link);
 }
 
 /// Returns the next active link that the flow past `place` reaches.
-std::optional<Link> next_active(const MainValve& valve, const ValvePosition& place, LinkSet active) {
+std::optional<Link> next_active(const ValvePositions& valve, const ValvePosition& place, LinkSet active) {
     std::optional<Link> next = place.next;
     while (next && !active.contains(*next))
         next = place_of(valve, *next).next;
@@ -53,7 +53,7 @@ std::optional<Link> next_active(const MainValve& valve, const ValvePosition& pla
 }
 
 /// Returns the first active link downstream of a pump.
-std::optional<Link> fed_by(const MainValve& valve, const ValvePosition& first, LinkSet active) {
+std::optional<Link> fed_by(const ValvePositions& valve, const ValvePosition& first, LinkSet active) {
     return active.contains(first.link) ? first.link : next_active(valve, first, active);
 }
 
@@ -81,7 +81,7 @@ std::vector<LinkSet> coupled_groups(Configuration configuration) {
 
 Circuit circuit_of(Configuration configuration, LinkSet active) {
     assert(!active.empty());
-    const MainValve& valve = main_valve(configuration);
+    const ValvePositions& valve = positions_in(configuration);
     Circuit circuit;
     for (const ValvePosition& place : valve)
         if (active.contains(place.link))

@@ -2,8 +2,6 @@
 
 #include "hydraulics/data/parameters.hpp"
 
-#include <algorithm>
-
 namespace placedpar::hydraulics {
 
 namespace {
@@ -54,38 +52,6 @@ Configuration next_configuration(Configuration now, const BranchPressures& branc
                                                                                      : Configuration::e;
     }
     return Configuration::a;
-}
-
-BranchPressures branch_pressures(Configuration configuration, const PerLink<JunctionOpening>& openings,
-                                 const FlowConstants& flow) {
-    PerLink<double> psi{};
-    for (LinkSet group : coupled_groups(configuration)) {
-        const Circuit circuit = circuit_of(configuration, group);
-        std::vector<JunctionOpening> at;
-        for (const Junction& junction : circuit)
-            at.push_back(openings[index_of(junction.link)]);
-        const std::vector<JunctionFlow> flows = solve_junctions(circuit, at, flow);
-        for (std::size_t j = 0; j < circuit.size(); ++j)
-            psi[index_of(circuit[j].link)] = flows[j].psi;
-    }
-    const double boom = psi[index_of(Link::boom)], stick = psi[index_of(Link::stick)];
-    // An open check valve has the same pressure on both sides. The line before a shut check valve has the pump's
-    // pressure.
-    const bool alone_1 = configuration == Configuration::b, alone_2 = configuration == Configuration::c;
-    const double pump_1 = psi[index_of(Link::bucket)], pump_2 = psi[index_of(Link::swing)];
-    return {alone_1 ? pump_1 : std::min(pump_1, boom), boom, alone_2 ? pump_2 : std::min(pump_2, stick), stick};
-}
-
-Configuration settled_configuration(Configuration now, const PerLink<JunctionOpening>& openings,
-                                    const FlowConstants& flow, const CrossOverLimits& limits) {
-    constexpr int most_moves = 8;
-    for (int move = 0; move < most_moves; ++move) {
-        const Configuration next = next_configuration(now, branch_pressures(now, openings, flow), limits);
-        if (next == now)
-            break;
-        now = next;
-    }
-    return now;
 }
 
 } // namespace placedpar::hydraulics

@@ -1,21 +1,8 @@
 #pragma once
 
-#include "hydraulics/circuit/circuit.hpp"
-#include "hydraulics/circuit/junction_flow.hpp"
+#include "hydraulics/circuit/main_valve.hpp"
 
 namespace placedpar::hydraulics {
-
-class Parameters; // hydraulics/data/parameters.hpp
-
-/// The pressures on which the configuration depends (2.4). We have the text of Figure 2.10 without its drawing, and
-/// interpret it as follows: branch n leads from pump n past its first link, a check valve, and the junction of its
-/// second link.
-struct BranchPressures {
-    double p12_psi; ///< branch 1 before its check valve: past the bucket
-    double p13_psi; ///< branch 1 behind its check valve: at the boom
-    double p22_psi; ///< branch 2 before its check valve: past the swing
-    double p23_psi; ///< branch 2 behind its check valve: at the stick
-};
 
 /// The pressure differences at which the valves of the cross-over network move.
 ///
@@ -40,13 +27,5 @@ CrossOverLimits cross_over_limits(const Parameters& parameters);
 ///     b, d   the surplus of branch 2 goes to the boom; in b, branch 1's check valve is shut, so P13 > P12
 ///     c, e   the surplus of branch 1 goes to the stick; in c, branch 2's check valve is shut, so P23 > P22
 Configuration next_configuration(Configuration now, const BranchPressures&, const CrossOverLimits&);
-
-/// Returns the pressures of the steady flow through the whole main valve in a configuration.
-BranchPressures branch_pressures(Configuration, const PerLink<JunctionOpening>&, const FlowConstants&);
-
-/// Returns the configuration that the valves reach from `now` with constant openings. If the valves never come to rest,
-/// returns the configuration after eight moves.
-Configuration settled_configuration(Configuration now, const PerLink<JunctionOpening>&, const FlowConstants&,
-                                    const CrossOverLimits&);
 
 } // namespace placedpar::hydraulics

@@ -82,7 +82,7 @@ FlowConstantsFit fit_flow_constants(std::span<const SteadyFlowPoint> table, cons
     Eigen::VectorXd x = scaled(start);
     auto status = solver.minimize(x);
     if (status <= 0 || status == Eigen::LevenbergMarquardtSpace::TooManyFunctionEvaluation)
-        throw std::runtime_error("the fit of the flow constants does not converge from where it was started");
+        throw std::runtime_error("the fit of the flow constants does not converge from these first values");
     FlowConstants constants = unscaled(x, start.relief_psi);
     std::vector<double> residuals = spool_residuals_in(table, constants);
     double squares = 0;

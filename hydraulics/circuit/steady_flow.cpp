@@ -32,8 +32,9 @@ double boom_spool_for_flow(double inlet_in3_per_s, double inlet_psi, const FlowC
     };
     double greatest = inlet_in3_per_s + excess(boom_bypass_shut_in);
     if (!(inlet_in3_per_s > 0) || !(inlet_in3_per_s <= greatest))
-        throw std::domain_error(fmt::format("no spool gives {} in^3/s at {} psi: expected more than 0 and at most {}",
-                                            inlet_in3_per_s, inlet_psi, greatest));
+        throw std::domain_error(fmt::format(
+            "no position of the spool gives {} in^3/s at {} psi: expected more than 0 and at most {} in^3/s",
+            inlet_in3_per_s, inlet_psi, greatest));
     std::uintmax_t iterations = 100;
     auto [below, above] = boost::math::tools::toms748_solve(excess, boom_dead_band_in, boom_bypass_shut_in,
                                                             boost::math::tools::eps_tolerance<double>(48), iterations);

@@ -89,7 +89,7 @@ void Parameters::read(std::string_view text, std::vector<Diagnostic>& faults) {
     TextTable table = split_table(text, faults);
     if (!header_is_right(table.header)) {
         faults.push_back(error_at(table.header.line, table.header.cells.empty() ? 0u : 1u,
-                                  "not the header of a table of parameters", "name,value,unit,mark,source"));
+                                  "this is not the header of a table of parameters", "name,value,unit,mark,source"));
         return;
     }
     for (const TextRow& row : table.rows)
@@ -114,7 +114,7 @@ void Parameters::read_row(const TextRow& row, std::vector<Diagnostic>& faults) {
                fmt::format("\"{}\" is not a unit of {}", unit_name.text, name_of(quantity)), list_units(quantity));
     else if (std::ranges::find(marks, mark.text) == marks.end())
         refuse(faults, row.line, mark, fmt::format("\"{}\" is not a mark", mark.text),
-               "thesis, fitted, ours or measured");
+               "one of thesis, fitted, ours and measured");
     else if (ParameterRange range = range_of(parameter.name); is_number && !range.contains(value * unit->factor))
         refuse(faults, row.line, number, fmt::format("{} cannot be {}", parameter.name, number.text), range.expected());
     else

@@ -62,7 +62,7 @@ public:
     /// Times in rising order. INVARIANT: the times of neighbours differ by a whole number of periods, within
     /// sampling_tolerance.
     std::vector<double> time_s;
-    /// The true configuration of the main valve, a to e, at each instant of a simulated motion; empty if unknown.
+    /// The true configuration of the main valve, a to e, at each instant, or '-'; empty if unknown.
     std::string configuration;
 
     std::size_t size() const { return time_s.size(); }

@@ -66,20 +66,20 @@ std::optional<Diagnostic> fault_of_step(double step_s, double period_s, const Te
                        : warning_at(line, time.column, std::move(message), std::move(hint));
     };
     if (step_s == 0)
-        return fault(true, fmt::format("the same time as on line {}, with other readings", line_before),
-                     "leave out the one that is wrong");
+        return fault(true, fmt::format("the time is the same as on line {}, but the readings differ", line_before),
+                     "leave out the row that is wrong");
     if (step_s < 0)
-        return fault(true, fmt::format("{:.6g} s before the time on line {}", -step_s, line_before),
+        return fault(true, fmt::format("the time is {:.6g} s before the time on line {}", -step_s, line_before),
                      "rows must be in order of time");
     double periods = std::round(step_s / period_s);
     if (periods < 1 || std::abs(step_s - periods * period_s) > jitter_tolerance * period_s)
-        return fault(true, fmt::format("{:.6g} s after the time on line {}", step_s, line_before),
+        return fault(true, fmt::format("the time is {:.6g} s after the time on line {}", step_s, line_before),
                      fmt::format("a whole number of sampling periods of {:.6g} s (the median step), within {:.0f} %",
                                  period_s, 100 * jitter_tolerance));
     if (periods > 1)
         return fault(
             false, fmt::format("{:.0f} sample{} missing before this one", periods - 1, periods == 2 ? " is" : "s are"),
-            "no window and no slope reaches over the gap");
+            "windows and slopes do not extend across the gap");
     return std::nullopt;
 }
 
@@ -124,15 +124,17 @@ void check_times(Record& record, const TextTable& table, const TimeColumn& time,
     }
     if (!has_errors(faults) && jitters(record)) {
         if (auto worst_s = resample(record))
-            faults.push_back(warning_at(time.place.line, time.place.column,
-                                        fmt::format("the times are up to {:.3g} {} off whole periods of {:.4g} {}",
-                                                    *worst_s / time.unit.factor, time.unit.name,
-                                                    record.period_s / time.unit.factor, time.unit.name),
-                                        "readings at whole periods are taken from the lines between neighbours"));
+            faults.push_back(
+                warning_at(time.place.line, time.place.column,
+                           fmt::format("the times differ by up to {:.3g} {} from whole periods of {:.4g} {}",
+                                       *worst_s / time.unit.factor, time.unit.name, record.period_s / time.unit.factor,
+                                       time.unit.name),
+                           "readings at whole periods are interpolated linearly between neighbouring samples"));
         else
-            faults.push_back(error_at(time.place.line, time.place.column,
-                                      "the period changes: the times leave whole periods by more than half of one",
-                                      "a record of each rate by itself"));
+            faults.push_back(
+                error_at(time.place.line, time.place.column,
+                         "the sampling period changes: the times differ from whole periods by more than half a period",
+                         "a separate record for each sampling rate"));
     }
     if (double number = record.period_s / time.unit.factor; !goes_on && !within(record.period_s, ordinary_period_s))
         faults.push_back(
@@ -148,7 +150,7 @@ void check_channel(std::string_view name, Sensor sensor, const Unit& unit, doubl
     };
     if (least == most)
         warn(fmt::format("{} is {:.6g} {} in every sample", name, least / unit.factor, unit.name),
-             "a sensor that is not connected, or a link that was not moved");
+             "the sensor may not be connected, or the link was not moved");
     double greatest = std::max(std::abs(least), std::abs(most)), number = greatest / unit.factor;
     Ordinary usual = ordinary(sensor);
     if (greatest > 0 && !within(greatest, usual))
@@ -167,7 +169,7 @@ void check_pressure(std::string_view name, const Unit& unit, std::span<const dou
         warn(static_cast<std::size_t>(first - psi.begin()),
              fmt::format("{} is {:.6g} {}, below vacuum ({} of {} samples)", name, *first / unit.factor, unit.name,
                          std::ranges::count_if(psi, below), psi.size()),
-             "pressures are above the air's: has the sensor's sign been turned?");
+             "no pressure is below vacuum: check the sign of the sensor's readings");
 }
 
 void check_frozen(std::string_view name, const Unit& unit, std::span<const double> readings, double least_jump,
@@ -177,10 +179,10 @@ void check_frozen(std::string_view name, const Unit& unit, std::span<const doubl
         return;
     const TextRow& row = table.rows[frozen->first];
     faults.push_back(warning_at(row.line, row.cells[index].column,
-                                fmt::format("{} stands at {:.6g} {} up to line {}, and then jumps by {:.4g} {}", name,
+                                fmt::format("{} stays at {:.6g} {} up to line {}, and then jumps by {:.4g} {}", name,
                                             readings[frozen->first] / unit.factor, unit.name,
                                             table.rows[frozen->last - 1].line, frozen->jump / unit.factor, unit.name),
-                                "a sensor or a logger that froze: leave these rows out"));
+                                "the sensor or the logger may have stopped for a time: leave these rows out"));
 }
 
 } // namespace placedpar::hydraulics

@@ -85,7 +85,9 @@ void RecordReader::read_header(std::vector<Diagnostic>& faults) {
         auto same = [&](const Column& column) {
             return column.sensor == channel->sensor && (!column.sensor || column.link == channel->link);
         };
-        if (!channel)
+        if (cell.text == "configuration")
+            configuration_ = i;
+        else if (!channel)
             faults.push_back(
                 warning_at(header.line, cell.column, fmt::format("column \"{}\" is not used", name),
                            "columns are time and LINK.SENSOR, such as boom.inlet_pressure or bucket.angle"));
@@ -95,7 +97,7 @@ void RecordReader::read_header(std::vector<Diagnostic>& faults) {
                        : fmt::format("\"{}\" is not a unit of {}", unit_name, name_of(channel->quantity())),
                    fmt::format("{} [UNIT] with {}", name, list_units(channel->quantity())));
         else if (auto before = std::ranges::find_if(columns_, same); before != columns_.end())
-            refuse(fmt::format("column \"{}\" is there twice", name),
+            refuse(fmt::format("column \"{}\" occurs twice", name),
                    fmt::format("the first is column {} of the table", before->index + 1));
         else
             columns_.push_back({i, cell.column, name, unit, channel->link, channel->sensor});
@@ -104,7 +106,7 @@ void RecordReader::read_header(std::vector<Diagnostic>& faults) {
         return;
     if (std::ranges::find(columns_, "time", &Column::name) == columns_.end())
         faults.push_back(
-            error_at(header.line, 1, "the column \"time\" is missing", "the first column is mostly time [s]"));
+            error_at(header.line, 1, "the column \"time\" is missing", "add the column, usually the first: time [s]"));
     else if (columns_.size() == 1)
         faults.push_back(
             error_at(header.line, 1, "no column of a sensor", "LINK.SENSOR, such as boom.inlet_pressure [psi]"));
@@ -130,7 +132,7 @@ void RecordReader::skip_missing(std::vector<Diagnostic>& faults) {
         return;
     const std::size_t line = first->line, skipped = std::erase_if(table_.rows, lacks);
     faults.push_back(warning_at(line, 1, skipped == 1 ? "a reading is missing" : "readings are missing",
-                                fmt::format("{} left out, this the first of them", counted(skipped, "row"))));
+                                fmt::format("{} left out; this is the first of them", counted(skipped, "row"))));
 }
 
 /// Returns the value in the unit of units.hpp.
@@ -146,7 +148,7 @@ double RecordReader::value_in(const TextRow& row, const Column& column, std::vec
     double value = number_in(cell, row.line, faults) * column.unit->factor;
     if (std::abs(value) <= largest_reading)
         return value;
-    faults.push_back(error_at(row.line, cell.column, fmt::format("{} is larger than anything measured", cell.text),
+    faults.push_back(error_at(row.line, cell.column, fmt::format("{} is too large for a reading", cell.text),
                               "leave a row out where a reading is missing"));
     return 0;
 }
@@ -155,6 +157,11 @@ void RecordReader::read_rows(Record& record, std::vector<Diagnostic>& faults) {
     auto lacks = [](const Column& column) {
         return [&column](const TextRow& row) { return is_missing(row.cells[column.index]); };
     };
+    for (const TextRow& row : table_.rows)
+        if (configuration_) {
+            const std::string& cell = row.cells[*configuration_].text;
+            record.configuration += cell.size() == 1 && cell[0] >= 'a' && cell[0] <= 'e' ? cell[0] : '-';
+        }
     for (Column& column : columns_) {
         if (!column.needed && std::ranges::any_of(table_.rows, lacks(column)))
             continue;
@@ -217,7 +224,7 @@ bool RecordReader::read_table(std::string_view lines, std::vector<Diagnostic>& f
     }
     if (table_.rows.empty() && !before_) { // only a header, or a file whose line ends were lost
         faults.push_back(error_at(0, 0, fmt::format("0 samples, expected at least {}", fewest_samples),
-                                  "below the header, a line for each instant; lines end in LF or in CR LF"));
+                                  "write a line for each instant below the header; lines end in LF or in CR LF"));
         return false;
     }
     if (!columns_.empty())

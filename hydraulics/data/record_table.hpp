@@ -37,7 +37,8 @@ struct RecordNeeds {
 ///     0.00,1555.1,0.000,0.1297
 ///
 /// Columns are time, and LINK.SENSOR for the four links and the sensors of record.hpp. Any unit of the quantity is
-/// converted. A column with another name causes a warning and is ignored. A channel that is not needed and has an empty
+/// converted. A column "configuration" without a unit has the letters a to e, or anything else where it is unknown. A
+/// column with another name causes a warning and is ignored. A channel that is not needed and has an empty
 /// cell is ignored.
 ///
 /// The text is refused if: a column or its unit is missing, wrong or repeated; there is no sensor column; a value is
@@ -88,6 +89,7 @@ private:
     TextTable table_;      ///< the rows of the newest piece
     std::size_t line_ = 1; ///< number of the next line
     std::vector<Column> columns_;
+    std::optional<std::size_t> configuration_; ///< index of the column of the configurations
     std::optional<RowBefore> before_;
     std::optional<double> period_s_;
     std::set<std::size_t> told_; ///< positions in the header of the columns about which a warning has been given

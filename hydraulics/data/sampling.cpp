@@ -24,8 +24,8 @@ double mean_of(std::span<const double> values) {
 
 Sampling Sampling::of(double reading_s) {
     if (!(reading_s <= slowest_s * rounding))
-        throw UnfitRecord(fmt::format("the readings are {:.4g} s apart, expected at most {:.4g} s: a transient of some "
-                                      "tenths of a second does not show in fewer",
+        throw UnfitRecord(fmt::format("the readings are {:.4g} s apart, expected at most {:.4g} s: fewer readings do "
+                                      "not show a transient of some tenths of a second",
                                       reading_s, slowest_s));
     if (!(reading_s * rounding >= quickest_s))
         throw UnfitRecord(fmt::format("the readings are {:.4g} s apart, expected at least {:.4g} s (10 kHz): average "

@@ -12,9 +12,10 @@ namespace placedpar::hydraulics {
 /// A time during which the joysticks are held. The joysticks demand a velocity of the bucket's tip (2.1), and the soil
 /// opposes the motion with a force.
 struct JoystickMove {
-    double seconds;   ///< > 0
-    TipPose velocity; ///< change of the pose per second
-    double soil_lbf;  ///< >= 0
+    double seconds;       ///< > 0
+    TipPose velocity;     ///< change of the pose per second
+    double soil_lbf;      ///< >= 0
+    std::size_t line = 0; ///< line of the move in the job's file; 0: no file
 };
 
 struct DigJob {
@@ -37,7 +38,7 @@ public:
     const TipPose& velocity() const { return velocity_; } ///< per second
     /// Returns the index of the move in progress; after the end of the job, the index of the last move.
     std::size_t move() const { return move_; }
-    double soil_lbf() const { return job_.moves[move_].soil_lbf; }
+    const JoystickMove& current() const { return job_.moves[move_]; }
     /// Advances by `seconds`, during which the joysticks stay as they are at the beginning.
     void advance(double seconds);
 

@@ -26,8 +26,9 @@ std::vector<double> junction_pressures(const Circuit& circuit, std::span<const F
         if (circuit[j].through != Through::nowhere)
             psi[j] = std::max(psi[j], beyond_psi(circuit, j, psi, constants) + bypass_drop_psi);
         if (psi[j] > constants.relief_psi)
-            throw UnfitScenario(fmt::format("the {} needs {:.0f} psi at its junction, the relief valve opens at {}",
-                                            name_of(circuit[j].link), psi[j], constants.relief_psi));
+            throw UnfitScenario(
+                fmt::format("the {} needs {:.0f} psi at its junction, but the relief valve opens at {} psi",
+                            name_of(circuit[j].link), psi[j], constants.relief_psi));
     }
     return psi;
 }
@@ -46,7 +47,7 @@ std::vector<JunctionOpening> openings_for(const Circuit& circuit, std::span<cons
         double comes = circuit[j].pumps * constants.pump_in3_per_s + passed_on[j];
         double in = circuit[j].through == Through::nowhere ? comes : targets[j].inlet_in3_per_s;
         if (in > comes)
-            throw UnfitScenario(fmt::format("the {} needs {} in^3/s, but only {:.1f} reach its junction",
+            throw UnfitScenario(fmt::format("the {} needs {} in^3/s, but only {:.1f} in^3/s reach its junction",
                                             name_of(circuit[j].link), in, comes));
         if (circuit[j].through == Through::junction)
             passed_on[circuit[j].next] += comes - in;

@@ -16,9 +16,6 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-constexpr std::size_t bu = index_of(Link::bucket), bo = index_of(Link::boom), st = index_of(Link::stick),
-                      sw = index_of(Link::swing);
-
 /// The components of the state for each link. The pressures at the links' junctions follow the components of all links.
 enum Part : std::size_t { inlet_psi, piston_in, velocity, inlet_area, bypass_area, outlet_area, parts };
 constexpr std::size_t junctions = parts * all_links.size();
@@ -26,11 +23,11 @@ using MachineState = std::array<double, junctions + all_links.size()>;
 
 double part(const MachineState& state, std::size_t link, Part which) { return state[link * parts + which]; }
 double& part(MachineState& state, std::size_t link, Part which) { return state[link * parts + which]; }
-double junction_psi(const MachineState& state, std::size_t link) { return state[junctions + link]; }
-
-struct ValveFlows {
-    PerLink<double> inlet, bypass, outlet, relief;
-};
+PerLink<double> junctions_psi(const MachineState& state) {
+    PerLink<double> psi;
+    std::copy_n(state.begin() + junctions, psi.size(), psi.begin());
+    return psi;
+}
 
 /// The machine's differential equations with constant configuration, commands and loads.
 class MovingDynamics {
@@ -42,53 +39,26 @@ public:
     PerLink<double> load_lbf{};
 
     ValveFlows flows(const MachineState& state) const {
-        ValveFlows flows;
+        ValveLinks links;
         for (std::size_t i = 0; i < all_links.size(); ++i) {
-            const double psi = junction_psi(state, i);
-            flows.inlet[i] = one_way(part(state, i, inlet_area), psi - part(state, i, inlet_psi));
-            flows.bypass[i] = one_way(part(state, i, bypass_area), psi - beyond_psi(state, i));
-            flows.outlet[i] = one_way(part(state, i, outlet_area), part(state, i, inlet_psi) - machine_.flow.tank_psi);
-            // The relief valve passes 1 in^3/s per psi above the relief pressure.
-            flows.relief[i] = std::max(psi - machine_.flow.relief_psi, 0.0);
+            links.inlet_psi[i] = part(state, i, inlet_psi);
+            links.inlet_in2[i] = part(state, i, inlet_area);
+            links.bypass_in2[i] = part(state, i, bypass_area);
         }
-        return flows;
+        return machine_.valve.flows(configuration, junctions_psi(state), links);
     }
 
     void operator()(const MachineState& state, MachineState& rate, double) const {
         const ValveFlows flow = flows(state);
-        for (std::size_t i = 0; i < all_links.size(); ++i)
-            link_rate(state, i, flow.inlet[i] - flow.outlet[i], rate);
-        PerLink<double> comes{};
-        comes[bu] = comes[sw] = machine_.flow.pump_in3_per_s;
-        comes[bo] = flow.bypass[bu] + (to_boom() ? flow.bypass[st] : 0);
-        comes[st] = flow.bypass[sw] + (to_stick() ? flow.bypass[bo] : 0);
-        for (std::size_t i = 0; i < all_links.size(); ++i)
-            rate[junctions + i] =
-                (comes[i] - flow.inlet[i] - flow.bypass[i] - flow.relief[i]) / machine_.branch_compliance_in3_per_psi;
+        for (std::size_t i = 0; i < all_links.size(); ++i) {
+            const double drop_psi = part(state, i, inlet_psi) - machine_.valve.flow.tank_psi;
+            const double outlet = machine_.valve.one_way(part(state, i, outlet_area), drop_psi);
+            link_rate(state, i, flow.inlet[i] - outlet, rate);
+        }
+        std::ranges::copy(machine_.valve.rates(configuration, flow), rate.begin() + junctions);
     }
 
 private:
-    bool to_boom() const { return configuration == Configuration::b || configuration == Configuration::d; }
-    bool to_stick() const { return configuration == Configuration::c || configuration == Configuration::e; }
-
-    /// Returns the pressure beyond a link's bypass.
-    double beyond_psi(const MachineState& state, std::size_t link) const {
-        if (link == bu || (link == st && to_boom()))
-            return junction_psi(state, bo);
-        if (link == sw || (link == bo && to_stick()))
-            return junction_psi(state, st);
-        return machine_.flow.tank_psi;
-    }
-
-    /// Returns the flow through an orifice with a check valve, laminar at small drops.
-    double one_way(double area_in2, double drop_psi) const {
-        if (drop_psi <= 0)
-            return 0;
-        const double k = machine_.flow.conductance(area_in2);
-        return drop_psi > machine_.laminar_psi ? k * std::sqrt(drop_psi)
-                                               : k * drop_psi / std::sqrt(machine_.laminar_psi);
-    }
-
     void link_rate(const MachineState& state, std::size_t i, double oil_in3_per_s, MachineState& rate) const {
         const LinkMechanics& link = machine_.links[i];
         const double v = part(state, i, velocity);
@@ -116,18 +86,23 @@ public:
           late_(static_cast<std::size_t>(std::lround(machine.dead_time_s / machine.integration_step_s))) {
         for (std::size_t i = 0; i < all_links.size(); ++i) {
             const LinkMechanics& link = machine.links[i];
-            part(state_, i, inlet_psi) = link.steady_inlet_psi(machine.flow.tank_psi);
+            part(state_, i, inlet_psi) = link.steady_inlet_psi(machine.valve.flow.tank_psi);
             part(state_, i, bypass_area) = machine.bypass_rest_in2;
-            state_[junctions + i] = machine.flow.tank_psi;
+            state_[junctions + i] = machine.valve.flow.tank_psi;
             dynamics_.asked[i] = {0, machine.bypass_rest_in2, 0};
         }
         set_loads();
     }
 
     MovingState state(double time_s) const {
-        MovingState now{
-            time_s,           {}, junction_psi(state_, bu), junction_psi(state_, sw), branch(), dynamics_.configuration,
-            reference_.pose()};
+        const PerLink<double> psi = junctions_psi(state_);
+        MovingState now{time_s,
+                        {},
+                        psi[index_of(Link::bucket)],
+                        psi[index_of(Link::swing)],
+                        branch(),
+                        dynamics_.configuration,
+                        reference_.pose()};
         const ValveFlows flows = dynamics_.flows(state_);
         for (std::size_t i = 0; i < all_links.size(); ++i)
             now.links[i] = {part(state_, i, inlet_psi),
@@ -155,10 +130,7 @@ private:
     double arm(std::size_t link) const { return machine_.links[link].moment_arm_in; }
     double angle_rad(std::size_t link) const { return start_[link] + part(state_, link, piston_in) / arm(link); }
 
-    BranchPressures branch() const {
-        const double boom = junction_psi(state_, bo), stick = junction_psi(state_, st);
-        return {std::min(junction_psi(state_, bu), boom), boom, std::min(junction_psi(state_, sw), stick), stick};
-    }
+    BranchPressures branch() const { return branch_pressures(junctions_psi(state_)); }
 
     PerLink<OrificeAreas> controlled() const {
         const JointAngles angles = *joint_angles(machine_.arm, reference_.pose());
@@ -174,7 +146,8 @@ private:
     void set_loads() {
         constexpr double full_in_per_s = 5;
         const TipPose& v = reference_.velocity();
-        const double force = reference_.soil_lbf() / std::max(std::hypot(v.reach_in, v.height_in), full_in_per_s);
+        const double force =
+            reference_.current().soil_lbf / std::max(std::hypot(v.reach_in, v.height_in), full_in_per_s);
         JointAngles angles;
         for (std::size_t i = 0; i < all_links.size(); ++i)
             angles[i] = angle_rad(i);
@@ -182,10 +155,12 @@ private:
         for (Link link : all_links) {
             const std::size_t i = index_of(link);
             dynamics_.load_lbf[i] = machine_.links[i].load_lbf - torques[i] / arm(i);
-            if (!(dynamics_.load_lbf[i] > 0))
-                throw UnfitScenario(fmt::format(
-                    "move {}: {:g} lbf of soil lift the {}'s load of {:g} lbf; expected a load above 0",
-                    reference_.move() + 1, reference_.soil_lbf(), name_of(link), machine_.links[i].load_lbf));
+            if (const std::size_t line = reference_.current().line; !(dynamics_.load_lbf[i] > 0))
+                throw UnfitScenario(
+                    fmt::format("move {}{}: the soil's force of {:g} lbf takes away all of the {}'s load "
+                                "of {:g} lbf; expected a load above 0",
+                                reference_.move() + 1, line > 0 ? fmt::format(" (line {})", line) : "",
+                                reference_.current().soil_lbf, name_of(link), machine_.links[i].load_lbf));
         }
     }
 

@@ -6,7 +6,7 @@ namespace placedpar::hydraulics {
 
 MovingExcavator moving_excavator(const Parameters& parameters) {
     MovingExcavator machine;
-    machine.flow = flow_constants(parameters);
+    machine.valve = main_valve(parameters);
     machine.cross_over = cross_over_limits(parameters);
     for (Link link : all_links)
         machine.links[index_of(link)] = coupled_mechanics(link, parameters);
@@ -17,8 +17,6 @@ MovingExcavator moving_excavator(const Parameters& parameters) {
     machine.joystick_lag_s = parameters["joystick.lag"];
     machine.bypass_rest_in2 = parameters["two_links.bucket_bypass_rest"];
     machine.dead_time_s = parameters["valve.dead_time"];
-    machine.branch_compliance_in3_per_psi = parameters["pipe.volume"] / parameters["oil.bulk_modulus"];
-    machine.laminar_psi = parameters["valve.drain_laminar"];
     machine.control_period_s = parameters["sensors.period"];
     machine.integration_step_s = parameters["digging.integration_step"];
     return machine;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "hydraulics/circuit/cross_over.hpp"
-#include "hydraulics/circuit/flow_constants.hpp"
 #include "hydraulics/plant/link_mechanics.hpp"
 #include "hydraulics/plant/tip_kinematics.hpp"
 
@@ -21,17 +20,15 @@ struct TrackingGains {
 /// The pump does not drive a link backwards: the link's load does, and the valve throttles the link's oil to the tank
 /// (ours; the thesis gives no equations for that direction).
 struct MovingExcavator {
-    FlowConstants flow{};
+    MainValve valve{};
     CrossOverLimits cross_over{};
     PerLink<LinkMechanics> links{};
     ArmLengths arm{};
     TrackingGains gains{};
     double joystick_lag_s = 0;
-    double bypass_rest_in2 = 0; ///< bypass area of a valve at rest
-    double dead_time_s = 0;     ///< dead time of the pilot valves; their lag is LinkMechanics::spool_lag_per_s
-    double branch_compliance_in3_per_psi = 0; ///< compliance of the oil at each junction: volume / bulk modulus
-    double laminar_psi = 0;                   ///< pressure drop below which the flow is proportional to the drop
-    double control_period_s = 0;              ///< also the interval between the states that are shown
+    double bypass_rest_in2 = 0;  ///< bypass area of a valve at rest
+    double dead_time_s = 0;      ///< dead time of the pilot valves; their lag is LinkMechanics::spool_lag_per_s
+    double control_period_s = 0; ///< also the interval between the states that are shown
     double integration_step_s = 0;
 };
 

@@ -128,13 +128,14 @@ Record record_digging(const Parameters& parameters, const LinksInMotion& moving,
 }
 
 constexpr std::array<RecordScenario, 5> scenarios{{
-    {"scenario-a", "the simple plant, a step to 4 deg/s of boom", as_they_are, scenario_a_uses, record_scenario_a},
-    {"scenario-b", "the simple plant made heavy and slow, a ramp to 4 deg/s of boom", with_machine_of_b,
-     scenario_b_uses, record_scenario_b},
-    {"two-links", "bucket and boom, branch 1 of configuration a, a step of both (3.2)", as_they_are, two_links_use,
-     record_two_links},
-    {"links", "any links in any configuration of the main valve, a step of all", as_they_are, links_use, record_links,
-     true},
+    {"scenario-a", "the simple plant: the speed of the boom steps to 4 deg/s", as_they_are, scenario_a_uses,
+     record_scenario_a},
+    {"scenario-b", "the simple plant, made heavy and slow: the speed of the boom ramps up to 4 deg/s",
+     with_machine_of_b, scenario_b_uses, record_scenario_b},
+    {"two-links", "bucket and boom on branch 1 of configuration a: the speeds of both step up (thesis 3.2)",
+     as_they_are, two_links_use, record_two_links},
+    {"links", "any links in any configuration of the main valve: the speeds of all step up", as_they_are, links_use,
+     record_links, true},
     {"excavator", "the measured machine: hoses with inertia, pump ripple, stiction, dead time, converters", as_they_are,
      excavator_uses, record_excavator},
 }};

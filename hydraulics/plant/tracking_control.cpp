@@ -25,7 +25,7 @@ double asked_flow(const MovingExcavator& machine, Link link, const TrackedLink& 
 
 /// Limits flows to what reaches each junction, and pressures so that no junction exceeds the relief pressure.
 void limit(const Circuit& circuit, std::vector<FlowTarget>& targets, const MovingExcavator& machine) {
-    const FlowConstants& flow = machine.flow;
+    const FlowConstants& flow = machine.valve.flow;
     const double drops_psi = all_links.size() * (machine.gains.inlet_drop_psi + machine.gains.bypass_drop_psi);
     std::vector<double> comes(circuit.size());
     for (std::size_t j = 0; j < circuit.size(); ++j) {
@@ -66,13 +66,13 @@ PerLink<OrificeAreas> asked_areas(const MovingExcavator& machine, Configuration 
         const std::size_t i = index_of(link);
         asked[i] = asked_flow(machine, link, now[i], angles[i], rates[i]);
         areas[i] = {0, machine.bypass_rest_in2, 0};
-        const double drop = now[i].inlet_psi - machine.flow.tank_psi;
+        const double drop = now[i].inlet_psi - machine.valve.flow.tank_psi;
         if (asked[i] > machine.gains.least_flow_in3_per_s)
             pumped.insert(link);
-        else if (asked[i] < -machine.gains.least_flow_in3_per_s && drop > machine.laminar_psi)
-            areas[i].outlet_in2 = -asked[i] / machine.flow.conductance(std::sqrt(drop));
+        else if (asked[i] < -machine.gains.least_flow_in3_per_s && drop > machine.valve.laminar_psi)
+            areas[i].outlet_in2 = -asked[i] / machine.valve.flow.conductance(std::sqrt(drop));
     }
-    const Configuration steer = steered(configuration, asked, machine.flow);
+    const Configuration steer = steered(configuration, asked, machine.valve.flow);
     for (LinkSet group : coupled_groups(steer)) {
         if ((group & pumped).empty())
             continue;
@@ -81,8 +81,8 @@ PerLink<OrificeAreas> asked_areas(const MovingExcavator& machine, Configuration 
         for (const Junction& junction : circuit)
             targets.push_back({now[index_of(junction.link)].inlet_psi, asked[index_of(junction.link)]});
         limit(circuit, targets, machine);
-        const auto openings =
-            openings_for(circuit, targets, machine.flow, machine.gains.inlet_drop_psi, machine.gains.bypass_drop_psi);
+        const auto openings = openings_for(circuit, targets, machine.valve.flow, machine.gains.inlet_drop_psi,
+                                           machine.gains.bypass_drop_psi);
         for (std::size_t j = 0; j < circuit.size(); ++j)
             areas[index_of(circuit[j].link)] = {openings[j].inlet_in2, openings[j].bypass_in2, 0};
     }

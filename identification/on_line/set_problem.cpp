@@ -4,6 +4,7 @@
 #include "gaprocs/representation/coding.hpp"
 #include "hydraulics/circuit/circuit_sample.hpp"
 #include "identification/compliance_fit.hpp"
+#include "identification/flow_weights.hpp"
 #include "identification/on_line/population_sets.hpp"
 
 #include <algorithm>
@@ -63,7 +64,7 @@ std::vector<CircuitTerms> SetProblem::prepared(std::span<const SetSample> window
 }
 
 std::vector<double> SetProblem::fitness(std::span<const Genome> strings, std::span<const CircuitTerms> window,
-                                        double bias) const {
+                                        double bias, const FlowWeights* weights) const {
     auto decoded = [&]<std::size_t width>(std::size_t first) __attribute__((always_inline)) {
         const StringsInLanes<width, true> several(strings, first);
         CircuitProblem::CompliancesOf<Lanes<width>> compliances;
@@ -72,9 +73,10 @@ std::vector<double> SetProblem::fitness(std::span<const Genome> strings, std::sp
         return compliances;
     };
     auto terms = [&]<class T>(std::span<const T> compliances) {
-        return [ this, bias, compliances ](const CircuitTerms& sample) __attribute__((flatten)) {
+        return [ this, bias, compliances, weights ](const CircuitTerms& sample) __attribute__((flatten)) {
             return fitness_term<T>(
-                bias, circuit_error_in3_per_s<T>(circuit_, compliances, sample, flow_, InletFlow::as_signed));
+                bias, weights ? weighed_error<T>(circuit_, compliances, sample, flow_, *weights)
+                              : circuit_error_in3_per_s<T>(circuit_, compliances, sample, flow_, InletFlow::as_signed));
         };
     };
     std::vector<double> fitness(strings.size());

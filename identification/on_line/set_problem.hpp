@@ -10,6 +10,8 @@
 
 namespace placedpar::identification {
 
+struct FlowWeights; // identification/flow_weights.hpp
+
 /// One LinkSample for each link of a population set, in the order of links_of().
 using SetSample = std::vector<hydraulics::LinkSample>;
 
@@ -47,9 +49,10 @@ public:
 
     /// Returns the terms of the equations that depend only on the window, for fitness().
     std::vector<hydraulics::CircuitTerms> prepared(std::span<const SetSample> window) const;
-    /// Returns, for each string, the sum of fitness_term over the window (eq. 3.9).
+    /// Returns, for each string, the sum of fitness_term over the window (eq. 3.9), with weighed_error() if there are
+    /// weights.
     std::vector<double> fitness(std::span<const Genome> strings, std::span<const hydraulics::CircuitTerms> window,
-                                double bias) const;
+                                double bias, const FlowWeights* weights = nullptr) const;
 
 private:
     hydraulics::Circuit circuit_;

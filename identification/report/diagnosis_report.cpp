@@ -81,8 +81,8 @@ std::string print_verdict(Link link, const LinkVerdict& said) {
                            verdict.movements == 1 ? "movement" : counted(verdict.movements, "movement"),
                            print_deviation(said));
     if (verdict.kind == VerdictKind::not_enough_evidence)
-        return fmt::format("{}: not enough evidence: the first {} movements set the baseline; a verdict needs "
-                           "one more movement, a fault two\n",
+        return fmt::format("{}: not enough evidence: the first {} movements set the baseline; a verdict needs one more "
+                           "movement, or two more if it is a fault\n",
                            name_of(link), LinkJudge::movements_of_baseline);
     return "";
 }

@@ -69,8 +69,8 @@ bool are_of(std::size_t links, const std::vector<SetSample>& samples) {
 
 void require_whole(LinkSet links, const PopulationSet::State& set, const DiagnosisSettings& settings) {
     if (set.population.size() != settings.search.population)
-        throw std::runtime_error(
-            fmt::format("a population of {}, expected {}", set.population.size(), settings.search.population));
+        throw std::runtime_error(fmt::format("a population has {} individuals, expected {}", set.population.size(),
+                                             settings.search.population));
     const std::size_t bits = links.size() * settings.bits;
     require_together(std::ranges::all_of(set.population, [&](const Genome& each) { return each.size() == bits; }) &&
                          set.estimates.size() == links.size() && set.window.size() <= settings.search.window.length &&
@@ -119,7 +119,7 @@ void require_whole(LinkSet links, const SetWatch::State& watch, const Sampling& 
 void require_whole(const Diagnosis::State& state, const DiagnosisSettings& settings) {
     const Sampling sampling = Sampling::of(state.parameters.period_s);
     if (state.open.readings >= sampling.readings)
-        throw std::runtime_error("the open sample has all its readings");
+        throw std::runtime_error("the unfinished sample already has all its readings");
     for (const LinkTrack& track : state.tracks)
         require_whole(track.state(), sampling);
     for (const auto& [links, set] : state.sets)

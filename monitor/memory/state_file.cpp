@@ -138,7 +138,7 @@ void StateFile::require_in_place() const {
 void StateFile::renew() {
     const bool gone = !fs::exists(fs::symlink_status(given_)) && !fs::exists(path_);
     if (!gone && !lock_->is_at(given_))
-        throw store::DatabaseError("another file is in its place: move that file away", false);
+        throw store::DatabaseError("another file has taken its name: move that file away", false);
     statements_.reset();
     history_.reset();
     database_.reset();
@@ -156,7 +156,7 @@ void StateFile::put_copy_in_place() {
     auto lock = std::make_unique<store::FileLock>(copy, path_.string(), "placedpar monitor");
     publish(copy, path_);
     if (!lock->is_at(path_))
-        throw store::DatabaseError("another file is in its place: move that file away", false);
+        throw store::DatabaseError("another file has taken its name: move that file away", false);
     lock_ = std::move(lock);
 }
 

@@ -47,7 +47,7 @@ void Dispatcher::enter(Client& client) {
             return;
         auto silent = clients_.those([&](const Client& each) { return counted(each) && !each.hello; });
         if (Client* other = giving_way(silent, client.caller.peer, true))
-            evict(*other, "another client needs the place, and this connection has sent no hello yet");
+            evict(*other, "this connection has sent no hello yet, and is closed to make room for another client");
     };
     require(limits_.clients_per_peer, of_peer);
     require(limits_.clients, [](const Client&) { return true; });
@@ -90,11 +90,12 @@ void Dispatcher::require_place(Client& client, const Hello& hello) {
         if (client.leaving || others.size() < most)
             return;
         if (Client* other = giving_way(others, peer, client.keeps_place))
-            evict(*other, client.keeps_place ? "a client of a known machine needs the place"
-                                             : "a peer with fewer connections needs the place");
+            evict(*other, client.keeps_place
+                              ? "this connection is closed to make room for a client of a known machine"
+                              : "this connection is closed to make room for a peer with fewer connections");
         else
             evict(client, fmt::format("the monitor already has {} clients", most),
-                  fmt::format("a new connection later; {} allows more clients", option));
+                  fmt::format("a connection at a later time; {} allows more clients", option));
     };
     require(limits_.clients_per_peer, "--max-clients-per-peer",
             [&](const Client& each) { return each.caller.peer == peer; });
@@ -186,7 +187,7 @@ void Dispatcher::require_allowance(const Client& client, const Hello& hello) {
     } else if (clients_.control_of(hello.machine) && !peers_.take_over(peer, Peers::Clock::now()))
         throw BadMessage("machine",
                          fmt::format("{} has taken over {} machines within a minute", peer, limits_.takeovers_per_peer),
-                         "a pause; --max-takeovers allows more takeovers");
+                         "a pause before the next takeover; --max-takeovers allows more takeovers");
 }
 
 void Dispatcher::forget(const std::string& machine) {
@@ -212,7 +213,7 @@ void Dispatcher::make_room(const std::string& peer, bool only_own) {
         return;
     for (Client* client : clients_.of(*machine))
         if (!client->leaving)
-            evict(*client, "a machine of a peer with fewer machines needs the place");
+            evict(*client, "this machine is forgotten to make room for a peer with fewer machines");
     if (std::uint64_t samples = diagnoses_.named(*machine).samples(); samples > 0)
         say_(fmt::format("{}: forgotten after {} samples to make room for a new machine", *machine, samples));
     forget(*machine);

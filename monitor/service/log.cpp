@@ -64,7 +64,7 @@ void Log::tick() {
     if (!rest_.empty())
         write(std::string(rest_));
     if (left_out_ > 0 && rest_.empty() &&
-        write(log_line(fmt::format("{} line{} left out: the log could not be written", left_out_,
+        write(log_line(fmt::format("{} line{} left out of the log, because it could not be written", left_out_,
                                    left_out_ == 1 ? " was" : "s were"))))
         left_out_ = 0;
 }

@@ -48,9 +48,10 @@ std::string load_metrics(const Load& load) {
            metric("samples_total", "counter", "Samples taken.", number(load.samples)) +
            metric("generations_total", "counter", "Generations searched.", number(load.generations)) +
            metric("work_seconds_total", "counter", "Time spent on messages.", load.work_s) +
-           metric("cpu_seconds_total", "counter", "Processor time of the thread that serves.", load.cpu_s) +
+           metric("cpu_seconds_total", "counter", "Processor time of the thread that serves the clients, in seconds.",
+                  load.cpu_s) +
            metric("uptime_seconds", "gauge", "Seconds since the start.", load.uptime_s) +
-           metric("longest_turn_seconds", "gauge", "The longest time in which no client was served.",
+           metric("longest_turn_seconds", "gauge", "The longest time in which no client was served, in seconds.",
                   load.longest_turn_s);
 }
 

@@ -58,7 +58,7 @@ WebAnswer Site::health() const {
 void Site::answer_history(const std::string& query, const Web::Reply& reply) {
     constexpr std::string_view name = "machine=";
     if (!query.starts_with(name)) {
-        reply({400, "text/plain; charset=utf-8", "the machine is missing: /history?machine=NAME\n"});
+        reply({400, "text/plain; charset=utf-8", "the request names no machine; expected /history?machine=NAME\n"});
         return;
     }
     if (!store_) {

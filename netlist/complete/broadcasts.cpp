@@ -120,7 +120,7 @@ std::string Broadcasts::why_not(const NetworkChannel& channel, std::size_t bus) 
             return fmt::format("{}, but its link adapter \"{}\" is used by \"{}\", not by \"{}\"", receiver,
                                node_name(slave_of(each).node), node_name(each.a.node), node_name(channel.from.node));
     if (is_master(channel.to.node, bus))
-        return receiver + ", whose memory is on the bus, but which is at no link adapter";
+        return receiver + ", whose memory is on the bus, but which is not connected to a link adapter";
     return fmt::format("{}, {}", receiver,
                        placement_of(channel.to) ? "but no link adapter leads to the stated link"
                                                 : "which no link adapter leads to");

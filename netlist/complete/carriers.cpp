@@ -236,9 +236,9 @@ private:
                            "\"{}\"{}",
                            channel.name, node_name(channel.from.node), node_name(channel.to.node),
                            node_name(connection.a.node), node_name(connection.b.node),
-                           &wire == wires.data() ? "" : ", after the wires stated before it"),
+                           &wire == wires.data() ? "" : ", after the wires that are stated before this wire"),
                fmt::format("a route passes each processor at most once, and only processors pass a channel on{}",
-                           best ? "; the shortest route leaves by " + text_of(*best) : ""),
+                           best ? "; the shortest route leaves the sender's processor by " + text_of(*best) : ""),
                std::move(places));
     }
 

@@ -21,10 +21,11 @@ bool find_named_piece(Completion& c, const DraftFault& draft, std::size_t connec
             fault.link = end.link;
             return true;
         }
-    c.reporter.error(draft.at,
-                     fmt::format("the connection \"{}\" lies between switches that a program sets",
-                                 c.draft.connections[draft.connection].name),
-                     "state the fault at a link of a processor: fault root.link[0] silent;");
+    c.reporter.error(
+        draft.at,
+        fmt::format("the connection \"{}\" joins two switches that a program sets, so no processor is at its ends",
+                    c.draft.connections[draft.connection].name),
+        "state the fault at a link of a processor: fault root.link[0] silent;");
     return false;
 }
 

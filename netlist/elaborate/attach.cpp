@@ -21,7 +21,7 @@ bool Elaborator::leads_to_bus(const Reference& reference, const Found& found) co
 
 void Elaborator::connect_to_bus(const ConnectStatement& form, const Found& a, const Found& b, const Location& at) {
     if (!leads_to_bus(form.a, a) || !leads_to_bus(form.b, b))
-        refuse(form.b.at, "a bus can be connected only to a device's place on it",
+        refuse(form.b.at, "a slot of a bus can be connected only to the bus end of a device, such as sun.bus[0]",
                "use a link adapter (C011, C012) between the bus and the link; processes are placed on "
                "workstations and bus masters");
     if (form.a.field == form.b.field)

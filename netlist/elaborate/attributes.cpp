@@ -91,7 +91,9 @@ const std::vector<AttributeDescription>& connection_attributes() {
          .decimal_suffixes = true},
         {.value = real("length", {.unit = "metres", .least = 0, .most = 1000}, "of the wire")},
         {.value = integer("level", {.least = 0, .most = 3}, "of a master's requests")},
-        {.value = text("release", {.choices = {"RWD", "ROR"}}, "when a master gives up the bus")}};
+        {.value =
+             text("release", {.choices = {"RWD", "ROR"}},
+                  "when a master gives up the bus: RWD when it is done, ROR when another master requests the bus")}};
     return attributes;
 }
 

@@ -64,7 +64,8 @@ LinkEnd Elaborator::place_of_channel(const PlaceStatement& form, const Found& fo
     if (kind.medium && !kind.medium->broadcasts)
         refuse(where.at,
                fmt::format("\"{}\" is {}, on which a channel cannot be placed as a whole", where.name, kind.noun),
-               fmt::format("place {}.{} on the sender's place there, bus[0]", form.what.name, form.what.field));
+               fmt::format("place {}.{} on the bus end of the sender's device, such as sun.bus[0]", form.what.name,
+                           form.what.field));
     if (kind.medium && !where.field.empty())
         refuse(where.field_at, "place the channel on the whole bus",
                fmt::format("place {}.{} on {};", form.what.name, form.what.field, where.name));

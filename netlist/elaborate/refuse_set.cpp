@@ -55,7 +55,7 @@ std::string Elaborator::hint_at_other(const std::string& member, const Settable&
     if (found == nullptr || !found->has(member))
         return "";
     auto which = process != nullptr ? fmt::format("the node that \"{}\" is placed on", element.name)
-                                    : fmt::format("the place of \"{}\" on its bus", element.name);
+                                    : fmt::format("the connection of \"{}\" to its bus", element.name);
     return fmt::format("{} has: --set {}.{}=...", which, other, member);
 }
 

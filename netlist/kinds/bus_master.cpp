@@ -38,7 +38,7 @@ DeviceKind bus_master() {
                                         .by_default = static_cast<std::int64_t>(hardware::bus_programs::conversion),
                                         .least = 0,
                                         .most = 1000},
-                                       "to convert the byte order of a word exchanged with a workstation"),
+                                       "cycles to convert the byte order of a word exchanged with a workstation"),
          .json_name = "conversion_cycles"});
     kind.faults.push_back(leaves_the_bus());
     kind.bus = BusRole::bus_master;

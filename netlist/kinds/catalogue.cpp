@@ -12,7 +12,7 @@ namespace placedpar {
 namespace {
 
 [[noreturn]] void refuse_second(std::string_view what, std::string_view name) {
-    throw std::logic_error(fmt::format("{} \"{}\" is in the catalogue already", what, name));
+    throw std::logic_error(fmt::format("the {} \"{}\" is in the catalogue already; use another name", what, name));
 }
 
 } // namespace

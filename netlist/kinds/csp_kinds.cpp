@@ -181,7 +181,7 @@ ProcessKind prefix_kind() {
 
 /// Returns the kind with a port `out` that is described as an array.
 ProcessKind with_outputs(ProcessKind kind) {
-    kind.ports.back() = packets_out("out", "packets go out; an array of one element or more");
+    kind.ports.back() = packets_out("out", "outputs the packets; an array of one element or more");
     return kind;
 }
 
@@ -209,7 +209,7 @@ ProcessKind consumer_kind() {
             .about = "Inputs packets and measures their rate.",
             .ports = {packets_in()},
             .parameters = {packet_count(), packet_cycles(), packet_words()},
-            .measurements = {{"time", "ms", "time from the start to the last packet"},
+            .measurements = {{"time", "ms", "time from the start of the run to the last packet"},
                              {"last_number", "", "the number of the last packet"},
                              {"time_per_packet", "us", "mean"},
                              {"rate", "Kbyte/s", "rate of the packets' bytes; 1 Kbyte is 1000 bytes"}},

@@ -97,7 +97,8 @@ std::vector<Complaint> require_can_give_up(const Network& network, std::size_t p
                  .about = port.port,
                  .message =
                      fmt::format("the channel \"{}\" {}, so its process cannot give up a packet", channel.name, reason),
-                 .hint = "a time-out needs a channel within a processor, or with a link of its own"});
+                 .hint = "a time-out needs a channel between processes on one processor, or a channel placed alone on "
+                         "a link"});
     }
     return complaints;
 }
@@ -114,7 +115,7 @@ ProcessKind sender_or_fail_kind() {
                      "the time-out.",
             .ports = {packets_out()},
             .parameters = {packet_count(), packet_bytes(), packet_cycles(),
-                           packet_timeout("time after which it gives up a packet")},
+                           packet_timeout("time after which the process gives up a packet")},
             .measurements = {{"given_up", "packets", "packets whose transfer was not confirmed before the time-out"}},
             .body = produce_or_fail,
             .check = require_can_give_up};
@@ -125,10 +126,10 @@ ProcessKind receiver_or_fail_kind() {
             .about = "Inputs packets, each with a time-out; resets its channel if no packet arrives before the "
                      "time-out.",
             .ports = {packets_in()},
-            .parameters = {packet_count("packets until the process ends"), packet_cycles(),
-                           packet_timeout("time after which it resets its channel"),
+            .parameters = {packet_count("number of packets until the process ends"), packet_cycles(),
+                           packet_timeout("time after which the process resets its channel"),
                            description::integer("patience", {.by_default = 10, .least = 1, .most = 1e9},
-                                                "number of consecutive time-outs after which it ends")},
+                                                "number of consecutive time-outs after which the process ends")},
             .measurements = {{"received", "packets", ""},
                              {"lost", "packets", "packets that did not arrive"},
                              {"resets", "", "resets of its channel"},

@@ -31,11 +31,13 @@ void note(const Process& self, const Measurement& measurement, ReplayLog& histor
 } // namespace
 
 void ProcessEnvironment::throw_no_parameter(std::string_view parameter) const {
-    throw std::logic_error(fmt::format("process {} has no parameter {} of that type", process_, parameter));
+    throw std::logic_error(
+        fmt::format("process {} has no parameter {} of the type that its code asks for", process_, parameter));
 }
 
 void ProcessEnvironment::throw_other_protocol(const AnyChannel& channel) const {
-    throw std::logic_error(fmt::format("process {}: channel {} has another protocol", process_, channel.name()));
+    throw std::logic_error(fmt::format("process {}: channel {} has another protocol than the process's code asks for",
+                                       process_, channel.name()));
 }
 
 void ProcessEnvironment::add(Measurement measurement) {
@@ -56,7 +58,8 @@ AnyChannel& ProcessEnvironment::require(std::string_view port) const {
     if (AnyChannel* channel = find(port))
         return *channel;
     if (connected(port))
-        throw UserError(fmt::format("\"{}\" is one channel of this kind, and no array", port));
+        throw UserError(
+            fmt::format("\"{}\" is a single channel of this kind, not an array: connect it without a subscript", port));
     throw std::logic_error(fmt::format("process {} has no port {}", process_, port));
 }
 

@@ -18,9 +18,10 @@ using description::integer;
 constexpr double longest = 9e15; ///< in ns; a little less than the largest virtual time
 
 AttributeDescription direction() {
-    return {.value = description::text("direction", {.by_default = "both", .choices = {"both", "out", "in"}},
-                                       "out: the direction that leaves the named end, or the end that connect "
-                                       "names first")};
+    return {.value =
+                description::text("direction", {.by_default = "both", .choices = {"both", "out", "in"}},
+                                  "out: the direction away from the link that the fault names, or, for a connection, "
+                                  "away from the end that connect names first; in: the opposite direction")};
 }
 
 AttributeDescription factor() {
@@ -52,7 +53,7 @@ const std::vector<FaultKind>& link_faults() {
          .about = "the first acknowledge that begins on the link at this time or later is lost",
          .attributes = {fault_begins(), direction()}},
         {.name = "slow",
-         .about = "the bits of both wires last longer",
+         .about = "the link is slower: each bit lasts longer, in both directions",
          .attributes = {fault_begins(), fault_ends(), factor()}}};
     return kinds;
 }

@@ -17,14 +17,14 @@ struct Packet {
 
 namespace description {
 
-inline PortDescription packets_in(std::string name = "in", std::string about = "packets come in") {
+inline PortDescription packets_in(std::string name = "in", std::string about = "inputs the packets") {
     return input<Packet>(std::move(name), "packet", std::move(about));
 }
-inline PortDescription packets_out(std::string name = "out", std::string about = "packets go out") {
+inline PortDescription packets_out(std::string name = "out", std::string about = "outputs the packets") {
     return output<Packet>(std::move(name), "packet", std::move(about));
 }
 
-inline ParameterDescription packet_count(std::string about = "packets until the process ends") {
+inline ParameterDescription packet_count(std::string about = "number of packets until the process ends") {
     return integer("count", {.unit = "packets", .by_default = 1000, .least = 1, .most = 1e12}, std::move(about));
 }
 inline ParameterDescription packet_bytes() {
@@ -37,8 +37,8 @@ inline ParameterDescription packet_cycles(std::string about = "workload: computa
 /// Returns the parameter `words`, for CodeShape::words_outside.
 inline ParameterDescription packet_words() {
     return integer("words", {.unit = "words", .by_default = 0, .least = 0, .most = 1e9},
-                   "workload: accesses of each packet to words outside the chip; each access takes memorycycles "
-                   "instead of the one cycle in cycles");
+                   "workload: accesses to external memory for each packet; each takes memorycycles in place of one of "
+                   "the cycles in `cycles`");
 }
 
 } // namespace description

@@ -46,12 +46,13 @@ std::vector<Complaint> check_place_of_logic(const Network& network, std::size_t 
     const ProcessInstance& self = network.processes[process];
     if (network.nodes[self.node].kind->logic != self.kind)
         return {{process, "",
-                 fmt::format("the process \"{}\", the logic of a switch, is placed on another device", self.name),
+                 fmt::format("the process \"{}\" is the logic of a switch, but is placed on another device", self.name),
                  "place it on a C004, whose link config leads to the processor that sets it"}};
     for (std::size_t i = 0; i < process; ++i)
         if (network.processes[i].node == self.node)
             return {{process, "",
-                     fmt::format("the logic of the switch \"{}\" is placed there twice", network.nodes[self.node].name),
+                     fmt::format("two processes are placed on the switch \"{}\" as its logic, expected one",
+                                 network.nodes[self.node].name),
                      ""}};
     return {};
 }
@@ -158,7 +159,7 @@ ProcessKind switch_logic_kind() {
             .about = "The logic of a C004: obeys the commands from its configuration link, connects and disconnects "
                      "links, and answers. It must be placed on the switch, is a part of the machine, and never ends.",
             .ports = {input<SwitchCommand>("commands", "c004 command", "1 to 3 bytes"),
-                      optional(output<SwitchAnswer>("answers", "c004 answer", "a byte that answers command 2"))},
+                      optional(output<SwitchAnswer>("answers", "c004 answer", "one byte, the answer to command 2"))},
             .body = obey_for_ever,
             .check = check_place_of_logic};
 }
@@ -171,8 +172,8 @@ ProcessKind switch_setter_kind() {
                       optional(input<SwitchAnswer>(
                           "answers", "c004 answer",
                           "answers of the switch; if connected, the process asks after each setting")),
-                      packets_out("out", "an array: to each partner"),
-                      optional(packets_in("in", "an array: from each partner"))},
+                      packets_out("out", "an array with one output to each partner"),
+                      optional(packets_in("in", "an array with one input from each partner"))},
             .parameters = {packet_count("number of rounds with a packet to each partner"), packet_bytes(),
                            packet_cycles(), link_of_switch("link", 0, "link of the switch that leads to its processor"),
                            link_of_switch("first", 1,
@@ -180,7 +181,7 @@ ProcessKind switch_setter_kind() {
                                           "the other partners")},
             .measurements = {{"time", "ms", "time of all rounds"},
                              {"time_per_visit", "us", "mean"},
-                             {"setting_per_visit", "us", "mean time of the commands in a visit"},
+                             {"setting_per_visit", "us", "mean time that the switch's commands take in a visit"},
                              {"wrong_answers", "", "wrong answers of the switch"}},
             .body = visit_partners,
             .check = check_partners};

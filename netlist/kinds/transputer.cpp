@@ -110,10 +110,10 @@ std::vector<AttributeDescription> transputer_attributes() {
         if (attribute.value.name == "clock")
             attribute.drawn = megahertz;
     attributes.push_back(
-        {.value = description::integer(
-             "memorycycles", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1000},
-             "cycles of an access to a word of external memory, which holds messages and the code and data "
-             "outside the chip; 0: 3, or 2 for a T2 or T801, or 1 if memory is at most the 4K of a chip"),
+        {.value = description::integer("memorycycles", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1000},
+                                       "cycles of an access to a word of external memory, which holds the messages and "
+                                       "all code and data that are not on the chip; 0: chosen by the type: 3, for a T2 "
+                                       "or T801 2, and 1 if `memory` fits into the chip's 4K"),
          .json_name = "memory_access_cycles"});
     attributes.push_back(
         {.value = description::integer("switching",

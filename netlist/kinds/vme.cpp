@@ -26,14 +26,16 @@ AttributeDescription nanoseconds_of(std::string name, Time by_default, double le
 
 std::vector<AttributeDescription> bus_attributes() {
     constexpr hardware::VmeTiming usual;
-    return {{.value = description::text("arbiter", {.by_default = "PRI", .choices = {"PRI", "RRS", "SGL"}},
-                                        "arbitration: grants the highest level, the levels in turn, or level 3 only"),
+    return {{.value = description::text(
+                 "arbiter", {.by_default = "PRI", .choices = {"PRI", "RRS", "SGL"}},
+                 "arbitration: PRI grants the highest requested level, RRS the levels in turn, SGL level 3 only"),
              .json_name = "arbiter",
              .drawn = [](const Value& value) { return std::get<std::string>(value); }},
             nanoseconds_of("cycle", usual.word, 1, "time of a word of 32 bits"),
             nanoseconds_of("bytecycle", usual.byte, 1, "time of an access to a register"),
             nanoseconds_of("grant", usual.arbitration, 0, "time from a request or a release to the grant"),
-            nanoseconds_of("timeout", usual.time_out, 1, "time from an unanswered access to the bus error")};
+            nanoseconds_of("timeout", usual.time_out, 1,
+                           "time after which an access without an answer ends in a bus error")};
 }
 
 AttributeDescription request_level() {

@@ -85,10 +85,11 @@ private:
                 fmt::format("no master on the bus \"{}\" can use the link adapter \"{}\"", bus.name, adapter.name),
                 "connect a workstation or a bus master to the bus: connect sun.bus[0] to " + bus.name + ".slot[1];");
         else
-            attached_.reporter.error(adapter.declared,
-                                     fmt::format("which master uses the link adapter \"{}\", \"{}\" or \"{}\"?",
-                                                 adapter.name, node(candidates[0]).name, node(candidates[1]).name),
-                                     fmt::format("{} (master = \"{}\") ...;", adapter.type, node(candidates[0]).name));
+            attached_.reporter.error(
+                adapter.declared,
+                fmt::format("the master that uses the link adapter \"{}\" is ambiguous: \"{}\" or \"{}\"", adapter.name,
+                            node(candidates[0]).name, node(candidates[1]).name),
+                fmt::format("{} (master = \"{}\") ...;", adapter.type, node(candidates[0]).name));
     }
 
     const Attached& attached_;

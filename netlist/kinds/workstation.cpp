@@ -34,8 +34,8 @@ private:
 DeviceKind workstation() {
     return {.name = "workstation",
             .noun = "a workstation",
-            .about =
-                "A host computer with as many links as are used; processes on it take no time, unless it is on a bus.",
+            .about = "A host computer, which has as many links as the netlist uses; its processes take no time, unless "
+                     "the computer is on a bus.",
             .models = {{.name = "workstation", .links = most_workstation_links}},
             .attributes = computer_attributes(),
             .kept = attributes_of_the_real_tool(),

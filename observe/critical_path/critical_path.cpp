@@ -291,8 +291,8 @@ std::vector<PathPart> CriticalPath::parts() const {
     }
     std::ranges::reverse(parts);
     if (sum_of(parts) != over_)
-        throw std::logic_error(
-            fmt::format("the critical path lasts {} ps of {}", sum_of(parts).count(), over_.count()));
+        throw std::logic_error(fmt::format("the parts of the critical path add up to {} ps, but the run lasts {} ps",
+                                           sum_of(parts).count(), over_.count()));
     return parts;
 }
 

@@ -43,12 +43,14 @@ struct Coefficients {
 
     static constexpr auto numbers() {
         return std::tuple(
-            PolicyNumber{"form", &Coefficients::form, 0, 2,
-                         "an error e in the fitness: 0 for B - e, as 1.7 prints it; 1 for B - |e|; 2 for B - e^2"},
+            PolicyNumber{
+                "form", &Coefficients::form, 0, 2,
+                "term of the fitness for an error e: 0: B - e, as printed in equation 1.7; 1: B - |e|; 2: B - e^2"},
             PolicyNumber{"bias", &Coefficients::bias, 0, 1e6, "B"},
             PolicyNumber{"samples", &Coefficients::samples, 1, 1000, "length of the window"},
             PolicyNumber{"noise", &Coefficients::noise, 0, 1e3, "standard deviation of the white noise (5.8)"},
-            PolicyNumber{"record", &Coefficients::record, 1, 1e6, "number of the record: another input and noise"});
+            PolicyNumber{"record", &Coefficients::record, 1, 1e6,
+                         "number of the record; each record has its own input and noise"});
     }
     CoefficientsProblem problem() const;
 };

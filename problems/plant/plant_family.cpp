@@ -18,8 +18,9 @@ struct PlantThatEnds : Problem {
 
 /// The parameters of an experiment, as a netlist states them.
 struct PlantFamily {
-    static constexpr std::string_view name = "plant",
-                                      about = "identification of chapter 5's plant, with a change of a1 and noise e";
+    static constexpr std::string_view
+        name = "plant",
+        about = "identification of the plant of chapter 5, whose coefficient a1 changes, with noise e";
     double a1 = PlantChange().a1, from = PlantChange().from, lasts = PlantChange().lasts;
     double noise = PlantExperiment().noise, c1 = 0, c2 = 0;
     std::size_t generations = PlantExperiment().generations, per_sample = PlantExperiment().per_sample;
@@ -32,7 +33,7 @@ struct PlantFamily {
                          "final value of the coefficient a1, which begins at 1.5 (Table 5.4)"},
             PolicyNumber{"from", &PlantFamily::from, 0, 1e6, "generation at which the change begins"},
             PolicyNumber{"lasts", &PlantFamily::lasts, 0, 1e6,
-                         "duration of the change in generations, in a straight line; 0: a step"},
+                         "duration of the linear change, in generations; 0: a step"},
             PolicyNumber{"noise", &PlantFamily::noise, 0, 1e3, "standard deviation of the white noise e (5.8)"},
             PolicyNumber{"c1", &PlantFamily::c1, -10, 10, "colour of the noise: e(k) + c1 e(k-1) + c2 e(k-2)"},
             PolicyNumber{"c2", &PlantFamily::c2, -10, 10, "second coefficient of the noise's colour"},

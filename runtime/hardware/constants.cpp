@@ -28,19 +28,19 @@ constexpr std::string_view databook_scheduler = "databook (3rd ed., 1992), 1.3";
 
 std::vector<Constant> of_links() {
     constexpr std::string_view group = "links";
-    constexpr std::string_view rates = "to measured rates; published: 5 to 6 (D. Jeffery, 1989)";
+    constexpr std::string_view rates = "measured data rates; published: 5 to 6 bit times (D. Jeffery, 1989)";
     using enum Provenance;
     return {
-        {group, "speed, if the netlist gives none", in_mega(LinkTiming::usual_speed), "Mbit/s", published,
-         "databook (3rd ed., 1992), 1.4: 5, 10 and 20"},
+        {group, "speed, if the netlist states none", in_mega(LinkTiming::usual_speed), "Mbit/s", published,
+         "databook (3rd ed., 1992), 1.4: 5, 10 and 20 Mbit/s"},
         {group, "a byte", LinkTiming::data_bits, "bits", published, databook_links},
         {group, "an acknowledge", LinkTiming::acknowledge_bits, "bits", published, databook_links},
-        {group, "from a byte to its acknowledge", LinkTiming::acknowledge_tenths / 10.0, "bits", fitted, rates},
-        {group, "from an acknowledge to the next byte", LinkTiming::restart_tenths / 10.0, "bits", fitted, rates},
+        {group, "time from a byte to its acknowledge", LinkTiming::acknowledge_tenths / 10.0, "bits", fitted, rates},
+        {group, "time from an acknowledge to the next byte", LinkTiming::restart_tenths / 10.0, "bits", fitted, rates},
         {group, "in addition, at any speed", in_ns(LinkTiming::restart_logic), "ns", fitted,
-         "to measured rates, also at 5 and 10 Mbit/s both ways"},
+         "measured data rates, also at 5 and 10 Mbit/s in both directions"},
         {group, "a metre of wire", in_ns(LinkTiming::metre_of_wire), "ns", published,
-         "commonly stated of transmission lines"},
+         "a common figure for transmission lines"},
         {group, "a switch, one way", Crossbar::crossing_delay / 100.0, "bits", published, "C004 manual"},
     };
 }
@@ -49,21 +49,21 @@ std::vector<Constant> of_processors() {
     constexpr std::string_view group = "processor";
     using enum Provenance;
     return {
-        {group, "clock, if the netlist gives none", in_mega(Processor::usual_clock), "MHz", published,
+        {group, "clock, if the netlist states none", in_mega(Processor::usual_clock), "MHz", published,
          "17.5 to 30 MHz were sold"},
         {group, "timeslice period", in_us(Processor::timeslice), "us", published, databook_scheduler},
         {group, "tick at high priority", in_us(Processor::high_tick), "us", published, "INMOS ticks.inc"},
         {group, "tick at low priority", in_us(Processor::low_tick), "us", published, "INMOS ticks.inc"},
-        {group, "interrupt of low priority by high", in_cycles(instructions::preemption), "cycles", published, table},
-        {group, "process switch, if the netlist gives none", in_cycles(Processor::usual_switching), "cycles", ours,
-         "beyond the instruction that gives up the processor"},
+        {group, "interrupt of a low-priority process", in_cycles(instructions::preemption), "cycles", published, table},
+        {group, "process switch, if the netlist states none", in_cycles(Processor::usual_switching), "cycles", ours,
+         "in addition to the instruction that gives up the processor"},
         {group, "access to memory on the chip", in_cycles(Memory::on_chip), "cycles", published, databook_scheduler},
         {group, "access to memory outside of the chip", in_cycles(Memory::outside), "cycles", published,
          "listing of a machine of 64 T800s (ispy)"},
         {group, "access to memory outside of a T2", in_cycles(Memory::outside_of_a_t2), "cycles", published,
-         "IMS T225 data sheet; the T212, T222, M212 are ours"},
+         "IMS T225 data sheet; assumed for the T212, T222, M212"},
         {group, "access to memory outside of a T801", in_cycles(Memory::outside_of_a_t801), "cycles", ours,
-         "as a T2, whose buses for addresses and data are separate too"},
+         "assumed as for a T2, which also has separate address and data buses"},
         {group, "block move, to start", in_cycles(instructions::block_move_start), "cycles", published, table},
     };
 }
@@ -82,25 +82,26 @@ std::vector<Constant> of_instructions() {
     };
     return {row("in, out: on a soft channel", soft),
             row("outword, outbyte: a word on a soft channel", soft_word),
-            row("in, out: on a link, to start it", hard),
-            row("in, out: a word copied on the chip", copied_word),
+            row("in, out: to start a message on a link", hard),
+            row("in, out: to copy a word on the chip", copied_word),
             {group, "bytes of a word", static_cast<double>(bytes_in_a_word), "bytes", published, databook_scheduler},
-            row("startp: each component of a PAR but the last", start),
-            row("runp: a component of another priority", run),
+            row("startp: for each component of a PAR but the last", start),
+            row("runp: for a component of another priority", run),
             row("endp: each component", end),
             row("ldtimer", read),
             row("tin: a future time", wait),
             row("tin: a past time", wait_past),
             row("alt", alt),
-            row("enbc, enbs: a guard that is ready", enable),
-            row("enbc: a guard that is not ready", enable_not_ready),
+            row("enbc, enbs: for a guard that is ready", enable),
+            row("enbc: for a guard that is not ready", enable_not_ready),
             row("enbt", enable_timeout),
             row("altwt: a guard is ready", wait_ready),
             row("altwt: no guard is ready", wait_alt),
             row("disc, diss", disable),
             row("dist", disable_timeout),
             row("altend", alt_end),
-            row("a communication that can be given up", attempt, ours, "its usual cost, and startp, tin and endp"),
+            row("a communication that can be given up", attempt, ours,
+                "the usual cost of a communication, and startp, tin and endp"),
             row("reset of a channel", reset, ours, "resetch")};
 }
 
@@ -110,11 +111,11 @@ std::vector<Constant> of_routers() {
     return {
         {group, "header of a packet", RouterPacket::header_bytes, "bytes", ours,
          "one word for the channel and the kind of packet"},
-        {group, "a message's part in a packet, at most", RouterPacket::most_bytes, "bytes", ours,
-         "a short message waits for one packet of a long one"},
+        {group, "greatest part of a message in a packet", RouterPacket::most_bytes, "bytes", ours,
+         "so that a short message waits for at most one packet of a long one"},
         {group, "a packet sent, or received", in_cycles(RouterCosts{}.handling), "cycles", ours,
-         "queueing, looking up the route, rescheduling; if the netlist gives none"},
-        {group, "packets ahead of their acknowledges", Route::most_under_way, "packets", ours,
+         "for queueing, looking up the route and rescheduling; if the netlist states none"},
+        {group, "packets sent before their acknowledges", Route::most_under_way, "packets", ours,
          "for each channel, at most"},
     };
 }
@@ -124,24 +125,26 @@ std::vector<Constant> of_buses() {
     const auto& [word, byte, arbitration, time_out] = VmeTiming{};
     using enum Provenance;
     return {
-        {group, "a word, D32 with ordinary memory", in_ns(word), "ns", published, "textbook figure: 12.9 Mbyte/s"},
+        {group, "transfer of a word (D32, ordinary memory)", in_ns(word), "ns", published,
+         "textbook figure: 12.9 Mbyte/s"},
         {group, "an access to a register", in_ns(byte), "ns", ours, "as fast as ordinary memory"},
-        {group, "arbitration", in_ns(arbitration), "ns", ours, "from a request or a release to the grant"},
-        {group, "time to a bus error", in_us(time_out), "us", published, "a common default of bus timers"},
+        {group, "arbitration", in_ns(arbitration), "ns", ours, "time from a request or a release to the grant"},
+        {group, "time to a bus error", in_us(time_out), "us", published, "a common default value of bus timers"},
     };
 }
 
 std::vector<Constant> of_hosts() {
     constexpr std::string_view group = "workstation on a bus";
-    constexpr std::string_view of_sgi = "within SGI's table of hosts: 0.2 to 0.75 Mbyte/s";
+    constexpr std::string_view of_sgi = "assumed within the range of SGI's table of hosts: 0.2 to 0.75 Mbyte/s";
     const auto& [byte, read, write, in_blocks, interrupt, most_polls] = bus_programs::sun_3_280;
     using enum Provenance;
     return {
-        {group, "a byte, besides the bus", in_cycles(byte), "cycles", ours, of_sgi},
-        {group, "a word read, besides the bus", in_cycles(read), "cycles", ours, "SGI's table: about 1 Mbyte/s"},
-        {group, "a word written, besides the bus", in_cycles(write), "cycles", ours, "SGI's table: about 3 Mbyte/s"},
-        {group, "from an interrupt to the process", in_cycles(interrupt), "cycles", ours, "0.1 ms of a Sun 3/280"},
-        {group, "status polled in vain, at most", static_cast<double>(most_polls), "times", ours,
+        {group, "a byte, in addition to the bus", in_cycles(byte), "cycles", ours, of_sgi},
+        {group, "a word read, in addition to the bus", in_cycles(read), "cycles", ours, "SGI's table: about 1 Mbyte/s"},
+        {group, "a word written, in addition to the bus", in_cycles(write), "cycles", ours,
+         "SGI's table: about 3 Mbyte/s"},
+        {group, "time from an interrupt to the process", in_cycles(interrupt), "cycles", ours, "0.1 ms of a Sun 3/280"},
+        {group, "most polls of the status without success", static_cast<double>(most_polls), "times", ours,
          "afterwards the process waits for an interrupt"},
         {group, "tick of its clocks", in_us(Workstation::clock_tick), "us", published, "a Unix of 50 Hz"},
     };
@@ -152,15 +155,16 @@ std::vector<Constant> of_bus_masters() {
     const auto& [byte, read, write, in_blocks, interrupt, most_polls] = bus_programs::bbk_v2;
     using enum Provenance;
     return {
-        {group, "a byte, besides the bus", in_cycles(byte), "cycles", ours, "lb, sb, cj, lend in a loop"},
-        {group, "a block read, besides the bus", in_cycles(read), "cycles", published, table},
-        {group, "a block written, besides the bus", in_cycles(write), "cycles", published, table},
-        {group, "from an interrupt to the process", in_cycles(interrupt), "cycles", ours, "of its processor"},
-        {group, "status polled in vain, at most", static_cast<double>(most_polls), "times", ours,
+        {group, "a byte, in addition to the bus", in_cycles(byte), "cycles", ours, "lb, sb, cj, lend in a loop"},
+        {group, "a block read, in addition to the bus", in_cycles(read), "cycles", published, table},
+        {group, "a block written, in addition to the bus", in_cycles(write), "cycles", published, table},
+        {group, "time from an interrupt to the process", in_cycles(interrupt), "cycles", ours, "of its processor"},
+        {group, "most polls of the status without success", static_cast<double>(most_polls), "times", ours,
          "afterwards the process waits for an interrupt"},
-        {group, "a word for the other byte order", in_cycles(bus_programs::conversion), "cycles", ours,
+        {group, "conversion of a word's byte order", in_cycles(bus_programs::conversion), "cycles", ours,
          "if the netlist gives none"},
-        {group, "buffer of one direction", MemoryLane::buffer_bytes, "bytes", ours, "a longer message comes in parts"},
+        {group, "buffer of one direction", MemoryLane::buffer_bytes, "bytes", ours,
+         "longer messages are sent in parts"},
     };
 }
 

@@ -86,7 +86,7 @@ void LinkDirection::move_messages_of(LinkEngineMemory& memory) {
 void LinkDirection::serve(AnyChannel& channel) {
     if (counts_)
         throw std::logic_error(
-            fmt::format("channel {} uses {}, whose bytes are moved by counts, not by messages", channel.name(), name_));
+            fmt::format("channel {} uses {}, which give() and take() already use", channel.name(), name_));
     if (channel_ && channel_ != &channel)
         throw std::logic_error(fmt::format("channels {} and {} use the same direction of a link: "
                                            "several channels need routers",

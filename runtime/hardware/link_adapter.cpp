@@ -140,7 +140,7 @@ AdapterBroadcast::AdapterBroadcast(Kernel& kernel, const std::vector<AdapterProg
         lanes_.emplace_back(*this, *program);
     }
     if (lanes_.empty())
-        throw std::logic_error("a broadcast reaches at least one adapter");
+        throw std::logic_error("a broadcast must reach at least one adapter");
 }
 
 void AdapterBroadcast::carry(AnyChannel& channel, std::size_t i) {

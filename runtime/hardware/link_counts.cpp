@@ -19,14 +19,14 @@ using Phase = LinkState::Phase;
 void LinkDirection::move_by_counts(ByteUser& sender, ByteUser& receiver) {
     if (channel_ || writer_ || reader_)
         throw std::logic_error(
-            fmt::format("{} carries messages already, so that its bytes cannot be moved by counts", name_));
+            fmt::format("{} carries messages already, so give() and take() cannot be used on it", name_));
     counts_ = std::make_unique<Counts>(Counts{sender, receiver});
 }
 
 void LinkDirection::give(std::uint32_t bytes) {
     if (bytes == 0 || std::exchange(counts_->gives, true))
         throw std::logic_error(
-            fmt::format("{}: give() needs at least one byte, and sent() for the bytes before", name_));
+            fmt::format("{}: give() needs at least one byte, and a call of sent() for the preceding bytes", name_));
     LinkCourse::Touch touch(course_);
     counts_->to_give = bytes;
     begin_part_by_counts(*touch);
@@ -36,7 +36,7 @@ void LinkDirection::give(std::uint32_t bytes) {
 void LinkDirection::take(std::uint32_t bytes) {
     if (bytes == 0 || std::exchange(counts_->takes, true))
         throw std::logic_error(
-            fmt::format("{}: take() needs at least one byte, and taken() for the bytes before", name_));
+            fmt::format("{}: take() needs at least one byte, and a call of taken() for the preceding bytes", name_));
     counts_->to_take = bytes;
     ask_by_counts();
 }

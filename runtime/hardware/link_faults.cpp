@@ -7,7 +7,8 @@ namespace placedpar::hardware {
 
 const FaultEffect& LinkFaults::add(const LinkFault& fault) {
     if (fault.from < Time{0} || fault.from >= fault.until || fault.factor < 1)
-        throw std::logic_error("a fault of a link begins before it ends, and slows it down by a factor of 1 or more");
+        throw std::logic_error(
+            "a fault of a link must begin before it ends, and must slow the link down by a factor of at least 1");
     return faults_.emplace_back(Each{.fault = fault}).effect;
 }
 

@@ -51,10 +51,11 @@ Processor::Processor(Kernel& kernel, std::string name, std::int64_t clock_hz, Cy
       kernel_(kernel), engines_{.bytes_in_a_word = static_cast<std::uint32_t>(memory.bytes_in_a_word)},
       clock_(checked_clock(clock_hz, this->name())) {
     if (memory.access < Cycles{1} || (memory.bytes_in_a_word != 2 && memory.bytes_in_a_word != 4))
-        throw std::logic_error("processor " + this->name() +
-                               ": an access to its memory takes a cycle or more, and a word has 2 or 4 bytes");
+        throw std::logic_error(
+            "processor " + this->name() +
+            ": an access to its memory must take at least one cycle, and a word must have 2 or 4 bytes");
     if (switching < Cycles{0})
-        throw std::logic_error("processor " + this->name() + ": a process switch takes no negative number of cycles");
+        throw std::logic_error("processor " + this->name() + ": the cycles of a process switch must not be negative");
     access_ = duration(memory.access);
     switching_ = duration(switching);
 }

@@ -14,7 +14,7 @@ namespace placedpar::hardware {
 Router::Router(Kernel& kernel, Executive* executive, const RouterCosts& costs)
     : kernel_(kernel), executive_(executive), costs_(costs) {
     if (costs.handling < Cycles{0})
-        throw std::logic_error("a router handles a packet in a negative number of cycles");
+        throw std::logic_error("the cycles in which a router handles a packet must not be negative");
 }
 
 Cycles Router::cycles_of_passing_on() const {

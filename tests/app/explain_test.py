@@ -251,14 +251,14 @@ class Explain(unittest.TestCase):
 
     def test_a_flag_is_shown_as_it_is_typed(self):
         run = subprocess.run([PROGRAM, "explain", "--help"], capture_output=True, text=True, check=True)
-        self.assertRegex(run.stdout, r"(?m)^  --no-what-if +leaves out the runs")
+        self.assertRegex(run.stdout, r"(?m)^  --no-what-if +leaves out the additional runs")
 
     def test_waveforms_have_no_path(self):
         with tempfile.TemporaryDirectory() as folder:
             run = subprocess.run([PROGRAM, "explain", FIGURE_E2, "--trace", os.path.join(folder, "trace.vcd")],
                                  capture_output=True, text=True, check=False)
         self.assertEqual(run.returncode, 1)
-        self.assertIn("a critical path can be drawn in .json only", run.stderr)
+        self.assertIn("a timeline with the critical path can be written only as .json", run.stderr)
 
     def test_what_the_netlist_includes_is_not_written_over(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -299,7 +299,7 @@ class Explain(unittest.TestCase):
                                          (FIGURE_E2, ("--until", "1ms"), "stopped at the time limit")):
             run, document = explained(netlist, *options)
             why = f"a comparison needs the time at which the work is done, but this run did not complete ({ending})"
-            self.assertIn(f"\nwhat if: no change was tried: {why}\n", run.stdout)
+            self.assertIn(f"\nwhat if: no change of the machine was tried: {why}\n", run.stdout)
             self.assertEqual(document["not_tried"], why)
             run, document = explained(netlist, "--no-what-if", *options)
             self.assertNotIn("what if", run.stdout)

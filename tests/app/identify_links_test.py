@@ -62,8 +62,8 @@ class Links(unittest.TestCase):
             self.assertEqual(sorted(link["link"] for link, _ in answers), sorted(links.split(",")))
             for link, _ in answers:
                 self.assertAlmostEqual(link["compliance"] / TRUE[link["link"]], 1, delta=0.1, msg=(configuration, link))
-            self.assertRegex(printed, r"least possible standard error with the noise of these samples \(Cramer-Rao limit\): \w+ [\d.]+ %")
-            self.assertRegex(printed, r"cost: \d+ individuals, evaluated at 1\d\d samples; \d+ s on one T800 of 20 MHz, \d+ s on 16 T800s")
+            self.assertRegex(printed, r"least possible standard error with the noise of these samples \(Cramer-Rao bound\): \w+ [\d.]+ %")
+            self.assertRegex(printed, r"cost: \d+ individuals, each evaluated at 1\d\d samples; this takes \d+ s on one T800 of 20 MHz, \d+ s on 16 T800s")
 
     def test_too_few_generations_over_the_whole_movement_are_flagged_and_strict_exits_with_3(self):
         links = CONFIGURATIONS["e"]
@@ -98,6 +98,28 @@ class Links(unittest.TestCase):
                         self.assertNotRegex(printed, r"\b(nan|inf)\b", (column, value, rows, way))
                         for link, flags in answers:
                             self.assertIn("impossible", flags, (column, value, rows, way))
+
+    def test_the_configurations_of_a_machine_that_digs_are_recognised_and_its_links_identified(self):
+        job = pathlib.Path(__file__).parents[2] / "examples/hydraulics/digging/dig.toml"
+        record = self.record("excavator", "--job", job, "--noise", "low", "--seed", 3)
+        result = self.folder / "result.json"
+        run = placedpar("identify", record, "--json", result)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        found = json.loads(result.read_text(encoding="utf-8"))
+        judged = found["configuration"]
+        self.assertGreater(judged["right"], 0.99 * judged["judged"])
+        self.assertGreater(judged["within_two_samples"], 0.9 * judged["changes"])
+        self.assertGreaterEqual(len({each["set"] for each in found["sets"]}), 4)
+        for link in found["links"]:
+            if not link["flags"]:
+                self.assertLess(abs(link["compliance"] / TRUE[link["link"]] - 1), 0.1, link)
+        self.assertGreaterEqual(len([link for link in found["links"] if not link["flags"]]), 2)
+
+    def test_the_outlet_side_is_refused_by_the_way_that_identifies_inlet_sides(self):
+        run = placedpar("identify", "record.csv", "--side", "outlet", "--way", "service")
+        self.assertEqual((run.returncode, run.stderr),
+                         (1, "placedpar: --side outlet works only with --way thesis or whole; --way service identifies "
+                             "inlet sides\n"))
 
 
 if __name__ == "__main__":

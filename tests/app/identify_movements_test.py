@@ -287,7 +287,7 @@ class Movements(unittest.TestCase):
         draw = random.Random(1)
         log = self.write(head, [[f"{float(row[0]) + draw.uniform(-0.001, 0.001):.5f}", *row[1:]] for row in rows])
         result, run = self.result(log)
-        self.assertIn("off whole periods of 0.02 s", run.stderr)
+        self.assertIn("from whole periods of 0.02 s", run.stderr)
         (boom,) = result["movements"][0]["links"]
         self.assertAlmostEqual(boom["whole_movement"]["compliance"], TRUTH, delta=0.1 * TRUTH)
 

@@ -102,7 +102,7 @@ class Identification(unittest.TestCase):
         draw = random.Random(1)
         jittered = self.rows(lambda row: [f"{float(row[0]) + draw.uniform(-0.001, 0.001):.5f}"] + row[1:])
         run = by_thesis(jittered)
-        self.assertIn("off whole periods of 0.02 s", run.stderr)
+        self.assertIn("from whole periods of 0.02 s", run.stderr)
         self.assertAlmostEqual(self.boom(jittered)["compliance"], TRUTH, delta=0.1 * TRUTH)
 
     def test_strict_tells_a_script_that_an_answer_is_doubted(self):
@@ -194,7 +194,7 @@ class Identification(unittest.TestCase):
             result = self.result(STEP, "--on", CLUSTER, *way)
             self.assertEqual(result["by_processes"], result["estimates"][-1]["compliance"], way)
         printed = self.identify(STEP, "--on", CLUSTER, "--set", "slaves=1")
-        self.assertRegex(printed, r"(?m)^C_BOi: 0\.00(\d+) in\^3/psi by the direct search, 0\.00\1 by the netlist's processes: equal$")
+        self.assertRegex(printed, r"(?m)^C_BOi: 0\.00(\d+) in\^3/psi from the direct search, 0\.00\1 from the netlist's processes: equal$")
 
     def test_a_netlist_that_fixes_a_setting_otherwise_is_refused_with_its_place(self):
         text = CLUSTER.read_text(encoding="utf-8").replace('"../', f'"{EXAMPLES}/thesis/')
@@ -230,10 +230,10 @@ class Identification(unittest.TestCase):
 
     def test_several_searches_divide_the_population(self):
         printed = self.identify(STEP, "--on", FIGURE_E2, "--set", "clusters=2")
-        self.assertRegex(printed, r"(?m)^C_BOi: 0\.00\d+ in\^3/psi by the direct search, 0\.00\d+ by master\[\d\], "
+        self.assertRegex(printed, r"(?m)^C_BOi: 0\.00\d+ in\^3/psi from the direct search, 0\.00\d+ from master\[\d\], "
                                   r"the fittest of 2 searches, which differ by up to 0\.0\d+$")
         said = self.refused(STEP, "--on", FIGURE_E2, "--set", "population=20")
-        self.assertIn("its searches have 80 individuals together, but the identification has 120: give --population 80",
+        self.assertIn("the netlist's searches have 80 individuals in all, but the identification has 120: give --population 80",
                       said)
         self.identify(STEP, "--on", FIGURE_E2, "--set", "population=20", "--population", 80)
 

@@ -215,7 +215,7 @@ class Kinds(unittest.TestCase):
             for form in ((), ("--json",)):
                 self.assertEqual(refusal("kinds", wrong, *form), "placedpar: unknown process kind, device, problem "
                                                                  f'or policy "{wrong}"; did you mean "{right}"?\n')
-        self.assertIn("say placedpar kinds for those", refusal("kinds", "zebra"))
+        self.assertIn("placedpar kinds lists all", refusal("kinds", "zebra"))
 
 
     def test_the_case_of_letters_does_not_matter(self):

@@ -283,8 +283,8 @@ class Jobs(unittest.TestCase):
                 (self.START + "[[move]]\nreach = 5\n", "2:1", "a move lasts some time", "seconds = 2"),
                 (self.START + "[[move]]\nseconds = 2\nreach = -200\n", "2:1", "the arm does not reach", "a shorter or slower move"),
                 ("repeat = 300\n" + self.START + self.LOWER, "3:1", "the job lasts 900 s, expected at most 600", "a smaller repeat"),
-                (self.LOWER, "1:1", "a job has a start and at least one move", "start = {reach = 300"),
-                (self.START, "1:1", "a job has a start and at least one move", "[[move]]"),
+                (self.LOWER, "1:1", "a job needs a start and at least one move", "start = {reach = 300"),
+                (self.START, "1:1", "a job needs a start and at least one move", "[[move]]"),
                 ("start = 3\n" + self.LOWER, "1:9", "it takes a pose", "start = {reach = 300"),
                 (self.START + "[[move]]\nseconds = \n", "3:", "", "a job is written in TOML")):
             message = self.refused(text)
@@ -292,11 +292,11 @@ class Jobs(unittest.TestCase):
             self.assertRegex("\n".join(message), rf"(?m)^hint: .*{re.escape(cure)}", text)
         for value in ("nan", "inf", "-1", '"4"', "1e9", "0", "true"):
             self.assertRegex(self.refused(f"{self.START}[[move]]\nseconds = {value}\n")[0],
-                             r"^job\.toml:3:11: error: it takes a number from 0.02 to 600$")
+                             r"^job\.toml:3:11: error: expected a number from 0.02 to 600$")
 
-    def test_a_soil_that_lifts_the_machine_is_refused_with_the_move(self):
+    def test_a_soil_that_lifts_the_machine_is_refused_with_move_and_line(self):
         said = self.refused(self.START + self.LOWER + "soil = 1e6\n")
-        self.assertRegex(said[0], r"^placedpar: --job job\.toml: move 2: 1e\+06 lbf of soil lift the \w+'s load")
+        self.assertRegex(said[0], r"^placedpar: --job job\.toml: move 2 \(line \d+\): the soil's force of 1e\+06 lbf takes away all of the \w+'s load")
 
     def test_any_beginning_of_a_job_is_read_or_refused(self):
         text = DIG.read_text(encoding="utf-8")

@@ -108,7 +108,7 @@ class Replay(unittest.TestCase):
         self.assertEqual({c["mark"] for c in evidence["constants"]},
                          {"published", "workload", "calibrated", "ours", "fitted"})
         self.assertTrue(all(c["source"] for c in evidence["constants"]))
-        self.assertEqual(constants["a word of measurements, made ready"]["value"], 134)
+        self.assertEqual(constants["preparing a word of measurements"]["value"], 134)
 
     def test_constants_that_a_netlist_states_are_those_of_the_netlist(self):
         examples = pathlib.Path(self.folder) / "examples"

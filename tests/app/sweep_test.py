@@ -156,7 +156,7 @@ class Sweep(InFolder):
         self.assertEqual([line.split()[-1] for line in lines[3:8]], ["processors", "1", "2", "3", "4"])
         report = placedpar("report", "study.toml", "--relative-to", "slaves=1", folder=self.folder).stdout.splitlines()
         self.assertEqual([line.split()[-1] for line in report[5:9]], ["0.5", "1", "1.5", "-"])  # with trials 10 as well
-        self.assertEqual(report[2], "no relative figures for lack of a matching run with these settings that ended in the same way: 1 run")
+        self.assertEqual(report[2], "no relative figures, because no matching run with these settings ended in the same way: 1 run")
 
     def test_a_run_that_was_stopped_is_not_compared_with_one_that_ended(self):
         self.sweep(COMMSTIME, "count=10,20,1000000000", "--until", "1ms")
@@ -185,7 +185,7 @@ class BadInput(InFolder):
         self.sweep(*too_short)
         for measure, about in (("host.accurate_after", "time after which the fittest estimate stays accurate; absent if the last "
                                                        "estimate is not accurate"),
-                               ("max(master[0].T_exe)", "one generation: mean over the generations with a full window; absent, as all times, if there was none")):
+                               ("max(master[0].T_exe)", "mean time of a generation with a full window; this time and the other times are absent if no generation had one")):
             told = f'placedpar: no run measured "{measure}": {about}'
             self.assertTrue(self.sweep(*too_short, "--measure", measure, code=1).startswith(told))
             reported = placedpar("report", "kept", "--measure", measure, folder=self.folder)
@@ -293,7 +293,7 @@ class BadInput(InFolder):
                 (["slaves=0..65535", "linkspeed=1..65536", "population=1..65536", "master.trials=1..65536"],
                  "the study has too many runs to count: all combinations of 4 settings with several values (65536 of slaves,"),
                 (["slaves=0..3", "--seeds", 2 ** 62], "(4 of slaves), each run with 4611686018427387904 seeds, are more than"),
-                (["--seed", 2 ** 64 - 1, "--seeds", 2], "2 seeds from 18446744073709551615 on exceed the greatest seed")):
+                (["--seed", 2 ** 64 - 1, "--seeds", 2], "2 seeds from 18446744073709551615 on are too many: the greatest seed")):
             with self.subTest(arguments):
                 self.assertIn(message, self.sweep(FIGURE_E2, *arguments, "--yes", code=1))
         self.assertEqual(os.listdir(self.folder), [])

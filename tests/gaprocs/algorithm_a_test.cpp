@@ -130,7 +130,8 @@ TEST_CASE("the netlist's checker refuses a policy with a number out of range, an
 
 TEST_CASE("an elite as large as the population is refused, and the message states the largest elite") {
     Cluster cluster{.master_parameters = "rehearsals = 1, elite = 30"};
-    CHECK_THROWS_WITH_AS(run_on_line(cluster.netlist()), doctest::Contains("it is 28 at the most"), std::runtime_error);
+    CHECK_THROWS_WITH_AS(run_on_line(cluster.netlist()), doctest::Contains("the elite can have at most 28 individuals"),
+                         std::runtime_error);
 }
 
 TEST_CASE("the netlist's checker refuses an unknown coding and suggests one") {

@@ -170,10 +170,12 @@ TEST_CASE("an analyst that cannot compare its islands is refused at its place in
         CHECK_MESSAGE(refusal.find(marked) != std::string::npos, marked);
     };
     says(with_analyst(netlist, "choice = \"fixed(4)\""),
-         "the answer would be that of island 4, but there are 4: 0 to 3", "choice = \"fixed(4)\"");
+         "the answer is to come from island 4, but the number of islands is 4; expected an island from 0 to 3",
+         "choice = \"fixed(4)\"");
     says(with_analyst(netlist, "choice = \"best\""), "\"best\"", "choice = \"best\"");
     netlist.settings.schedule = AsynchronousSchedule{1};
-    says(with_analyst(netlist, ""), "islands of an asynchronous schedule do not keep step", "process analyst");
+    says(with_analyst(netlist, ""), "islands with an asynchronous schedule are not all in the same generation",
+         "process analyst");
     netlist.settings.schedule = Schedule();
     netlist.settings.topology = NoTopology{};
     says(with_analyst(netlist, ""), "\"island[0]\" and \"island[1]\" do not exchange with each other",
@@ -182,7 +184,7 @@ TEST_CASE("an analyst that cannot compare its islands is refused at its place in
     says(replaced(with_analyst(netlist, ""), "connect host.to_masters[n] to analyst",
                   "process other; use \"ga.host\" for other; other (problem = \"line\"); place other on sun; "
                   "connect other.to_masters[0] to analyst"),
-         "the samples of \"analyst\" come from another process than those of \"island[0]\"", "analyst.from_host");
+         "\"analyst\" does not get its samples from the same process as \"island[0]\"", "analyst.from_host");
 }
 
 TEST_CASE("an analyst that would never answer gives a warning at the analyst's place") {
@@ -201,10 +203,9 @@ TEST_CASE("an analyst that would never answer gives a warning at the analyst's p
     CHECK(said(16) == "");
     CHECK(said(11) == "");
     std::string never = said(17), early = said(9, "host (problem = \"line\", samples = 9)");
-    CHECK(
-        never.find("warning: \"analyst\" answers nothing: the first exchange is due after 17 generations, and the run "
-                   "has 16") != std::string::npos);
-    CHECK(early.find("warning: \"analyst\" answers nothing: the last exchange comes after 9 samples, but the longest "
+    CHECK(never.find("warning: \"analyst\" gives no answer: the first exchange is due after 17 generations, but the "
+                     "run has only 16") != std::string::npos);
+    CHECK(early.find("warning: \"analyst\" gives no answer: the last exchange comes after 9 samples, but the longest "
                      "window needs 10") != std::string::npos);
     CHECK(early.find("process analyst;") != std::string::npos);
 }

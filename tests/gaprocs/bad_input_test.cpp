@@ -100,8 +100,9 @@ TEST_CASE("a window longer than the record is refused by the library and before 
     settings.window.length = 13;
     CHECK_THROWS_WITH_AS(
         run_traditional(*make_search_problem(LineProblem{}), line_record(12), settings, RandomStream(1, "bad")),
-        "the window holds 13 samples, the record only 12", UserError);
-    mentions(refusal_of_master("window = 13"), "error: the window holds 13 samples, the record of \"line\" only 12");
+        "the window holds 13 samples, but the record has only 12", UserError);
+    mentions(refusal_of_master("window = 13"),
+             "error: the window holds 13 samples, but the record of \"line\" has only 12");
 }
 
 TEST_CASE("a policy's number out of range is refused, also in a policy that was made as a struct") {

@@ -100,7 +100,7 @@ TEST_CASE("an island may not send estimates to a host from which it does not get
                        "process master; use \"ga.master\" for master; place master on t0; master (problem = "
                        "\"line\");\nconnect other.to_masters to master.from_host;\n"
                        "connect island[1].to_host to other.from_masters[0];\n";
-    CHECK_THROWS_WITH(run_on_line(text), doctest::Contains("error: \"other.from_masters[0]\" brings estimates of a "
+    CHECK_THROWS_WITH(run_on_line(text), doctest::Contains("error: \"other.from_masters[0]\" receives estimates from a "
                                                            "process that does not get its samples from this host"));
     CHECK_THROWS_WITH(run_on_line(text),
                       doctest::Contains("hint: connect other.to_masters[...] to the same process's from_host"));

@@ -114,7 +114,7 @@ TEST_CASE("a master begins with the strings of the file that its netlist names")
     CHECK(run_on_line(cluster.netlist()).measured("master0", "best_objective") == 0);
 }
 
-TEST_CASE("without the parameter `initial`, and with \"random\" or \"\", every string is drawn") {
+TEST_CASE("without the parameter `initial`, and with \"random\" or \"\", every string is drawn at random") {
     Cluster cluster{.slaves = 0, .problem = "sphere", .host_parameters = "generations = 1"};
     auto populations = [&](const std::string& more) {
         cluster.master_parameters = "rehearsals = 0" + more;
@@ -127,9 +127,10 @@ TEST_CASE("without the parameter `initial`, and with \"random\" or \"\", every s
 
 TEST_CASE("an `initial` that is neither a policy nor a file is refused before the run, at its place") {
     Cluster cluster{.slaves = 0, .master_parameters = "initial = \"spraed\"", .problem = "sphere"};
-    CHECK_THROWS_WITH(run_on_line(cluster.netlist()),
-                      doctest::Contains("there is no file of this name; else it is one of random, spread; did you "
-                                        "mean \"spread\"?"));
+    CHECK_THROWS_WITH(
+        run_on_line(cluster.netlist()),
+        doctest::Contains("there is no file of this name; read as a policy: it is one of random, spread; did you "
+                          "mean \"spread\"?"));
 }
 
 TEST_CASE("a netlist's spread population is that of the library, drawn from a separate random stream") {

@@ -113,7 +113,7 @@ TEST_CASE("an island without neighbours is refused if other islands have neighbo
 
 TEST_CASE("a topology in several parts gives one warning") {
     auto text = said_of(4, all(""), {{0, 0, 1, 0}, {1, 0, 0, 0}, {2, 0, 3, 0}, {3, 0, 2, 0}});
-    CHECK(text == "islands.cfs:2:9: warning: the islands are in 2 parts that exchange nothing with each other: "
+    CHECK(text == "islands.cfs:2:9: warning: the islands form 2 groups that exchange nothing with each other: "
                   "island[0], island[1]; island[2], island[3]\n"
                   "    process island[n];\n"
                   "            ^\n");
@@ -121,19 +121,20 @@ TEST_CASE("a topology in several parts gives one warning") {
 
 TEST_CASE("a one-way chain gives one warning: the last island's individuals never reach the first island") {
     check_says(said_of(3, all(""), {{0, 0, 1, 0}, {0, 1, 2, 0}}), // a star in one direction
-               "warning: nothing of \"island[1]\" ever comes to \"island[0]\"");
+               "warning: no individual from \"island[1]\" ever reaches \"island[0]\"");
     auto text = said_of(3, all(""), {{0, 0, 1, 0}, {1, 0, 2, 0}});
-    CHECK(text == "islands.cfs:2:9: warning: nothing of \"island[1]\" ever comes to \"island[0]\"\n"
+    CHECK(text == "islands.cfs:2:9: warning: no individual from \"island[1]\" ever reaches \"island[0]\"\n"
                   "    process island[n];\n"
                   "            ^\n"
-                  "hint: a ring leads back to the first island\n");
+                  "hint: to close a ring, connect the last island to the first\n");
 }
 
 TEST_CASE("islands without connections give one warning, unless they have topology = \"none\"") {
-    auto said = "islands.cfs:2:9: warning: none of 3 islands is connected to another: they exchange nothing\n"
-                "    process island[n];\n"
-                "            ^\n"
-                "hint: connect to_neighbours[0] of each; or say topology = \"none\", if that is meant\n";
+    auto said =
+        "islands.cfs:2:9: warning: none of the 3 islands is connected to another, so they exchange nothing\n"
+        "    process island[n];\n"
+        "            ^\n"
+        "hint: connect to_neighbours[0] of each island; for searches without exchange, set topology = \"none\"\n";
     CHECK(said_of(3, all(""), {}) == said);
     CHECK(said_of(3, all(", topology = \"none\""), {}).empty());
     CHECK(said_of(1, all(""), {}).empty());
@@ -143,8 +144,8 @@ TEST_CASE("islands whose run ends before the first exchange give one warning") {
     // There are 12 samples, with 5 generations each from the fifth sample on: 40 generations.
     CHECK(said_of(3, all(", exchange_every = 40"), ring(3)).empty());
     CHECK(said_of(3, all(", exchange_every = 41"), ring(3)) ==
-          "islands.cfs:4:44: warning: \"island[0]\" never exchanges: it would do so every 41 generations, and the run "
-          "has 40\n"
+          "islands.cfs:4:44: warning: \"island[0]\" never exchanges individuals: the first exchange is due after 41 "
+          "generations, but the run has only 40\n"
           "    island (problem = \"line\", population = 12, exchange_every = 41);\n"
           "                                               ^\n");
     check_says(said_of(3, all(", schedule = \"sequential(41)\""), ring(3)), "islands.cfs:4:44: warning: \"island[0]\"");
@@ -154,7 +155,7 @@ TEST_CASE("islands whose run ends before the first exchange give one warning") {
         return said_of(3, and_of_the_last(every, "problem = \"line\", first_window = 10, " + other), ring(3));
     };
     CHECK(last("exchange_every = 15", "exchange_every = 15").empty());
-    check_says(last("exchange_every = 16", "exchange_every = 16"), "every 16 generations, and the run has 15");
+    check_says(last("exchange_every = 16", "exchange_every = 16"), "after 16 generations, but the run has only 15");
     std::string by_mail = last("schedule = \"asynchronous(16)\"", "schedule = \"asynchronous(16)\"");
     check_says(by_mail, "warning: \"island[2]\" never exchanges");
     CHECK(by_mail.find("\"island[0]\"") == std::string::npos);
@@ -169,13 +170,13 @@ TEST_CASE("connections that no topology can have are refused at their place") {
 
 TEST_CASE("connections that disagree with the parameter `topology` are refused") {
     check_says(said_of(12, all(", topology = \"hypercube\""), ring(12)),
-               "islands.cfs:4:44: error: a hypercube of 12 islands, expected a power of two such as 8 or 16");
+               "islands.cfs:4:44: error: a hypercube cannot have 12 islands, expected a power of two such as 8 or 16");
     check_says(said_of(4, all(", topology = \"hypercube\""), ring(4)),
-               "islands.cfs:4:44: error: \"island[0]\" is connected to island[1], but to island[1], island[2] in the "
+               "islands.cfs:4:44: error: \"island[0]\" is connected to island[1], expected island[1], island[2] in the "
                "topology \"hypercube\" of 4 islands");
     check_says(said_of(3, all(", topology = \"none\""), ring(3)), "but to no island in the topology");
     check_says(said_of(3, all(", topology = \"cube\""), ring(3)), "it is one of ring(ways = 1)");
-    check_says(said_of(10, all(", topology = \"torus(3)\""), ring(10)), "expected rows that divide 10: 1, 2, 5, 10");
+    check_says(said_of(10, all(", topology = \"torus(3)\""), ring(10)), "expected a divisor of 10: 1, 2, 5, 10");
 }
 
 TEST_CASE("more emigrants than individuals, than a message can hold or than an island can accept are refused") {
@@ -213,7 +214,7 @@ TEST_CASE("islands that could wait for each other for ever, or have different pr
     check_says(last("trials = 5", "problem = \"line\", schedule = \"asynchronous\""),
                "error: the schedule of \"island[2]\" is asynchronous(every = 3), but");
     check_says(last("trials = 5", "problem = \"line\", trials = 4"),
-               "error: 4 generations per sample on \"island[2]\", but 5 on \"island[0]\"");
+               "error: \"trials\" is 4 generations per sample for \"island[2]\", but 5 for \"island[0]\"");
     check_says(last("trials = 5", "problem = \"line\", coding = \"gray\""),
                "error: coding = \"gray\" for \"island[2]\", but \"natural\" for \"island[0]\"");
     check_says(last("trials = 5", "problem = \"other line\""), "works on the problem");

@@ -147,8 +147,8 @@ TEST_CASE("results that do not return to the process that sent the task are refu
     lines.at("from next") = "connect slave[0].to_master to slave[0].from_slaves;";
     Kinds kinds;
     auto text = render(read_netlist_text(netlist(lines), kinds.catalogue, {}, "farm.cfs").diagnostics);
-    says(text, "farm.cfs:3:1: error: \"master.to_slaves\" leads to the slave \"slave[0]\", but \"master.from_slaves\" "
-               "comes from \"slave[1].to_master\"");
+    says(text, "farm.cfs:3:1: error: \"master.to_slaves\" leads to the slave \"slave[0]\", but the results at "
+               "\"master.from_slaves\" come from \"slave[1].to_master\"");
     says(text, "hint: connect slave[0].to_master to master.from_slaves;");
 }
 
@@ -166,7 +166,9 @@ TEST_CASE("the old names of ports are refused with a hint to the new names") {
 TEST_CASE("a number of slaves that differs from the chain's, or exceeds the work, is refused") {
     for (int slaves : {1, 3})
         says(refusal("master", fmt::format("master (problem = \"line\",\nslaves = {});", slaves)),
-             fmt::format("farm.cfs:6:1: error: slaves = {}, but \"master.to_slaves\" leads to 2", slaves));
+             fmt::format(
+                 "farm.cfs:6:1: error: slaves = {}, but the number of slaves connected to \"master.to_slaves\" is 2",
+                 slaves));
     says(refusal("master", "master (problem = \"line\", slaves = 2, population = 2);"),
          "farm.cfs:5:27: error: slaves = 2, but a population of 2 has work for 1 slave at the most");
     CHECK(refusal("master", "master (problem = \"line\", slaves = 2, population = 3);").empty());
@@ -197,9 +199,8 @@ TEST_CASE("a host need not send more samples than the window holds") {
 
 TEST_CASE("a problem whose errors depend on earlier samples refuses the split into single evaluations") {
     auto text = refusal("master", "master (problem = \"along\", slaves = 2,\nsplit = \"evaluations\");");
-    says(text,
-         "farm.cfs:6:1: error: single evaluations of \"along\" cannot be dealt out: its error at a sample depends "
-         "on those before it in the window");
+    says(text, "farm.cfs:6:1: error: single evaluations of \"along\" cannot be dealt out: its error at a sample "
+               "depends on the earlier samples in the window");
     says(text, "hint: split = \"individuals\" deals out whole individuals");
     for (const char* split : {"individuals", "demand"})
         CHECK(refusal("master", fmt::format("master (problem = \"along\", slaves = 2, split = \"{}\");", split))
@@ -213,9 +214,10 @@ TEST_CASE("a slave that is reached twice is refused") {
     lines.at("from slaves") = "connect slave[0].to_master[0] to master.from_slaves[0];\n"
                               "connect slave[0].to_master[1] to master.from_slaves[1];";
     auto text = refusal_of(lines);
-    says(text, "farm.cfs:11:1: error: \"master.to_slaves[1]\" leads to the slave \"slave[0]\", which is reached by "
-               "\"master.to_slaves[0]\" already");
-    says(text, "farm.cfs:10:1: error: \"slave[0].from_master\" is one channel: a slave has one process before it");
+    says(text, "farm.cfs:11:1: error: \"master.to_slaves[1]\" leads to the slave \"slave[0]\", but "
+               "\"master.to_slaves[0]\" leads to the same slave");
+    says(text, "farm.cfs:10:1: error: \"slave[0].from_master\" is a single channel, not an array: a slave is connected "
+               "to one master or preceding slave");
     says(text, "hint: connect ... slave[0].from_master;");
 }
 
@@ -225,8 +227,8 @@ TEST_CASE("slaves in a circle, which no master reaches, are refused once") {
     lines.at("to slaves") = "connect slave[1].to_slaves to slave[0].from_master;";
     lines.at("from slaves") = "connect slave[0].to_master to slave[1].from_slaves;";
     auto text = refusal_of(lines);
-    says(text, "farm.cfs:9:1: error: the tasks of \"slave[1]\", \"slave[0]\" go round in a circle, which no master "
-               "reaches\n    connect slave[1].to_slaves");
+    says(text, "farm.cfs:9:1: error: the slaves \"slave[1]\", \"slave[0]\" are connected in a circle, so no master's "
+               "tasks reach them\n    connect slave[1].to_slaves");
     CHECK(text.find("circle", text.find("circle") + 1) == std::string::npos);
 }
 
@@ -237,8 +239,8 @@ TEST_CASE("crossed, missing or unnumbered connections in a tree are refused") {
     auto crossed = lines;
     crossed.at("from slaves") = "connect slave[0].to_master to master.from_slaves[1];";
     crossed.at("from next") = "connect slave[1].to_master to master.from_slaves[0];";
-    says(refusal_of(crossed), "farm.cfs:2:1: error: \"master.to_slaves[0]\" leads to the slave \"slave[0]\", but "
-                              "\"master.from_slaves[0]\" comes from \"slave[1].to_master\"");
+    says(refusal_of(crossed), "farm.cfs:2:1: error: \"master.to_slaves[0]\" leads to the slave \"slave[0]\", but the "
+                              "results at \"master.from_slaves[0]\" come from \"slave[1].to_master\"");
 
     auto elsewhere = lines;
     elsewhere.at("from next") = "connect slave[1].to_master to slave[1].from_slaves;";
@@ -253,13 +255,14 @@ TEST_CASE("crossed, missing or unnumbered connections in a tree are refused") {
     Kinds kinds;
     auto said = render(read_netlist_text(text, kinds.catalogue, {}, "farm.cfs").diagnostics);
     says(said, "farm.cfs:8:1: error: \"master.to_slaves[2]\" is connected, but \"master.to_slaves[1]\" is not");
-    says(said, "hint: the channels to_slaves[...] of a process are numbered 0, 1, 2 ...");
+    says(said, "hint: the channels to_slaves[...] of a process must be numbered 0, 1, 2 ... without a gap");
 }
 
 TEST_CASE("a number of slaves that differs from the tree's is refused") {
     auto lines = star_statements();
     lines.at("master") = "master (problem = \"line\", slaves = 3);";
-    says(refusal_of(lines), "farm.cfs:5:27: error: slaves = 3, but \"master.to_slaves\" leads to 2");
+    says(refusal_of(lines),
+         "farm.cfs:5:27: error: slaves = 3, but the number of slaves connected to \"master.to_slaves\" is 2");
 }
 
 TEST_CASE("several tasks under way are refused with a split other than demand") {
@@ -275,17 +278,18 @@ TEST_CASE("an array at a port that is a single channel is refused at its process
     text.replace(text.find(end), end.size(), "to master.from_host[0];");
     auto read = read_netlist_text(text, kinds.catalogue, {}, "farm.cfs");
     REQUIRE(read.network);
-    CHECK_THROWS_WITH_AS(
-        Machine(*read.network, kinds.catalogue, 1).run(),
-        doctest::Contains("process master (ga.master): \"from_host\" is one channel of this kind, and no array"),
-        UserError);
+    CHECK_THROWS_WITH_AS(Machine(*read.network, kinds.catalogue, 1).run(),
+                         doctest::Contains("process master (ga.master): \"from_host\" is a single channel of this "
+                                           "kind, not an array: connect it without a subscript"),
+                         UserError);
 }
 
 TEST_CASE("settings that contradict each other are refused at the parameter") {
     auto master = [](const char* settings) {
         return refusal("master", fmt::format("master (problem = \"line\", slaves = 2, {});", settings));
     };
-    says(master("window = 13"), "farm.cfs:5:39: error: the window holds 13 samples, the record of \"line\" only 12");
+    says(master("window = 13"),
+         "farm.cfs:5:39: error: the window holds 13 samples, but the record of \"line\" has only 12");
     says(master("first_window = 4, window = 3"),
          "farm.cfs:5:39: error: the first generation waits for 4 samples, but the window holds 3");
     says(master("first_window = 11"), "the first generation waits for 11 samples, but the window holds 10");
@@ -294,14 +298,14 @@ TEST_CASE("settings that contradict each other are refused at the parameter") {
     says(master("bias = 8388609.0"), "expected from 1e-300 to 8388608");
     CHECK(master("bias = 8388608.0").empty());
     says(refusal("host", "host (samples = 13, problem = \"line\");"),
-         "farm.cfs:4:7: error: samples = 13, but the record of \"line\" has 12");
+         "farm.cfs:4:7: error: samples = 13, but the record of \"line\" has only only 12");
 }
 
 TEST_CASE("unknown problems, and different problems of a master and its slaves, are refused") {
     says(refusal("slave 0", "slave[0] (problem = \"curve\");"),
          "farm.cfs:6:11: error: unknown search problem 'curve'; known: along, line, other line, sphere");
     says(refusal("slave 1", "slave[1] (problem = \"other line\");"),
-         "farm.cfs:7:11: error: \"slave[1]\" works on the problem \"other line\", but \"master\" on \"line\"");
+         "farm.cfs:7:11: error: \"slave[1]\" works on the problem \"other line\", but \"master\" works on \"line\"");
     says(refusal("host", "host (problem = \"other line\");"), "\"host\" works on the problem \"other line\"");
 }
 
@@ -346,7 +350,7 @@ TEST_CASE("parameters that need a record are refused for a problem without one")
     }
     says(refusal_of_sphere(", samples = 3", ""),
          "farm.cfs:4:27: error: samples applies only to problems with a record");
-    says(refusal_of_sphere(", sample_bytes = 3", ""), "hint: \"generations\" sets how long it is searched");
+    says(refusal_of_sphere(", sample_bytes = 3", ""), "hint: \"generations\" sets the length of the search");
     says(refusal("host", "host (problem = \"line\", generations = 3);"),
          "farm.cfs:4:25: error: generations applies only to problems without a record: \"line\" has a record of 12 "
          "samples");
@@ -354,7 +358,7 @@ TEST_CASE("parameters that need a record are refused for a problem without one")
 
 TEST_CASE("a reproduction that an objective does not allow is refused at its parameter") {
     says(refusal_of_sphere("", ", reproduction = \"roulette\""),
-         "farm.cfs:5:41: error: reproduction by roulette discards individuals of fitness <= 0");
+         "farm.cfs:5:41: error: reproduction by roulette discards individuals with fitness <= 0");
     CHECK(refusal_of_sphere("", ", reproduction = \"tournament\"").empty());
 }
 
@@ -371,7 +375,7 @@ TEST_CASE("operators and codings that do not fit the strings are refused at thei
     auto line = [](const char* given) {
         return refusal("master", fmt::format("master (problem = \"line\", slaves = 2, {});", given));
     };
-    says(line("coding = \"real\""), "farm.cfs:5:39: error: this problem has no real numbers to be bred");
+    says(line("coding = \"real\""), "farm.cfs:5:39: error: the coding \"real\" has no meaning for this problem");
     says(line("coding = \"grey\""), "did you mean \"gray\"?");
     says(line("coding = \"gray(65)\""), "dont_care = 65 is out of range");
     says(line("mutation_operator = \"swap\""), "does not fit binary strings: expected bit");
@@ -425,7 +429,8 @@ TEST_CASE("an error that is found only during the run names the process, its kin
     CHECK_THROWS_WITH_AS(Machine(*read.network, others, 1).run(), doctest::Contains("farm.cfs:1:"), UserError);
     CHECK_THROWS_WITH_AS(
         Machine(*read.network, others, 1).run(),
-        doctest::Contains("process master (ga.master): the window holds 10 samples, the record only 9"), UserError);
+        doctest::Contains("process master (ga.master): the window holds 10 samples, but the record has only 9"),
+        UserError);
 }
 
 TEST_CASE("netlists that run differently have different hashes; an omitted policy is the usual one") {

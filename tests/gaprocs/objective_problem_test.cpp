@@ -197,7 +197,7 @@ TEST_CASE("a record for an objective problem, and a repeated name, are refused")
     CHECK_THROWS_WITH_AS(registry.add("sphere", minimise(PlainSphere{}), {{}}),
                          "search problem 'sphere': an objective problem has no record", std::invalid_argument);
     registry.add(minimised<Valley>());
-    CHECK_THROWS_WITH_AS(registry.add(maximised<Valley>()), "search problem 'valley' is named twice",
+    CHECK_THROWS_WITH_AS(registry.add(maximised<Valley>()), "a search problem named 'valley' exists already",
                          std::invalid_argument);
     CHECK_THROWS_AS(registry.add("valley", minimise(PlainSphere{})), std::invalid_argument);
 }

@@ -180,7 +180,8 @@ TEST_CASE("a pair whose objective is never a number ends and reports no objectiv
 TEST_CASE("bits and fields that cannot be bred are refused at their place") {
     PairNetlist wrong;
     wrong.bits_of_coarse = "9";
-    check_pair_refused(wrong, ":4:", "field 1 is bred with 9 bits, expected 1 to 8, which it has in the problem");
+    check_pair_refused(
+        wrong, ":4:", "field 1 is bred with 9 bits, expected 1 to 8, the number of bits that it has in the problem");
     wrong.bits_of_coarse = "4 4";
     check_pair_refused(wrong, ":4:", "the problem's string has 1 field, but bits are given for 2");
     for (const char* text : {"", "4.5", "0", "64", "four", "4,4"}) {
@@ -194,7 +195,7 @@ TEST_CASE("bits and fields that cannot be bred are refused at their place") {
     check_pair_refused(wrong, ":4:", "a pair breeds the bits of fields, and real numbers have none");
     wrong = {};
     wrong.both.replace(wrong.both.find("\"8\""), 3, "\"9\"");
-    check_pair_refused(wrong, "error", "the fields have 9 bits in all, but the problem's string 8");
+    check_pair_refused(wrong, "error", "the fields have 9 bits in all, but the problem's string has 8");
     wrong = {};
     CHECK_THROWS_WITH_AS(RecodedProblem(*minimise(Valley{}), natural_recoding({3, 5})),
                          "the problem's fields have 4 4 bits, not 3 5", UserError);
@@ -206,12 +207,12 @@ TEST_CASE("settings of the fine search that differ from those of the coarse sear
     PairNetlist wrong;
     wrong.both.replace(wrong.both.find(", trials = 3"), 12, "");
     wrong.fine += ", trials = 2";
-    check_pair_refused(wrong, ":5:", "trials is 2 of \"fine\", but 5 of \"coarse\"");
+    check_pair_refused(wrong, ":5:", "trials is 2 for \"fine\", but 5 for \"coarse\"");
     wrong = {};
     wrong.fine += ", coding = \"gray\"";
-    check_pair_refused(wrong, ":5:", "coding is gray of \"fine\", but natural of \"coarse\"");
+    check_pair_refused(wrong, ":5:", "coding is gray for \"fine\", but natural for \"coarse\"");
     wrong = {};
     wrong.host_of_fine = "other.to_masters[0]";
     wrong.placement += "process other; use \"ga.host\" for other; other (problem = \"line\"); place other on sun;";
-    check_pair_refused(wrong, ":3:", "the samples of \"fine\" come from another process than those of \"coarse\"");
+    check_pair_refused(wrong, ":3:", "\"fine\" does not get its samples from the same process as \"coarse\"");
 }

@@ -128,13 +128,14 @@ TEST_CASE("two masters that share slaves use all of the slaves' time; one master
 
 TEST_CASE("masters that cannot share slaves are refused") {
     std::string text = SharedFarm{{"population = 12", "population = 12"}, chain_of(2)}.netlist();
-    CHECK(refusal_of(text, "population = 12", "population = 12, split = \"demand\"").find("deals out on demand") !=
-          std::string::npos);
+    CHECK(refusal_of(text, "population = 12", "population = 12, split = \"demand\"")
+              .find("deals out individuals on demand") != std::string::npos);
     CHECK(refusal_of(text, "population = 12", "population = 12, split = \"demand\", own_share = .5")
               .find("evaluates whenever it is idle") != std::string::npos);
     CHECK(refusal_of(text, "connect pipeline.to_masters[0] to master[0].from_slaves;\n",
                      "connect pipeline.to_masters[1] to master[0].from_slaves;\n")
               .find("pipeline.to_masters") != std::string::npos);
-    CHECK(refusal_of(text, "slaves = 2", "slaves = 3").find("slaves = 3, but \"master[0].to_slaves\" leads to 2") !=
+    CHECK(refusal_of(text, "slaves = 2", "slaves = 3")
+              .find("slaves = 3, but the number of slaves connected to \"master[0].to_slaves\" is 2") !=
           std::string::npos);
 }

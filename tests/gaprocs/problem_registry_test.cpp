@@ -27,12 +27,12 @@ TEST_CASE("an empty name, a repeated name and a wrong record are refused with a 
     ProblemRegistry registry;
     auto problem = make_search_problem(LineProblem{});
     CHECK_THROWS_WITH_AS(registry.add("", problem, {}), "a search problem needs a name", std::invalid_argument);
-    CHECK_THROWS_WITH_AS(registry.add("line", nullptr, {}), "search problem 'line': there is none",
+    CHECK_THROWS_WITH_AS(registry.add("line", nullptr, {}), "search problem 'line': the problem is a null pointer",
                          std::invalid_argument);
     CHECK_THROWS_WITH_AS(registry.add("line", problem, {{1, 2}, {1}}),
                          "search problem 'line': sample 1 has 1 number, expected 2", std::invalid_argument);
     registry.add("line", problem, {});
-    CHECK_THROWS_WITH_AS(registry.add("line", problem, {}), "search problem 'line' is named twice",
+    CHECK_THROWS_WITH_AS(registry.add("line", problem, {}), "a search problem named 'line' exists already",
                          std::invalid_argument);
 }
 

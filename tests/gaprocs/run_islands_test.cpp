@@ -323,11 +323,11 @@ TEST_CASE("without a machine, asynchronous islands take turns, and an island wit
 TEST_CASE("islands that exchange begin together, and other islands do not wait for them") {
     IslandsSettings settings = small_islands(4);
     settings.topology = GivenTopology{{{1}, {0}, {3}, {2}}};
-    CHECK(settings.warning() == "the islands are in 2 parts that exchange nothing with each other: 0, 1; 2, 3");
+    CHECK(settings.warning() == "the islands form 2 groups that exchange nothing with each other: 0, 1; 2, 3");
     settings.topology = GivenTopology{{{1}, {2}, {3}, {0}}};
     CHECK(settings.warning().empty());
     settings.topology = GivenTopology{{{1}, {2}, {3}, {1}}};
-    CHECK(settings.warning() == "nothing of island 1 ever comes to island 0");
+    CHECK(settings.warning() == "no individual from island 1 ever reaches island 0");
     settings.topology = GivenTopology{{{1}, {0}, {3}, {2}}};
     settings.islands[1].window.length = settings.islands[2].window.length = settings.islands[3].window.length = 3;
     IslandsResult result = run_on_line_record(settings);
@@ -344,9 +344,8 @@ TEST_CASE("islands that exchange begin together, and other islands do not wait f
 TEST_CASE("impossible settings of islands are refused, and the message states what would be right") {
     IslandsSettings settings = small_islands(3);
     settings.islands[2].window.trials = 4;
-    CHECK(refusal(settings) ==
-          "island 0 makes 5 generations per sample and island 2 makes 4, expected the same number: "
-          "they exchange in the same generations");
+    CHECK(refusal(settings) == "island 0 makes 5 generations per sample, but island 2 makes 4; expected equal numbers, "
+                               "because islands exchange in the same generations");
     settings = small_islands(3);
     settings.islands[1].population = 5;
     settings.emigration = BestEmigration{6};
@@ -372,12 +371,12 @@ TEST_CASE("impossible settings of islands are refused, and the message states wh
     }
     settings = small_islands(12);
     settings.topology = HypercubeTopology{};
-    CHECK(refusal(settings) == "a hypercube of 12 islands, expected a power of two such as 8 or 16");
+    CHECK(refusal(settings) == "a hypercube cannot have 12 islands, expected a power of two such as 8 or 16");
     CHECK(refusal(small_islands(0)) == "0 islands, expected at least 1");
     CHECK(refusal(small_islands(1)).starts_with("island 0 of 1 has no neighbours"));
     settings = small_islands(2);
     settings.islands[1].window.length = 13;
-    CHECK(refusal(settings) == "the window holds 13 samples, the record only 12");
+    CHECK(refusal(settings) == "the window holds 13 samples, but the record has only 12");
     CHECK_THROWS_WITH_AS(Islands(*make_search_problem(LineProblem{}), small_islands(2), island_streams(1, 3)),
                          "3 streams of random numbers for 2 islands", std::invalid_argument);
 }

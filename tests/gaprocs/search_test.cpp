@@ -208,12 +208,13 @@ TEST_CASE("settings that make no sense are refused with a reason") {
 
 TEST_CASE("a wrong number of fitness values, an infinite fitness and a longer immigrant are refused") {
     Search search(4, small(3), RandomStream(1, "fit"));
-    CHECK_THROWS_WITH_AS(search.next_generation(std::vector<double>(2)), "2 fitness values for a population of 3",
-                         std::invalid_argument);
+    CHECK_THROWS_WITH_AS(search.next_generation(std::vector<double>(2)),
+                         "2 fitness values were given for a population of 3", std::invalid_argument);
     std::vector<double> infinite{1, 2, std::numeric_limits<double>::infinity()};
-    CHECK_THROWS_WITH_AS(search.next_generation(infinite), "the fitness of individual 2 is inf", std::invalid_argument);
+    CHECK_THROWS_WITH_AS(search.next_generation(infinite),
+                         "the fitness of individual 2 is inf, expected a finite number", std::invalid_argument);
     std::vector<double> fitness{1, 2, 3};
     const Individual longer{Genome(5), 1};
-    CHECK_THROWS_WITH_AS(search.accept({&longer, 1}, fitness), "an immigrant of 5 bits comes to an island of 4 bits",
-                         std::invalid_argument);
+    CHECK_THROWS_WITH_AS(search.accept({&longer, 1}, fitness),
+                         "an immigrant has 5 bits, but the island's strings have 4 bits", std::invalid_argument);
 }

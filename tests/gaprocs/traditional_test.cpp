@@ -88,7 +88,7 @@ TEST_CASE("a search that cannot run is refused with the reason") {
     auto message = [&](const SearchSettings& settings, const char* expected) {
         CHECK_THROWS_WITH_AS(run_traditional(*line, record, settings, RandomStream(1, "why")), expected, UserError);
     };
-    message({}, "the window holds 10 samples, the record only 8");
+    message({}, "the window holds 10 samples, but the record has only 8");
     SearchSettings settings;
     settings.window.length = 0;
     message(settings, "the window holds 0 samples, expected at least 1");

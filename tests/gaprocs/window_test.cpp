@@ -49,7 +49,7 @@ TEST_CASE("windows that make no sense are refused with a reason") {
     message(window_of(0, 5), "the window holds 0 samples, expected at least 1");
     message(window_of(1025, 5), "the window holds 1025 samples, expected at most 1024");
     message(window_of(10, 0), "the first generation waits for 0 samples, expected at least 1");
-    message(window_of(21, 5), "the window holds 21 samples, the record only 20");
+    message(window_of(21, 5), "the window holds 21 samples, but the record has only 20");
     WindowSettings settings;
     settings.trials = 0;
     message(settings, "0 generations per sample, expected at least 1");

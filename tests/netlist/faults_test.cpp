@@ -353,7 +353,7 @@ TEST_CASE("a time-out on a channel that cannot be given up is refused with the r
     std::string message = refused(routed_streams(""));
     CHECK(message.find("the channel \"p[0].out -> q[0].in\" travels in packets, which routers carry to their end, so "
                        "its process cannot give up a packet") != std::string::npos);
-    CHECK(message.find("hint: a time-out needs a channel within a processor, or with a link of its own") !=
-          std::string::npos);
+    CHECK(message.find("hint: a time-out needs a channel between processes on one processor, or a channel placed alone "
+                       "on a link") != std::string::npos);
     CHECK(refused(bus_of_two("")).find("leads through the memory of a bus master") != std::string::npos);
 }

@@ -63,5 +63,5 @@ TEST_CASE("the message about an unknown kind suggests the nearest name, a kind w
     CHECK(refusal("stamper") == there_is_none + "\"stamper\"; did you mean \"press.stamper\"?");
     CHECK(refusal("stampr") == there_is_none + "\"stampr\"; did you mean \"press.stamper\"?");
     CHECK(refusal("rastrgin") == there_is_none + "\"rastrgin\"; did you mean \"rastrigin\"?");
-    CHECK(refusal("quite another") == there_is_none + "\"quite another\"; say placedpar kinds for those there are");
+    CHECK(refusal("quite another") == there_is_none + "\"quite another\"; placedpar kinds lists all");
 }

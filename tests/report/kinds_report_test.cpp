@@ -28,12 +28,12 @@ TEST_CASE("a device is described by its attributes, with the model's values as d
     Catalogue catalogue;
     std::string module = print_kind(catalogue, "B404");
     CHECK(module.starts_with("B404 (T800)\nA transputer, bare or on a module; B403_T414 is a B403 with a T414.\n"
-                             "links: 4; a byte is acknowledged while it comes in\nprocesses: can be placed on it\n"));
+                             "links: 4; each byte is acknowledged while it arrives\nprocesses: can be placed on it\n"));
     CHECK(contains(module, "memory                       int     default 2097152        1 .. 4294967296"));
     CHECK(contains(module,
                    "clock                        int     default 20000000       1 .. 1000000000              Hz"));
     CHECK(contains(module, "noprofile, pagesize\n"));
-    CHECK(contains(print_kind(catalogue, "T414"), "a byte is acknowledged when it has come in"));
+    CHECK(contains(print_kind(catalogue, "T414"), "each byte is acknowledged when it has arrived"));
     CHECK(contains(print_kind(catalogue, "t800"), "memory                       int     default 4096 "));
     CHECK(print_kind(catalogue, "C004") ==
           "C004\nA crossbar switch: its crosspoints connect its links to each other. If "

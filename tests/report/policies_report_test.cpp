@@ -89,8 +89,8 @@ TEST_CASE("descriptions of parameters are aligned in one column") {
         std::size_t found = listed.find(about);
         return found - listed.rfind('\n', found);
     };
-    CHECK(column("a step of any size") == column("how parents are chosen"));
-    CHECK(column("a step of any size") == column("the master has a channel"));
+    CHECK(column("a step is added or subtracted") == column("how parents are chosen"));
+    CHECK(column("a step is added or subtracted") == column("the master has a channel"));
 }
 
 TEST_CASE("kinds with a different default of a parameter are listed separately") {

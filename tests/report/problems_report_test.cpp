@@ -22,7 +22,7 @@ TEST_CASE("every problem is listed, with its numbers or its record") {
     std::string listed = print_problems(all_problems());
     CHECK(listed.starts_with("problems\n"));
     CHECK(lists(listed, "\n  boom "));
-    CHECK(lists(listed, "identified over a record of 20 samples of 5 numbers"));
+    CHECK(lists(listed, "identified from a record of 20 samples of 5 numbers"));
     CHECK(lists(listed, "\n  rastrigin(dimensions = 20, bits = 16)      Rastrigin's function: "));
     CHECK(lists(listed, "\n  tour-lattice(rows = 5, columns = 4) "));
 }

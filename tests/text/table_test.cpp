@@ -74,7 +74,7 @@ TEST_CASE("a wrong row is reported") {
     CHECK(only_fault("a,b\n1,2\n1,2,3\n") == "3:5: 3 values, expected 2");
     CHECK(only_fault("a,b\n1\n") == "2:1: 1 values, expected 2");
     CHECK(only_fault("a,b\n1,\"2\n3,4\n") == "2:3: a quoted value has no closing quote");
-    CHECK(only_fault("a,b\r1,2\r") == "1:4: a carriage return within a line");
+    CHECK(only_fault("a,b\r1,2\r") == "1:4: the line has a carriage return before its end");
     CHECK(only_fault("time [s];boom.spool [in]\n0,1;0,2\n") == "1:9: the columns are separated by semicolons");
     CHECK(only_fault("time\tspool\n0\t1\n") == "1:5: the columns are separated by tabs");
 }

@@ -16,7 +16,7 @@ const Axis compliance_axis{"compliance [0.001 in³/psi]", 0, 20};
 GuideLine true_mark() { return {"true, sound", 1000 * Parameters::excavator()["boom.inlet_compliance"]}; }
 
 Panel panel_over_samples(std::span<const PlantFault> faults, const RecordSource& source, std::uint64_t seed) {
-    Panel panel{"a: C_BOi estimated by the spool, after each sample of one record",
+    Panel panel{"a: C_BOi estimated from the spool, after each sample of one record",
                 {"time [s]", 0.3, 0.6}, // from the first answer to the end of the slowest rise
                 compliance_axis,
                 {},
@@ -54,7 +54,7 @@ Panel panel_over_drift(const RecordSource& source, std::span<const std::uint64_t
 
 Plot plot_of_faults(std::span<const PlantFault> faults, const RecordSource& source,
                     std::span<const std::uint64_t> seeds) {
-    return {"What faults of the machine do to the compliance found",
+    return {"The effect of faults of the machine on the compliance that is found",
             {panel_over_samples(faults, source, seeds.front()), panel_over_drift(source, seeds)}};
 }
 

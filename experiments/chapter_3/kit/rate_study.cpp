@@ -82,7 +82,7 @@ void add_rate(Comparison& comparison, const LoggerRate& rate, const RecordSource
         const std::size_t found = count_in(machines, figure);
         add_share(comparison, name + ": found", rate.name, found, all, fault.least_found);
         if (found > 0)
-            add_share(comparison, name + ": found and named so, or undecided", rate.name,
+            add_share(comparison, name + ": found and named correctly, or undecided", rate.name,
                       count_in(machines, figure + 1), found, fault.least_called);
         figure += 2;
     }
@@ -96,7 +96,7 @@ Comparison rate_comparison(const ReplayContext& context, const char* machine, co
         fmt::format("{} by the {}, {} noise", machine, from == AreasFrom::spool ? "spool" : "voltage", source.noise);
     Comparison comparison{
         .name = fmt::format("loggers of several rates: {}, {} machines of each kind", name, context.seeds),
-        .notes = "found and named so: in % of those found; from, to: 95 % interval (Clopper and Pearson)\n",
+        .notes = "found and named correctly: in % of those found; from, to: 95 % interval (Clopper and Pearson)\n",
         .against = "known",
         .judged = true};
     for (const LoggerRate& rate : logger_rates) {

@@ -29,7 +29,8 @@ double solve(double compliance_in3_per_psi, double low, double high, double prec
         return *value - compliance_in3_per_psi;
     };
     if (beyond(low) > 0 || beyond(high) < 0)
-        throw UserError(fmt::format("nothing from {} to {} finds {} in^3/psi", low, high, compliance_in3_per_psi));
+        throw UserError(fmt::format("no value from {} to {} makes the identification find {} in^3/psi", low, high,
+                                    compliance_in3_per_psi));
     // The usable samples change with x, so the function has jumps, which bisection tolerates best.
     auto [below, above] =
         boost::math::tools::bisect(beyond, low, high, [=](double a, double b) { return b - a < precision; });
@@ -53,7 +54,7 @@ double lag_that_finds(double compliance_in3_per_psi, const BoomData& data) {
 }
 
 Panel panel_of_lag(std::span<const BoomData> machines) {
-    Panel panel{"Compliance that the voltage gives, over the a_0 believed in",
+    Panel panel{"Compliance identified from the voltage, over the assumed a_0",
                 {"a_0 of A.2 [1/s]", 5, 16},
                 {"compliance [0.001 in³/psi]", 0, 20},
                 {},

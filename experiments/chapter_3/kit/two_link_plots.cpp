@@ -57,7 +57,7 @@ void add_state(Panel& panel, std::size_t which, const TwoLinkMotion& motion, con
 }
 
 Panel over_generations(std::string title, Axis y, std::vector<Series> series) {
-    return {std::move(title), {"generation (5 a sample of 20 ms)", 0, 600}, std::move(y), std::move(series)};
+    return {std::move(title), {"generation (5 for each sample of 20 ms)", 0, 600}, std::move(y), std::move(series)};
 }
 
 double generation_of(std::size_t estimate, std::size_t trials) { return static_cast<double>((estimate + 1) * trials); }
@@ -112,7 +112,7 @@ Plot plot_of_estimated_states(const TwoLinkMotion& motion, const ComplianceSearc
         add_state(pressures, static_cast<std::size_t>(which), motion, prepared, run, which);
     for (int which = 2; which < 6; ++which)
         add_state(flows, static_cast<std::size_t>(which), motion, prepared, run, which);
-    return {"Figure 3.10: internal states by the best individual (no noise; elite, 2 skipped, Gray code)",
+    return {"Figure 3.10: internal states from the best individual (no noise; elite, 2 samples skipped, Gray code)",
             {pressures, flows}};
 }
 

@@ -185,7 +185,7 @@ void add_fault(Comparison& comparison, const TestedFault& fault, const std::stri
     comparison.add(limit.interval.low >= fault.least_found ? at_least(fault.least_found, share) : share);
     if (!fault.from_first_day)
         comparison.add(plain_cell(name + ": limit by theory", noise, "%", limit.percent, 1));
-    comparison.add(at_least(fault.least_called, share_cell(name + ": found and named so, or undecided", noise,
+    comparison.add(at_least(fault.least_called, share_cell(name + ": found and named correctly, or undecided", noise,
                                                            called + undecided, faults)));
     if (fault.called != AlarmKind::compliance && from != AreasFrom::areas) {
         const Cell share = share_cell(name + ": found but undecided", noise, undecided, faults);
@@ -219,14 +219,13 @@ Comparison verdict_comparison(const ReplayContext& context, const char* machine,
     const std::string name = fmt::format("{} by {}", machine, by);
     Comparison comparison{
         .name = fmt::format("on-line verdicts: {}, {} machines of each kind", name, context.seeds),
-        .notes =
-            std::string(
-                "found and named so, found but undecided: in % of those found\nlimit by theory: a test that gives 1 % "
-                "of the sound machines an alarm cannot find more of the faults in 8 movements\n") +
-            (source.has_servo || from == AreasFrom::areas
-                 ? ""
-                 : "these records end while oil flows, so a leak that begins with a movement and an offset change "
-                   "the flow alike (correlation .999): both may be left undecided\n"),
+        .notes = std::string("found and named correctly, found but undecided: in % of those found\nlimit by theory: a "
+                             "test that gives 1 % "
+                             "of the sound machines an alarm cannot find more of the faults in 8 movements\n") +
+                 (source.has_servo || from == AreasFrom::areas
+                      ? ""
+                      : "these records end while oil flows, so a leak that begins with a movement and an offset change "
+                        "the flow alike (correlation .999): both may be left undecided\n"),
         .against = "known",
         .judged = true};
     for (const char* noise : tested_noises) {

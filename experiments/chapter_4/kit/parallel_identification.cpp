@@ -196,11 +196,10 @@ void add_differences(Comparison& comparison, const BothFound& found, BoomWay way
 
 Comparison difference_table(const RecordedBoom& machine, const std::vector<Figures>& runs, double truth) {
     Comparison comparison{
-        .name = fmt::format("{}: PGA less GA on the same records, mean of {}", machine.name, runs.size()),
-        .notes =
-            "\"almost identical\" allows 5 points fewer records, 2 % of the true C_BOi either way, one sample of 5\n"
-            "generations. It is shown if the whole 95 % interval of the mean is within the bound, and refuted if\n"
-            "the whole interval is beyond it. One that is refuted misses its bound.\n",
+        .name = fmt::format("{}: PGA minus GA on the same records, mean of {}", machine.name, runs.size()),
+        .notes = "\"almost identical\" allows 5 percentage points fewer records, 2 % of the true C_BOi either way, one "
+                 "sample of 5\ngenerations. A claim is shown if the whole 95 % interval of the mean is within the "
+                 "bound, and refuted if\nthe whole interval is beyond it. A refuted claim misses its bound.\n",
         .against = "claim",
         .judged = true};
     for (BoomWay way : {pga_fittest, pga_first})

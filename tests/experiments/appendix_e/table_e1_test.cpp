@@ -36,7 +36,8 @@ TEST_CASE("a generation with 0 to 3 slaves: the thesis's milliseconds to 3 %, an
     }
     CHECK(ms("T_sr", 3) - ms("P_time2", 3) < ms("C_time2", 3)); // some of the communication overlaps with computing
     // The stated constants are those of the netlist, for 120 individuals (and for 30).
-    CHECK(replay.constants.find("1440 cycles an error evaluation (5760 under the reading 30) and 1750 (7000) cycles") !=
+    CHECK(replay.constants.find(
+              "1440 cycles for an error evaluation (5760 under the reading 30) and 1750 (7000) cycles") !=
           std::string::npos);
     CHECK(replay.constants.find("148 bytes of measurements") != std::string::npos);
     CHECK(replay.within_tolerance());

@@ -88,7 +88,7 @@ TEST_CASE("the report of a run whose path was not kept says what to do") {
     const std::string why =
         "it has more than 2000000 parts; end the run earlier with --until, or make it shorter with --set";
     std::string printed = print_explanation(explanation, network);
-    CHECK(printed.find("\ncritical path: not kept: " + why + "\n") != std::string::npos);
+    CHECK(printed.find("\ncritical path: too long to keep: " + why + "\n") != std::string::npos);
     CHECK(printed.find("share") == std::string::npos);
     CHECK(explanation_json(explanation, network).at("not_kept").as_string() == why);
 }

@@ -187,8 +187,9 @@ TEST_CASE("values and seeds whose number exceeds 64 bits are refused") {
     study.seeds = most;
     CHECK(study.count() == most);
     study.first_seed = 2;
-    CHECK_THROWS_WITH_AS(
-        study.count(), doctest::Contains("seeds from 2 on exceed the greatest seed, 18446744073709551615"), UserError);
+    CHECK_THROWS_WITH_AS(study.count(),
+                         doctest::Contains("seeds from 2 on are too many: the greatest seed is 18446744073709551615"),
+                         UserError);
 }
 
 TEST_CASE("a measure is one figure or an aggregate of several") {

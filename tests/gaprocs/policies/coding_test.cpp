@@ -76,12 +76,12 @@ TEST_CASE("with the coding \"real\", a string holds real numbers in the ranges o
 }
 
 TEST_CASE("a coding that has no meaning for a problem is refused") {
-    CHECK_THROWS_WITH_AS(
-        make_search_problem(LineProblem{})->coded(Coding::real),
-        "this problem has no real numbers to be bred, so that the coding \"real\" has no meaning for it", UserError);
+    CHECK_THROWS_WITH_AS(make_search_problem(LineProblem{})->coded(Coding::real),
+                         "the coding \"real\" has no meaning for this problem, which has no real numbers to breed",
+                         UserError);
     CHECK_THROWS_AS(minimise(Seats{})->coded(Coding::gray), UserError);
     CHECK_THROWS_AS(maximise(Comb{})->coded(Coding::gray), UserError);
     CHECK_THROWS_WITH_AS(minimise(Seats{})->coded(Coding::named("natural(1)")),
-                         "don't-care bits need binary strings, and this problem's are permutations", UserError);
+                         "don't-care bits need binary strings, but this problem's strings are permutations", UserError);
     CHECK(maximise(Comb{})->coded(Coding::named("natural(1)"))->bits() == 8191);
 }

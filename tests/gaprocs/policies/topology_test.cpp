@@ -100,7 +100,7 @@ TEST_CASE("a star connects island 0 with all others, and the farthest island is 
     CHECK(diameter(star) == 2);
 }
 
-TEST_CASE("a complete topology connects each island to all others, from the next on") {
+TEST_CASE("a complete topology connects each island each island sends to all others, beginning with the next") {
     auto complete = neighbours_in("complete", 5);
     CHECK(complete[3] == IslandNumbers{4, 0, 1, 2});
     check_degrees(complete, 4);
@@ -158,20 +158,21 @@ TEST_CASE("separate_parts finds the parts that do not exchange with each other")
 TEST_CASE("given neighbours may be one-way, and a list that does not fit is refused") {
     Neighbours given{{2, 1}, {}, {0}};
     CHECK(Topology(GivenTopology{given}).neighbours(3) == given);
-    CHECK(refusal(GivenTopology{given}, 4) == "the neighbours of 3 islands are given, expected those of 4");
+    CHECK(refusal(GivenTopology{given}, 4) == "the list has the neighbours of 3 islands, expected those of 4");
     CHECK(refusal(GivenTopology{{{1}, {2}}}, 2) == "island 1 has island 2 as neighbour, expected 0 to 1");
     CHECK(refusal(GivenTopology{{{1}, {0, 1}}}, 2) == "island 1 is its own neighbour, expected another island");
     CHECK(refusal(GivenTopology{{{1, 1}, {0}}}, 2) == "island 0 has island 1 as neighbour twice, expected once");
     CHECK(refusal(GivenTopology{{{1}, {0}, {}}}, 3) ==
           "island 2 of 3 has no neighbours, expected at least one, or the topology \"none\" for islands that exchange "
           "nothing");
-    CHECK(refusal(Topology::named("given"), 2) == "the neighbours of 0 islands are given, expected those of 2");
+    CHECK(refusal(Topology::named("given"), 2) == "the list has the neighbours of 0 islands, expected those of 2");
 }
 
 TEST_CASE("a number of islands that does not fit the topology is refused with the numbers that fit") {
-    CHECK(refusal(HypercubeTopology{}, 12) == "a hypercube of 12 islands, expected a power of two such as 8 or 16");
+    CHECK(refusal(HypercubeTopology{}, 12) ==
+          "a hypercube cannot have 12 islands, expected a power of two such as 8 or 16");
     CHECK(refusal(TorusTopology{3}, 10) ==
-          "a torus of 10 islands in 3 rows, expected rows that divide 10: 1, 2, 5, 10");
+          "a torus of 10 islands cannot have 3 rows, expected a divisor of 10: 1, 2, 5, 10");
     for (const PolicyDescription& way : Topology::descriptions())
         CHECK(refusal(Topology::named(way.name), 0) == "0 islands, expected at least 1");
     for (const char* topology : {"ring", "hypercube", "torus(1)", "star", "complete"})
@@ -187,5 +188,5 @@ TEST_CASE("topologies are named by their text") {
 
 TEST_CASE("the refusal of a torus of one island has a singular noun") {
     CHECK_THROWS_WITH_AS(Topology::named("torus(2)").neighbours(1),
-                         "a torus of 1 island in 2 rows, expected rows that divide 1: 1", UserError);
+                         "a torus of 1 island cannot have 2 rows, expected a divisor of 1: 1", UserError);
 }

@@ -87,6 +87,6 @@ struct OnesProblem {
 TEST_CASE("a problem that does not read fields refuses the Gray code") {
     auto ones = make_search_problem(OnesProblem{});
     CHECK(ones->coded(Coding::natural)->decode(Genome::from_string("01100001")).at(0) == 3);
-    CHECK_THROWS_WITH_AS(ones->coded(Coding::gray), doctest::Contains("does not read its binary string by fields"),
+    CHECK_THROWS_WITH_AS(ones->coded(Coding::gray), doctest::Contains("does not divide its binary string into fields"),
                          UserError);
 }

@@ -52,7 +52,7 @@ TEST_CASE("impossible codings are refused with the number of the parameter") {
     auto refused = [](std::vector<ParameterField> fields, const char* message) {
         CHECK_THROWS_WITH_AS(ParameterCoding(std::move(fields)), message, std::invalid_argument);
     };
-    refused({}, "a binary string that codes no parameter");
+    refused({}, "a binary string must code at least one parameter");
     refused({{0, 1, 10}, {0, 1, 0}}, "parameter 1: 0 bits, expected 1 to 52");
     refused({{0, 1, 53}}, "parameter 0: 53 bits, expected 1 to 52");
     refused({{1, 1, 10}}, "parameter 0: the range is 1 to 1, expected a lower and a higher number");
@@ -60,5 +60,6 @@ TEST_CASE("impossible codings are refused with the number of the parameter") {
             "parameter 0: the range is 0 to inf, expected a lower and a higher number");
     refused({{std::numeric_limits<double>::quiet_NaN(), 1, 10}},
             "parameter 0: the range is nan to 1, expected a lower and a higher number");
-    refused({{-1.5e308, 1.5e308, 10}}, "parameter 0: the range -1.5e+308 to 1.5e+308 is wider than a number can say");
+    refused({{-1.5e308, 1.5e308, 10}},
+            "parameter 0: the width of the range -1.5e+308 to 1.5e+308 is beyond the range of a double");
 }

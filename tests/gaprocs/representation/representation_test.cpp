@@ -64,10 +64,10 @@ TEST_CASE("a text that is not a string of the representation is refused") {
     CHECK(refusal_of_text(bits_of_5, "01102") == "\"01102\" is not a string of 5 characters 0 and 1");
     CHECK(refusal_of_text(two_reals, "1") == "\"1\" has 1 number, expected 2");
     CHECK(refusal_of_text(two_reals, "1 x") == "\"x\" is not a number");
-    CHECK(refusal_of_text(two_reals, "1 1.5") == "1.5 is out of range: number 2 goes from -1 to 1");
-    CHECK(refusal_of_text(two_reals, "nan 0") == "nan is out of range: number 1 goes from 0 to 10");
-    CHECK(refusal_of_text(order_of_4, "0 1 2 4") == "4 is not a place, expected each of 0 to 3 once");
-    CHECK(refusal_of_text(order_of_4, "0 1 2 1") == "1 is there twice, expected each of 0 to 3 once");
+    CHECK(refusal_of_text(two_reals, "1 1.5") == "1.5 is out of range: number 2 of a string may be from -1 to 1");
+    CHECK(refusal_of_text(two_reals, "nan 0") == "nan is out of range: number 1 of a string may be from 0 to 10");
+    CHECK(refusal_of_text(order_of_4, "0 1 2 4") == "4 is not an element, expected each of 0 to 3 once");
+    CHECK(refusal_of_text(order_of_4, "0 1 2 1") == "1 occurs twice, expected each of 0 to 3 once");
     CHECK(refusal_of_text(order_of_4, "0 1 2 -1") == "\"-1\" is not a whole number");
 }
 
@@ -98,7 +98,7 @@ TEST_CASE("empty representations and reversed bounds are refused") {
                          "parameter 1: the range is 5 to -5, expected a lower and a higher number",
                          std::invalid_argument);
     CHECK_THROWS_WITH_AS(RealVector({{-1.5e308, 1.5e308}}),
-                         "parameter 0: the range -1.5e+308 to 1.5e+308 is wider than a number can say",
+                         "parameter 0: the width of the range -1.5e+308 to 1.5e+308 is beyond the range of a double",
                          std::invalid_argument);
     for (RealRange range : {RealRange{0, infinite}, RealRange{std::nan(""), 1}, RealRange{1, 1}})
         CHECK_THROWS_AS(RealVector({range}), std::invalid_argument);

@@ -1,5 +1,4 @@
 #include "hydraulics/circuit/cross_over.hpp"
-#include "hydraulics/data/parameters.hpp"
 
 #include <doctest/doctest.h>
 
@@ -48,12 +47,6 @@ Configuration mirrored(Configuration configuration) {
     return other[static_cast<std::size_t>(configuration)];
 }
 
-PerLink<JunctionOpening> at_rest() {
-    PerLink<JunctionOpening> openings;
-    openings.fill({1600, 0, 0.3});
-    return openings;
-}
-
 } // namespace
 
 TEST_CASE("the rule of 2.4 gives the table's configuration for every state and every order of pressures") {
@@ -71,29 +64,4 @@ TEST_CASE("exchanging the branches exchanges b with c and d with e") {
             if (next_configuration(mirrored(now), other, limits) != mirrored(next_configuration(now, p, limits)))
                 FAIL("from ", name_of(now));
         });
-}
-
-TEST_CASE("a machine at rest stays in configuration a, and a boom or a stick that works alone gets both pumps") {
-    const Parameters& machine = Parameters::excavator();
-    const FlowConstants flow = flow_constants(machine);
-    const CrossOverLimits own = cross_over_limits(machine);
-    CHECK(settled_configuration(Configuration::a, at_rest(), flow, own) == Configuration::a);
-    auto working = [&](Link link, Configuration from) {
-        PerLink<JunctionOpening> openings = at_rest();
-        openings[index_of(link)] = {1600, 0.1, 0.04};
-        return settled_configuration(from, openings, flow, own);
-    };
-    CHECK(working(Link::boom, Configuration::a) == Configuration::d);
-    CHECK(working(Link::boom, Configuration::e) == Configuration::d);
-    CHECK(working(Link::stick, Configuration::a) == Configuration::e);
-    CHECK(working(Link::stick, Configuration::d) == Configuration::e);
-}
-
-TEST_CASE("while the boom works, a bucket without load that takes its pump's whole flow is alone with this pump") {
-    const Parameters& machine = Parameters::excavator();
-    PerLink<JunctionOpening> openings = at_rest();
-    openings[index_of(Link::boom)] = {2600, 0.1, 0.05};
-    openings[index_of(Link::bucket)] = {500, 0.4, 0.01};
-    CHECK(settled_configuration(Configuration::d, openings, flow_constants(machine), cross_over_limits(machine)) ==
-          Configuration::b);
 }

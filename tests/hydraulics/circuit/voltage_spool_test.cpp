@@ -47,7 +47,7 @@ TEST_CASE("0.01 in of spool correspond to 20 to 22 mV in the working range") {
 }
 
 TEST_CASE("a spool below 0 has no voltage") {
-    CHECK_THROWS_WITH_AS(servo_volts(-0.01), "a spool of -0.01 in has no voltage, expected 0 or more",
+    CHECK_THROWS_WITH_AS(servo_volts(-0.01), "no voltage moves the spool to -0.01 in, expected 0 or more",
                          std::invalid_argument);
     CHECK_THROWS_AS(servo_volts(NAN), std::invalid_argument);
 }

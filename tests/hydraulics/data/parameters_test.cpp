@@ -107,7 +107,7 @@ TEST_CASE("errors in a user's file are reported with their place") {
     Parameters machine = Parameters::excavator();
     machine.read("time [s],boom.angle [deg]\n0,1\n", faults);
     REQUIRE(faults.size() == 1);
-    CHECK(faults[0].message == "not the header of a table of parameters");
+    CHECK(faults[0].message == "this is not the header of a table of parameters");
     faults.clear();
     machine.read("", faults);
     CHECK(has_errors(faults));

@@ -88,7 +88,7 @@ TEST_CASE("a record written by a spreadsheet is read: byte order mark, CR LF, qu
 TEST_CASE("a wrong header is refused with its place") {
     CHECK(record_faults("") == "error 0:0: the header is missing | such as time [s],boom.inlet_pressure [psi]\n");
     CHECK(record_faults("boom.angle [deg]\n1\n") ==
-          "error 1:1: the column \"time\" is missing | the first column is mostly time [s]\n");
+          "error 1:1: the column \"time\" is missing | add the column, usually the first: time [s]\n");
     CHECK(record_faults("time [s]\n"
                         "0\n") ==
           "error 1:1: no column of a sensor | LINK.SENSOR, such as boom.inlet_pressure [psi]\n");
@@ -97,7 +97,7 @@ TEST_CASE("a wrong header is refused with its place") {
     CHECK(record_faults("time [s],boom.angle [psi]\n0,1\n") ==
           "error 1:10: \"psi\" is not a unit of angle | boom.angle [UNIT] with deg or rad\n");
     CHECK(record_faults("time [s],boom.angle [deg],BO.angle [rad]\n0,1,2\n") ==
-          "error 1:27: column \"BO.angle\" is there twice | the first is column 2 of the table\n");
+          "error 1:27: column \"BO.angle\" occurs twice | the first is column 2 of the table\n");
     std::string text = "time [s],boom.angle [deg],boom.temperature [C],motor.angle [deg]\n";
     for (int i = 0; i < 5; ++i)
         text += fmt::format("{},{},x,y\n", 0.02 * i, i);
@@ -120,34 +120,35 @@ TEST_CASE("a wrong reading is refused with its place") {
                       "number | a number such as 1830.5 or -2e-3; {}\n",
                       skip, missing));
     CHECK(record_faults(boom_columns + rows(0, 5) + "0.100,1e300,20,0.2\n") ==
-          fmt::format("error 7:7: 1e300 is larger than anything measured | {}\n", missing));
+          fmt::format("error 7:7: 1e300 is too large for a reading | {}\n", missing));
     CHECK(record_faults("time [s],boom.inlet_pressure [bar]\n0,1e308\n0.02,1\n0.04,2\n0.06,3\n0.08,4\n")
-              .starts_with("error 2:3: 1e308 is larger than anything measured"));
+              .starts_with("error 2:3: 1e308 is too large for a reading"));
     CHECK(record_faults(boom_columns + rows(0, 5) + "0.100,1600,20\n") ==
           "error 7:12: 3 values, expected 4 | the header on line 1 has 4 columns\n");
 }
 
 TEST_CASE("wrong times are refused with their place") {
     CHECK(record_faults(boom_columns + rows(0, 4)) == "error 0:0: 4 samples, expected at least 5\n");
-    constexpr const char* rowless = "error 0:0: 0 samples, expected at least 5 | below the header, a line for each "
-                                    "instant; lines end in LF or in CR LF\n";
+    constexpr const char* rowless = "error 0:0: 0 samples, expected at least 5 | write a line for each instant below "
+                                    "the header; lines end in LF or in CR LF\n";
     CHECK(record_faults(boom_columns) == rowless);
     CHECK(record_faults("time [s],boom.angle [deg]0.00,20.0,0.02,20.1") == rowless); // the line ends were lost
     CHECK(record_faults("time [s],boom.angle [deg]0.00,20.0,boom.spool [in]") == rowless);
     CHECK(record_faults(boom_columns + rows(0, 6) + rows(8, 12)) ==
-          "warning 8:1: 2 samples are missing before this one | no window and no slope reaches over the gap\n");
+          "warning 8:1: 2 samples are missing before this one | windows and slopes do not extend across the gap\n");
     CHECK(record_faults(boom_columns + rows(0, 6) + rows(5, 9)) == "warning 8:1: repeats line 7 | used once\n");
     CHECK(record_faults(boom_columns + rows(0, 6) + "0.100,1700,20,0.2\n" + rows(6, 9)) ==
-          "error 8:1: the same time as on line 7, with other readings | leave out the one that is wrong\n");
+          "error 8:1: the time is the same as on line 7, but the readings differ | leave out the row that is wrong\n");
     CHECK(record_faults(boom_columns + rows(0, 6) + row(0.06) + rows(6, 9)) ==
-          "error 8:1: 0.04 s before the time on line 7 | rows must be in order of time\n"
-          "warning 9:1: 2 samples are missing before this one | no window and no slope reaches over the gap\n");
-    CHECK(
-        record_faults(boom_columns + rows(0, 6) + row(0.127) + rows(7, 12)) ==
-        "error 8:1: 0.027 s after the time on line 7 | a whole number of sampling periods of 0.02 s (the median step), "
-        "within 25 %\n"
-        "error 9:1: 0.013 s after the time on line 8 | a whole number of sampling periods of 0.02 s (the median step), "
-        "within 25 %\n");
+          "error 8:1: the time is 0.04 s before the time on line 7 | rows must be in order of time\n"
+          "warning 9:1: 2 samples are missing before this one | windows and slopes do not extend across the gap\n");
+    CHECK(record_faults(boom_columns + rows(0, 6) + row(0.127) + rows(7, 12)) ==
+          "error 8:1: the time is 0.027 s after the time on line 7 | a whole number of sampling periods of 0.02 s (the "
+          "median step), "
+          "within 25 %\n"
+          "error 9:1: the time is 0.013 s after the time on line 8 | a whole number of sampling periods of 0.02 s (the "
+          "median step), "
+          "within 25 %\n");
     std::string backwards = boom_columns;
     for (int i = 9; i >= 0; --i)
         backwards += row(0.02 * i);
@@ -165,13 +166,12 @@ TEST_CASE("suspicious channels give warnings") {
     std::string text = "time [s],boom.inlet_pressure [psi],boom.spool [mm],boom.servo [V],bucket.angle [deg]\n";
     for (int i = 0; i < 6; ++i)
         text += fmt::format("{},{},{},{},7\n", 0.02 * i, 110 + i, 0.13 + 0.01 * i, 340 + i);
-    CHECK(
-        record_faults(text) ==
-        "warning 1:10: boom.inlet_pressure reaches 115 psi, which is unusual | it would be ordinary in bar\n"
-        "warning 1:36: boom.spool reaches 0.18 mm, which is unusual | it would be ordinary in in, cm\n"
-        "warning 1:52: boom.servo reaches 345 V, which is unusual | it would be ordinary in mV\n"
-        "warning 1:67: bucket.angle is 7 deg in every sample | a sensor that is not connected, or a link that was not "
-        "moved\n");
+    CHECK(record_faults(text) ==
+          "warning 1:10: boom.inlet_pressure reaches 115 psi, which is unusual | it would be ordinary in bar\n"
+          "warning 1:36: boom.spool reaches 0.18 mm, which is unusual | it would be ordinary in in, cm\n"
+          "warning 1:52: boom.servo reaches 345 V, which is unusual | it would be ordinary in mV\n"
+          "warning 1:67: bucket.angle is 7 deg in every sample | the sensor may not be connected, or the link was not "
+          "moved\n");
 }
 
 TEST_CASE("pressures below vacuum and a frozen pressure give warnings") {
@@ -183,12 +183,11 @@ TEST_CASE("pressures below vacuum and a frozen pressure give warnings") {
                             : i < 9 ? 104.0
                                     : 99.5 + i,
                             7 + i);
-    CHECK(
-        record_faults(text) ==
-        "warning 3:6: boom.inlet_pressure is -1.5 bar, below vacuum (1 of 12 samples) | pressures are above the air's: "
-        "has the sensor's sign been turned?\n"
-        "warning 6:6: boom.inlet_pressure stands at 104 bar up to line 10, and then jumps by 4.5 bar | a sensor or a "
-        "logger that froze: leave these rows out\n");
+    CHECK(record_faults(text) ==
+          "warning 3:6: boom.inlet_pressure is -1.5 bar, below vacuum (1 of 12 samples) | no pressure is below vacuum: "
+          "check the sign of the sensor's readings\n"
+          "warning 6:6: boom.inlet_pressure stays at 104 bar up to line 10, and then jumps by 4.5 bar | the sensor or "
+          "the logger may have stopped for a time: leave these rows out\n");
 }
 
 TEST_CASE("a pressure that starts smoothly from rest is not frozen, and neither is one that moves a little") {
@@ -220,9 +219,9 @@ TEST_CASE("jittering times are resampled to whole periods, but not across a gap"
               doctest::Approx(time_ms < 110 ? time_ms / 4 : 300 - time_ms / 4));
     }
     CHECK(record_faults(text) ==
-          "warning 1:1: the times are up to 1 ms off whole periods of 20 ms | readings at whole periods are taken from "
-          "the lines between neighbours\nwarning 8:1: 3 samples are missing before this one | no window and no slope "
-          "reaches over the gap\n");
+          "warning 1:1: the times differ by up to 1 ms from whole periods of 20 ms | readings at whole periods are "
+          "interpolated linearly between neighbouring samples\nwarning 8:1: 3 samples are missing before this one | "
+          "windows and slopes do not extend across the gap\n");
 }
 
 TEST_CASE("a record whose clock changes its rate is refused") {
@@ -230,8 +229,8 @@ TEST_CASE("a record whose clock changes its rate is refused") {
     for (int i = 0; i < 60; ++i)
         text += fmt::format("{},{}\n", i < 30 ? 20 * i : 600 + 24 * (i - 30), i);
     CHECK(record_faults(text) ==
-          "error 1:1: the period changes: the times leave whole periods by more than half of one "
-          "| a record of each rate by itself\n");
+          "error 1:1: the sampling period changes: the times differ from whole periods by more than half a period "
+          "| a separate record for each sampling rate\n");
 }
 
 TEST_CASE("gaps divide a record into stretches") {
@@ -349,7 +348,7 @@ TEST_CASE("a record read in pieces equals the whole record, with its lines and o
     REQUIRE(reader.read(head + lines[0] + lines[1] + lines[2] + lines[3] + lines[4]).record);
     const ReadRecord back = reader.read(lines[5] + lines[4]);
     CHECK(!back.record);
-    CHECK(all_faults(back.faults).find("8:0.02 s before the time on line 7") != std::string::npos);
+    CHECK(all_faults(back.faults).find("8:the time is 0.02 s before the time on line 7") != std::string::npos);
 }
 
 TEST_CASE("rows without a needed reading are skipped on request; an unneeded reading may be empty") {
@@ -366,4 +365,14 @@ TEST_CASE("rows without a needed reading are skipped on request; an unneeded rea
     CHECK(without.record->size() == 14);
     CHECK(!without.record->has(Link::boom, Sensor::spool));
     CHECK(!read_record(text, {all_but_spool, false}).record); // the pressure of line 7 is needed
+}
+
+TEST_CASE("a column of configurations is read, and what is no configuration is unknown") {
+    std::string text = "time [s],boom.angle [deg],configuration\n";
+    for (int i = 0; i < 6; ++i)
+        text += fmt::format("{},{},{}\n", 0.02 * i, i, std::vector<std::string>{"a", "e", "f", "", "d", "aa"}[i]);
+    const ReadRecord read = read_record(text);
+    REQUIRE(read.record);
+    CHECK(read.faults.empty());
+    CHECK(read.record->configuration == "ae--d-");
 }

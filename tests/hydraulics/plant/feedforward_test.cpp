@@ -40,7 +40,8 @@ TEST_CASE("the feedforward of bucket and boom agrees with a hand computation") {
 TEST_CASE("flows that no areas can give are refused") {
     Circuit circuit = circuit_of(Configuration::a, {Link::bucket, Link::boom});
     CHECK_THROWS_WITH_AS(openings_for(circuit, {{{1900, 100}, {1700, 100}}}, rounded_flow, 25, 175),
-                         "the boom needs 100 in^3/s, but only 75.0 reach its junction", UnfitScenario);
+                         "the boom needs 100 in^3/s, but only 75.0 in^3/s reach its junction", UnfitScenario);
     CHECK_THROWS_WITH_AS(openings_for(circuit, {{{4490, 50}, {1700, 50}}}, rounded_flow, 25, 175),
-                         "the bucket needs 4515 psi at its junction, the relief valve opens at 4500", UnfitScenario);
+                         "the bucket needs 4515 psi at its junction, but the relief valve opens at 4500 psi",
+                         UnfitScenario);
 }

@@ -89,7 +89,7 @@ TEST_CASE("a state with a missing or wrong member is refused with the member's p
                          std::runtime_error);
     refused("\"readings\":0", "\"readings\":-1", "open.readings: not exact");
     refused("\"readings\":0", "\"readings\":0.5", "open.readings: not exact");
-    refused("\"readings\":0", "\"readings\":1", "the open sample has all its readings");
+    refused("\"readings\":0", "\"readings\":1", "the unfinished sample already has all its readings");
     refused("\"sums\":{\"inlet_psi\":\"0\"", "\"sums\":{\"inlet_psi\":\"0 1\"",
             "tracks.0.sums.inlet_psi: 2 numbers, expected 1");
     refused("\"sums\":{\"inlet_psi\":\"0\"", "\"sums\":{\"inlet_psi\":\"x\"",
@@ -117,7 +117,7 @@ TEST_CASE("inconsistent parts of a population set, movement or watched set are r
     using State = Diagnosis::State;
     auto set = [](State& state) -> PopulationSet::State& { return state.sets.begin()->second; };
     auto watch = [](State& state) -> SetWatch::State& { return state.watches.begin()->second; };
-    refused("a population of 119, expected 120", [&](State& state) { set(state).population.pop_back(); });
+    refused("a population has 119 individuals, expected 120", [&](State& state) { set(state).population.pop_back(); });
     refused("of a population set", [&](State& state) { set(state).population.assign(120, Genome(3)); });
     refused("of a population set", [&](State& state) { set(state).estimates.pop_back(); });
     refused("of a population set", [&](State& state) { set(state).window.front().pop_back(); });

@@ -100,7 +100,7 @@ class Alarms(ServiceTest):
         self.assertEqual(self.tell(service, "forget", "digger")["type"], "forgotten")
         self.assertEqual(self.tell(service, "alarms")["alarms"], [])
         self.assertIn("expected one of: alarms, load, forget MACHINE", self.tell(service, "remember", code=1))
-        self.assertIn("wrong number of words after forget: 0", self.tell(service, "forget", code=1))
+        self.assertIn("the command forget has a wrong number of arguments: 0", self.tell(service, "forget", code=1))
 
     def test_the_command_knows_tokens_and_sockets(self):
         token = self.folder / "token"

@@ -203,7 +203,7 @@ class Files(ServiceTest):
         self.assertEqual(client.ask(**boom(20))["kept"], False)
         time.sleep(1.5)
         self.assertEqual(self.state.read_text(), "somebody else's")
-        self.assertIn("another file is in its place", service.said() + json.dumps(
+        self.assertIn("another file has taken its name", service.said() + json.dumps(
             self.client(service, "digger", role="watch").receive()))
         self.state.unlink()
         client.receive_type("estimates")
@@ -286,7 +286,7 @@ class Logs(ServiceTest):
         with open(reading, encoding="ascii") as lines:
             text = first.decode() + lines.read()
         self.assertEqual(process.wait(SECONDS), 0)
-        left_out = sum(map(int, re.findall(r"(\d+) lines? w\w+ left out: the log could not be written\n", text)))
+        left_out = sum(map(int, re.findall(r"(\d+) lines? w\w+ left out of the log, because it could not be written\n", text)))
         self.assertGreater(left_out, 100)
         written = len(re.findall(r"name-\d+: 127\.0\.0\.1 port \d+ \w+", text)) + text.count("stopped\n")
         self.assertLessEqual(left_out + written, 401)

@@ -61,7 +61,8 @@ TEST_CASE("a machine of the state file gets a connection even if 256 peers hold 
     const HeardClient& site = service.hello("site", "192.0.2.1");
     CHECK(site.said.find("\"welcome\"") != std::string::npos);
     CHECK_FALSE(site.finished);
-    CHECK(service.clients.front()->said.find("a client of a known machine needs the place") != std::string::npos);
+    CHECK(service.clients.front()->said.find(
+              "this connection is closed to make room for a client of a known machine") != std::string::npos);
     const HeardClient& stranger = service.hello("stranger", "192.0.2.1");
     CHECK(stranger.said.find("already has 256 clients") != std::string::npos);
     for (std::size_t i = 0; i < 1000; ++i)

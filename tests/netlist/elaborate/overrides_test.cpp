@@ -251,8 +251,9 @@ TEST_CASE("wrong attributes and values of a master's place on a bus are refused"
     CHECK(says(told("spare.level", "1"), "note: it has nothing that can be set\n"));
     CHECK(says(told("at_a.level", "4"), "illegal value of the attribute \"level\": 4\n"));
     CHECK(says(told("at_a.level", "top"), "hint: expected an integer from 0 to 3\n"));
-    CHECK(says(told("a.level", "1"), "hint: the place of \"a\" on its bus has: --set at_a.level=...\n"));
-    CHECK(says(told("b.release", "ROR"), "hint: the place of \"b\" on its bus has: --set attachment[0].release=...\n"));
+    CHECK(says(told("a.level", "1"), "hint: the connection of \"a\" to its bus has: --set at_a.level=...\n"));
+    CHECK(says(told("b.release", "ROR"),
+               "hint: the connection of \"b\" to its bus has: --set attachment[0].release=...\n"));
     CHECK(!says(told("t.release", "ROR"), "hint: "));
     CHECK(says(told("release", "ROAK"), "hint: expected one of RWD, ROR\n"));
     CHECK(says(told("relase", "ROR"), "hint: did you mean \"release\"?\n"));

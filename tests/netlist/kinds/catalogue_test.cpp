@@ -14,12 +14,13 @@ using namespace placedpar;
 TEST_CASE("a second kind of the same name is refused") {
     Catalogue catalogue;
     add_csp_kinds(catalogue);
-    CHECK_THROWS_WITH_AS(add_csp_kinds(catalogue), "process kind \"csp.producer\" is in the catalogue already",
+    CHECK_THROWS_WITH_AS(add_csp_kinds(catalogue),
+                         "the process kind \"csp.producer\" is in the catalogue already; use another name",
                          std::logic_error);
     CHECK_THROWS_WITH_AS(catalogue.add_device({.name = "edge", .noun = "an edge", .about = ""}),
-                         "device kind \"edge\" is in the catalogue already", std::logic_error);
+                         "the device kind \"edge\" is in the catalogue already; use another name", std::logic_error);
     CHECK_THROWS_WITH_AS(catalogue.add_device({.name = "x", .noun = "an x", .about = "", .models = {{.name = "T800"}}}),
-                         "node type \"T800\" is in the catalogue already", std::logic_error);
+                         "the node type \"T800\" is in the catalogue already; use another name", std::logic_error);
     CHECK_THROWS_AS(
         catalogue.add_device(
             {.name = "y", .noun = "a y", .about = "", .attributes = {{.value = description::integer("n", {}, "")}}}),

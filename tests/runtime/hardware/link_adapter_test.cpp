@@ -362,8 +362,9 @@ TEST_CASE("a program that outputs on a broadcast's channels in sequence is stuck
         REQUIRE(result.deadlock);
         CHECK(result.deadlock->cycle == std::vector<std::string>{"host"});
         REQUIRE(result.deadlock->held_up.size() == 1);
-        CHECK(result.deadlock->held_up[0] == "c0: until c1, c2 are output, too: one message goes to all of them, which "
-                                             "a program outputs in a PAR");
+        CHECK(result.deadlock->held_up[0] ==
+              "c0: waits until c1, c2 are output, too, because one message goes to all of them, which "
+              "a program outputs in a PAR");
     }
     SUBCASE("while others could go on") {
         host.simulation.process("other", [] { wait_for(milliseconds{5}); });

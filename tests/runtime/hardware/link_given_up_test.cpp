@@ -16,6 +16,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 using namespace placedpar;
@@ -183,6 +184,34 @@ TEST_CASE("a first byte on the wire when the speed changes arrives at the old sp
             ways.simulation.run();
             CHECK(announced == begin + 550ns); // 11 bits at the usual speed
         }
+}
+
+// The second byte begins 440 ns before the end of virtual time, and its acknowledge 180 ns before. The third byte would
+// begin after the end.
+TEST_CASE("a message that would pass the end of virtual time, and is given up before, leaves no error") {
+    for (bool every_byte : {false, true}) {
+        CAPTURE(every_byte);
+        TwoWays ways({}, every_byte);
+        ways.simulation.process("sender", [&] {
+            wait_until(Time::max() - 1us);
+            CHECK_FALSE(output_or_fail(ways.there.out(), {.bytes = 100}, Time::max() - 100ns));
+        });
+        ways.simulation.process("receiver", [&] { ways.there.in().input(); });
+        CHECK(ways.simulation.run().ending == Ending::stuck);
+    }
+}
+
+TEST_CASE("a long message that would pass the end of virtual time ends the run with an error") {
+    for (bool every_byte : {false, true}) {
+        CAPTURE(every_byte);
+        TwoWays ways({}, every_byte);
+        ways.simulation.process("sender", [&] {
+            wait_until(Time::max() - 1us);
+            ways.there.out().output({.bytes = 4'000'000'000});
+        });
+        ways.simulation.process("receiver", [&] { ways.there.in().input(); });
+        CHECK_THROWS_AS(ways.simulation.run(), std::overflow_error);
+    }
 }
 
 TEST_CASE("a run in which no process receives ends when the first byte has arrived and has been noticed") {

@@ -66,5 +66,5 @@ TEST_CASE("a packet costs its router's handling at every processor on its way") 
     CHECK(usual.message - free.message == 5 * 200 * cycle);
     CHECK(slow.computation - usual.computation == 2 * 2 * 1000 * cycle);
     CHECK_THROWS_WITH_AS(RoutedMachine(line(2), {.handling = Cycles{-1}}),
-                         "a router handles a packet in a negative number of cycles", std::logic_error);
+                         "the cycles in which a router handles a packet must not be negative", std::logic_error);
 }

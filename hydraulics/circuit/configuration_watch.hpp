@@ -1,0 +1,78 @@
+#pragma once
+
+#include "hydraulics/circuit/cross_over.hpp"
+#include "hydraulics/circuit/link_sample.hpp"
+#include "hydraulics/circuit/main_valve.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace placedpar::hydraulics {
+
+/// The readings of all links at one instant.
+struct ValveReading {
+    ValveLinks links;
+    PerLink<double> piston_in3; ///< piston_in3_per_rad times the joint's angle
+};
+
+/// The state and the flows of the main valve between two successive readings.
+struct ValveInterval {
+    ValveReading end{};
+    Configuration configuration = Configuration::a; ///< at the end
+    PerLink<double> junction_psi{};                 ///< at the end
+    ValveFlows mean{};                              ///< without relief
+    double misfit = 0;                              ///< sum over the links of (oil - mean.inlet)^2
+    PerLink<double> oil_in3_per_s{};                ///< flow that moves the piston and expands the hose, smoothed
+    PerLink<double> forward_s{};                    ///< time since oil last left the cylinder
+};
+
+/// Recognises the configuration of the main valve from the readings of all links.
+///
+/// The junctions' pressures follow by integration from the areas and the cylinders' pressures, and the configuration
+/// from them by the rule of 2.4, as in the machine. Where a pressure just reaches a limit, the noise of the readings
+/// decides, and the rule may stay in the wrong state for seconds. Therefore the flows into the cylinders are compared
+/// with the flows that move the pistons and expand the hoses. Another position of the cross-over valves replaces the
+/// present one if it explains these flows much better and a change to it lies within the last `reach` intervals.
+class ConfigurationWatch {
+public:
+    static constexpr std::size_t reach = 4; ///< intervals
+    static constexpr std::size_t span = 8;  ///< intervals of a sample: long, so that noise hardly changes its slopes
+
+    /// `compliance_in3_per_psi`: compliances of healthy links. True compliances may differ from them by up to a third.
+    ConfigurationWatch(const MainValve&, const CrossOverLimits&, const PerLink<double>& compliance_in3_per_psi,
+                       double period_s);
+
+    /// Takes the next reading, one period after the last.
+    void take(const ValveReading&);
+    /// Forgets the recent intervals, but keeps the configuration. Call it after a gap in the readings.
+    void restart();
+
+    Configuration configuration() const { return last_.configuration; }
+    const ValveInterval& last() const { return last_; }
+    /// Returns the links into which oil flows all through the last `span` intervals, and that have moved forward for
+    /// so long that their outlets are shut. Returns none if the configuration has changed.
+    LinkSet driven() const;
+    /// Returns the means over the last `span` intervals as samples of this circuit. What the circuit leaves out is in
+    /// the piston's flow and in the bypass: the oil stored in pipes, the valves of links at rest, and the flows into
+    /// other links. Returns nullopt if the readings contradict the circuit. REQUIRES: driven() contains its links.
+    std::optional<std::vector<LinkSample>> samples(const Circuit&) const;
+
+private:
+    ValveInterval next(const ValveInterval& from, const ValveReading& to, bool held) const;
+    /// Adds the flows of a step, at the mean of the junctions' pressures before and after it.
+    void add_flows(ValveInterval& now, const PerLink<double>& before_psi, const ValveLinks& links, double share) const;
+    bool near(const ValveInterval&, Configuration other) const;
+    void reconsider();
+    /// Returns the mean of get(interval) over the last `span` intervals.
+    template <class Get>
+    double mean(Get get) const;
+
+    MainValve valve_;
+    CrossOverLimits limits_;
+    PerLink<double> compliance_in3_per_psi_;
+    double period_s_;
+    ValveInterval last_;
+    std::vector<ValveInterval> recent_; ///< at most span + 1, oldest first; of the first only its end matters
+};
+
+} // namespace placedpar::hydraulics

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "hydraulics/circuit/circuit.hpp"
+#include "hydraulics/circuit/flow_constants.hpp"
+
+namespace placedpar::hydraulics {
+
+class Parameters; // hydraulics/data/parameters.hpp
+
+/// The pressures on which the configuration depends (2.4). We have the text of Figure 2.10 without its drawing, so this
+/// is our interpretation: branch n is the line from its pump past its first link, a check valve, and the junction of
+/// its second link.
+struct BranchPressures {
+    double p12_psi; ///< branch 1 before its check valve: past the bucket
+    double p13_psi; ///< branch 1 behind its check valve: at the boom
+    double p22_psi; ///< branch 2 before its check valve: past the swing
+    double p23_psi; ///< branch 2 behind its check valve: at the stick
+};
+
+/// Returns them from the pressures at the junctions of the links.
+BranchPressures branch_pressures(const PerLink<double>& junction_psi);
+
+/// The orifices of the main valve and the pressures behind its inlets.
+struct ValveLinks {
+    PerLink<double> inlet_psi, inlet_in2, bypass_in2; ///< areas >= 0
+};
+
+/// The flows that leave the junction of each link, in in^3/s and >= 0.
+struct ValveFlows {
+    PerLink<double> inlet, bypass, relief;
+};
+
+/// The main valve with the volume of its pipes: at the junction of each link, oil is stored as the pressure rises.
+struct MainValve {
+    FlowConstants flow{};
+    double pipe_in3_per_psi = 0; ///< compliance of the oil at each junction: volume / bulk modulus
+    double laminar_psi = 0;      ///< drop below which a flow is proportional to it
+
+    /// Returns the flow through an orifice with a check valve.
+    double one_way(double area_in2, double drop_psi) const;
+    ValveFlows flows(Configuration, const PerLink<double>& junction_psi, const ValveLinks&) const;
+    /// Returns the rates of the junctions' pressures in psi/s.
+    PerLink<double> rates(Configuration, const ValveFlows&) const;
+};
+
+/// Reads the rows flow.*, pipe.volume, oil.bulk_modulus and valve.drain_laminar.
+MainValve main_valve(const Parameters& parameters);
+
+} // namespace placedpar::hydraulics

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "gaprocs/search.hpp"
+#include "identification/flow_weights.hpp"
+#include "identification/identification.hpp"
+#include "identification/on_line/set_problem.hpp"
+#include "identification/whole_search.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace placedpar::identification {
+
+/// The answer of one population set.
+struct SetAnswer {
+    hydraulics::LinkSet set;
+    std::string configurations; ///< in which the set was searched, such as "ad"
+    std::size_t samples;
+    std::uint64_t generations;
+    std::vector<LinkIdentified> links; ///< in the order of links_of()
+};
+
+/// The search of one population set over all its samples, in whatever configurations of the main valve they were taken.
+/// The population is kept from one round to the next. Rounds and weights are those of whole_search.hpp.
+class SetSearch {
+public:
+    static constexpr std::size_t fewest_samples = 10; ///< fewer are not searched
+
+    SetSearch(hydraulics::LinkSet set, const WholeWay& way, const hydraulics::FlowConstants& flow, RandomStream random);
+
+    /// Adds a sample in the order of the circuit of this configuration. Keeps the last 1,024 samples.
+    void add(hydraulics::Configuration, hydraulics::CircuitSample sample);
+    /// Makes the generations of a round if there are enough samples, and new ones since the last round.
+    void round();
+    /// Makes the rounds that are still missing and returns the answer, or nullopt if there are too few samples.
+    std::optional<SetAnswer> answer();
+
+private:
+    struct Part {
+        SetProblem problem;
+        std::vector<hydraulics::CircuitSample> samples;
+        std::optional<FlowWeights> weights;
+    };
+
+    void evolve();
+    std::size_t samples() const;
+    std::vector<double> found_in(const Part& part) const; ///< in the circuit's order
+    /// Returns least squares over the samples of all configurations, in the order of links_of().
+    std::vector<LeastSquares> least_squares() const;
+
+    hydraulics::LinkSet set_;
+    WholeWay way_;
+    hydraulics::FlowConstants flow_;
+    Search search_;
+    std::map<hydraulics::Configuration, Part> parts_;
+    std::size_t rounds_ = 0, fresh_ = 0; ///< fresh: samples since the last round
+};
+
+/// The share of a compliance by which the interpolation between readings may shift an answer beyond its standard error.
+inline constexpr double model_share = 0.02;
+
+/// Returns the mean of independent results, weighed by their standard errors and model_share.
+LeastSquares combined(const std::vector<LeastSquares>& results);
+
+} // namespace placedpar::identification
