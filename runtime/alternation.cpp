@@ -127,7 +127,6 @@ private:
     std::span<const Guard> guards_;
 };
 
-/// Waits until a guard is ready.
 void sleep(Process& self, std::span<const Guard> guards, const SourceLocation& where) {
     auto channels = awaited_channels(guards);
     auto timeout = earliest_timeout(guards);

@@ -15,7 +15,6 @@ namespace placedpar {
 template <class Body>
 concept ComponentBody = std::constructible_from<Process::Body, Body>;
 
-/// One component of a PAR.
 struct Component {
     Process::Body body;
     Priority priority;

@@ -43,7 +43,6 @@ std::vector<std::string> problems_and_policies(const ProblemRegistry& problems) 
     return names;
 }
 
-/// The meaning of a name.
 enum class Meant { kinds, all_problems, problem, all_policies, policy };
 
 /// Throws UserError if the name is unknown.

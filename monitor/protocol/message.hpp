@@ -22,7 +22,7 @@ enum class Role : unsigned char { control, watch };
 enum class Answers : unsigned char { all, moved, none };
 
 struct Hello {
-    std::string machine; ///< name of the machine
+    std::string machine;
     Role role = Role::control;
     Answers answers = Answers::all;
     double load_every_s = 0; ///< period of load reports; 0: only on request
