@@ -35,10 +35,11 @@ struct JudgedCells {
 };
 
 /// Prints a table for people. Each cell has a simulated figure, a known figure and an error. The error is in percent of
-/// the known figure. It is in the cell's unit if the tolerance is, or if the unit is percent. A cell with a one-sided
-/// bound shows the bound instead of an error; a cell beside a claim, which is a bound in words, shows no error. The
-/// tolerances of a row's cells follow the row. A part that is empty in all cells of a column is left out. Rows and
-/// columns keep the order of the cells. A row with a column that the rows above do not have begins a new table.
+/// the known figure, or in the cell's unit if the tolerance is in this unit or the unit is percent. A cell with a
+/// one-sided bound shows the bound instead of an error; a cell beside a claim, which is a bound in words, shows no
+/// error. The tolerances of a row's cells follow the row. A part that is empty in all cells of a column is left out.
+/// Rows and columns keep the order of the cells. A row with a column that the rows above do not have begins a new
+/// table.
 std::string print_comparison(const Comparison&);
 
 /// Returns whether the first table, and every other judged table, is within its tolerances.

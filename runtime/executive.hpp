@@ -120,8 +120,8 @@ void compute(Cycles, const CodeShape& = {});
 /// including the parent of its PAR, waits for ever. A run that ends with stopped processes ends as in a deadlock.
 [[noreturn]] void stop(const SourceLocation& = SourceLocation::current());
 
-/// Charges the running process for an operation. `cost` is applied to its executive's costs, as in `charge(self,
-/// &OperationCosts::timer_read)`.
+/// Charges the running process for an operation. `cost` selects from the costs of the process's executive, as in
+/// `charge(self, &OperationCosts::timer_read)`.
 template <class Cost>
 void charge(Process& self, Cost cost) {
     if (Executive* executive = self.executive())

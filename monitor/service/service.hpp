@@ -33,8 +33,8 @@ struct ServiceSettings {
     std::function<identification::AnswerInTime(identification::ComplianceSearch, double period_s)> netlist;
 };
 
-/// The on-line diagnosis as a service over TCP and Unix-domain sockets. One thread does all work. A second thread
-/// writes the state file, and a third thread runs the searches of a netlist.
+/// The on-line diagnosis as a service over TCP and Unix-domain sockets. One thread serves all clients and makes all
+/// diagnoses. A second thread writes the state file, and a third thread runs the searches of a netlist.
 class Service {
 public:
     /// Restores the state and listens. The log receives messages for the operator. REQUIRES: the log outlives this
