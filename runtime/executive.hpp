@@ -62,14 +62,14 @@ struct OperationCosts {
 ///
 /// An implementation must keep these rules:
 /// 1. make_ready(p) states that p can continue. The executive calls Kernel::enqueue(p) once, immediately or when p's
-/// turn comes. From the call of enqueue on, p has the executive, and it continues at the same virtual time.
+/// turn comes. From the call of enqueue() on, p has the executive, and it continues at the same virtual time.
 /// 2. p keeps the executive until it leaves the executive, to wait or at its end. While it has the executive, p may
 /// compute.
 /// 3. If begin_computing(p) returns false, the executive calls Kernel::enqueue(p) once, when the work is done.
 /// Meanwhile it may execute other processes. If begin_computing(p) returns true, the work is already done:
 /// Kernel::pass_time has advanced the time, or there was no work.
-/// 4. make_ready and leave do not wait or throw, because events and ending processes call them. begin_computing does
-/// not wait.
+/// 4. make_ready() and leave() do not wait or throw, because events and ending processes call them. begin_computing()
+/// does not wait.
 /// 5. The operations that a program repeats while it polls (SKIP guards, waits for a past time) must take time.
 /// Otherwise virtual time stands still while the program polls.
 class Executive {

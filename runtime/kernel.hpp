@@ -61,7 +61,7 @@ struct Failure {
 ///
 /// 1. A kernel is used by one thread; only interrupt() may be called from another thread.
 /// 2. A kernel runs once, and no other kernel runs on its thread during the run.
-/// 3. wait, give_way and running may be called only by the process that is being executed.
+/// 3. wait(), give_way() and running() may be called only by the process that is being executed.
 /// 4. A process is destroyed before its kernel, and only when it has ended or the run is over.
 ///
 /// Processes are Boost fibers. When a process ends, its fiber runs the next process, so a PAR in a loop needs no new
@@ -105,7 +105,7 @@ public:
         else
             enqueue(p);
     }
-    /// Puts the process at the back of the ready queue. Only executives call this; all others call make_ready.
+    /// Puts the process at the back of the ready queue. Only executives call this; all others call make_ready().
     void enqueue(Process& p) { hot_.ready.push_back(p); }
     /// Takes the running process off its executive, and runs other processes until it is made ready. If there is a
     /// successor, makes it ready; it must have an executive. Throws Unwinding when the simulation is over.

@@ -16,8 +16,8 @@ namespace placedpar {
 
 /// Holds eight doubles in registers of `width` doubles: for example, the same parameter of eight individuals of a
 /// population. Code written for double works for Lanes, too. Each lane gets the same bits as a double would, because
-/// every operation rounds once. max and min compare as std::max and std::min do. Create and use Lanes only in the
-/// `Work` of in_vectors(), so that the code is compiled for this width.
+/// every operation rounds once. The functions `max` and `min` compare as std::max and std::min do. Create and use Lanes
+/// only in the `Work` of in_vectors(), so that the code is compiled for this width.
 template <std::size_t width>
 class Lanes {
 public:
