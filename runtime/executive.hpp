@@ -21,8 +21,8 @@ struct OperationCosts {
     Cycles soft_word_output{};   ///< an output of one byte or one word on a soft channel, including the copy
     Cycles hard_communication{}; ///< an input or output on a hard channel, for each part of the message
     Cycles word_outside{};       ///< additional cycles of each access to a word outside the chip (CodeShape)
-    Cycles copied_word{}; ///< each word of a message on a soft channel, unless soft_word_output includes its copy; paid
-                          ///< by the process that arrives second
+    Cycles copied_word{}; ///< each word of a message on a soft channel, unless `soft_word_output` includes its copy;
+                          ///< paid by the process that arrives second
     std::int64_t bytes_in_a_word = 4;
 
     Cycles start_component{}; ///< each component of a PAR, except the last, which the parent runs itself

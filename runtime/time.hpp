@@ -40,7 +40,7 @@ constexpr Time times(std::int64_t n, Time each) { return clamped(WideInteger{n} 
 /// Returns `t + by`, at most Time::max(). REQUIRES: t >= 0.
 constexpr Time later(Time t, Time by) { return by > Time::max() - t ? Time::max() : t + by; }
 
-/// Computes duration_of for one frequency, without a division of 128 bits.
+/// Computes duration_of() for one frequency, without a division of 128 bits.
 class Clock {
 public:
     /// REQUIRES: hertz > 0.

@@ -37,12 +37,12 @@ struct Registers<8> {
     typedef std::uint64_t Words __attribute__((vector_size(64)));
 };
 
-/// Returns the largest of vector_widths that this processor has.
+/// Returns the largest of `vector_widths` that this processor has.
 std::size_t widest_vector_width();
 
 /// Returns the width in use. It is the widest, unless a test or a benchmark has set another.
 std::size_t vector_width();
-/// Sets the width in use. Throws std::invalid_argument if the width is not in vector_widths, or if the processor does
+/// Sets the width in use. Throws std::invalid_argument if the width is not in `vector_widths`, or if the processor does
 /// not have it.
 void use_vector_width(std::size_t width);
 
