@@ -17,8 +17,8 @@ struct Identified;       // identification/identification.hpp
 
 /// Runs an identification as processes of a simulated machine. Prints the run, the answers of all searches after each
 /// sample, the fittest answer, how far the searches agree, and the seconds that the machine took; adds them to `json`.
-/// A single search makes the same generations as identify(), so missed_tolerance is returned if its answer differs from
-/// the native answer. Several searches make other generations, so their answer is only printed beside the native
+/// A single search makes the same generations as identify(), so `missed_tolerance` is returned if its answer differs
+/// from the native answer. Several searches make other generations, so their answer is only printed beside the native
 /// answer.
 ExitCode run_on_machine(const ProcessSearch& search, const identification::Identified& native,
                         const identification::ComplianceSearch& prepared, std::uint64_t seed,

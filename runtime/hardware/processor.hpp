@@ -130,7 +130,7 @@ private:
     Time switching_{}; ///< time of a switch to the next process
     Time halts_at_ = Time::max();
 
-    boost::container::small_vector<Link*, 4> links_; ///< a transputer has at most four
+    boost::container::small_vector<Link*, 4> links_; ///< a transputer has at most four links
     Process* preempted_ = nullptr;                   ///< low-priority process that was pre-empted
 
     ProcessQueue high_, low_; ///< processes that wait for the processor
