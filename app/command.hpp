@@ -26,7 +26,8 @@ struct Command {
     std::vector<std::string> (*values)() = nullptr;
 };
 
-/// Returns the commands of every program: one command for each file in the folder commands, without further_commands().
+/// Returns the commands of every program: one command for each file in the folder `commands`, without
+/// further_commands().
 std::vector<Command> program_commands();
 /// Returns the additional commands of placedpar, which need parts of PlacedPar that other programs do not link.
 std::vector<Command> further_commands();

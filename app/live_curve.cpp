@@ -27,7 +27,6 @@ std::vector<LoggedGeneration> spread(std::span<const LoggedGeneration> generatio
     return some;
 }
 
-/// The scale of the curve.
 struct CurveAxis {
     double low, high;
     /// Returns the row of a value; row 0 is the highest of `rows` rows.

@@ -18,7 +18,7 @@ struct RecordedFiles {
     TraceWindow window = {};
 };
 
-/// Records a run during the run, and writes the RecordedFiles afterwards.
+/// Records a run while it happens, and writes the RecordedFiles afterwards.
 class Recorders {
 public:
     /// Throws UserError if a file cannot be written. `another`, if not null, receives all events as well.

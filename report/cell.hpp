@@ -41,7 +41,7 @@ struct Cell {
     double simulated = 0;                         ///< NaN if there is no figure; NaN meets no tolerance
     std::optional<double> tolerance_percent = {}; ///< in percent of the reference; empty: no such tolerance
     Origin origin = Origin::outcome;
-    std::optional<double> tolerance = {}; ///< in the cell's unit; replaces tolerance_percent
+    std::optional<double> tolerance = {}; ///< in the cell's unit; replaces `tolerance_percent`
     int decimals = 2;                     ///< number of decimals that are printed
     /// One-sided bounds, in the cell's unit. If either is set, the tolerances are not used.
     std::optional<double> at_least = {}, at_most = {};
@@ -54,7 +54,7 @@ struct Cell {
     /// Returns the deviation of the simulated figure from the reference, in percent of the reference; 0 if both are 0;
     /// nothing if a figure is missing, or if only the reference is 0.
     std::optional<double> error_percent() const;
-    /// Returns tolerance_percent, or `tolerance` in percent of the reference; nothing if neither is defined.
+    /// Returns `tolerance_percent`, or `tolerance` in percent of the reference; nothing if neither is defined.
     std::optional<double> tolerance_in_percent() const;
     bool is_judged() const { return at_least || at_most || tolerance || tolerance_percent; }
     bool within_tolerance() const;
@@ -86,11 +86,12 @@ inline constexpr double deviations_allowed = 4;
 
 /// Returns the tolerance, in percentage points, for the difference between two shares, each of n records. The standard
 /// deviation is sqrt(2 p (1 - p) / n). To estimate p, two successes and two failures are added (Agresti and Coull), so
-/// that a share of 0 or 100 % scatters, too. A known share from 50 to 300 seeds counts as n records.
+/// that a share of 0 or 100 % scatters, too. A known share came from 50 to 300 seeds; it is treated as if
+/// it came from n records.
 double share_tolerance(double known_percent, std::size_t records);
 /// Returns how far the standard deviation of n Gaussian values may be from a known standard deviation. The result is
-/// deviations_allowed times the scatter of the values' standard deviation, plus `rounding`, the largest rounding error
-/// of the known figure.
+/// `deviations_allowed` times the scatter of the values' standard deviation, plus `rounding`, the largest rounding
+/// error of the known figure.
 double deviation_tolerance(double known, std::size_t records, double rounding);
 /// Returns how far the mean of n values with this standard deviation may be from the true mean, including a systematic
 /// error of up to `bias`.

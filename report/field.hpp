@@ -33,9 +33,10 @@ struct Field {
     static Field count(std::size_t width, const std::string& name, std::integral auto number) {
         return right(width, name, std::to_string(number)).as(name, number);
     }
-    /// Returns a fact that only documents have.
+    /// Returns a field that only documents have.
     static Field member(std::string key, const auto& value) { return Field().as(std::move(key), value); }
-    /// Returns a time that only documents have, in picoseconds: "busy_ps". The member is missing if there is no time.
+    /// Returns a field for a time in picoseconds that only documents have: "busy_ps". The member is missing if there is
+    /// no time.
     static Field member_ps(const std::string& key, std::optional<Time> time) {
         return time ? member(key + "_ps", time->count()) : Field();
     }
@@ -63,7 +64,7 @@ struct Table {
     Row head; ///< only its headings, widths and keys are used; it is set even if there are no rows
     std::vector<Row> rows;
 
-    /// Returns a painted line of headings, after `before`, and a line for each row, without trailing blanks.
+    /// Returns a line of headings (Paint::heading), after `before`, and a line for each row, without trailing blanks.
     std::string text(const std::string& before = "") const;
     /// Returns a line of keys and a line for each row; a cell without a value is empty.
     std::string csv() const;

@@ -34,7 +34,8 @@ std::string print_policy(const Catalogue&, const std::string& name);
 /// Returns all that print_policy() prints. Throws as print_policy() does. REQUIRES: is_policy().
 boost::json::array policies_json(const Catalogue&, const std::string& name);
 
-/// Prints the numbers of a policy, or of a family of problems: a line for each, under a heading; "" if there are none.
+/// Prints the numbers that a policy or a family of problems takes: a line for each, under a heading; "" if there are
+/// none.
 std::string print_numbers(const PolicyDescription&);
 boost::json::array numbers_json(const PolicyDescription&);
 

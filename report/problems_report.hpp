@@ -12,10 +12,11 @@ namespace placedpar {
 /// The name that stands for all problems in place of a kind's name.
 inline constexpr std::string_view problems_group = "problems";
 
-/// Prints the search problems, a line for each. Families of problems are printed with their numbers and defaults.
+/// Prints the search problems, a line for each. A family of problems is printed with the numbers in its names, as in
+/// `sphere(3)`, and their defaults.
 std::string print_problems(const ProblemRegistry&);
-/// Prints everything about the problem of this name: its numbers, its objective, and the parameters that are searched.
-/// Throws UserError as ProblemRegistry::find() does.
+/// Prints everything about the problem of this name: the numbers in the name, the objective, and the parameters that
+/// are searched. Throws UserError as ProblemRegistry::find() does.
 std::string print_problem(const ProblemRegistry&, const std::string& name);
 
 /// Returns all that print_problem() prints; an unknown optimum is null. Throws as print_problem() does.

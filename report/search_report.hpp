@@ -19,7 +19,7 @@ std::string print_searches(const GenerationLog&);
 /// logs are of one network.
 std::string print_searches(std::span<const SeededLog>);
 
-/// Returns the searches for programs: an array, with `all` at the end.
+/// Returns the searches for programs: an array, whose last element, `all`, is about all searches together.
 boost::json::array searches_json(const GenerationLog&);
 
 } // namespace placedpar

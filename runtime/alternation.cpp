@@ -73,7 +73,7 @@ void charge_disabling(Process& self, std::span<const Guard> guards) {
 
 } // namespace
 
-/// A process that sleeps until one of its guards is ready. The guards are enabled on their channels as long as the
+/// The sleep of a process until one of its guards is ready. The guards are enabled on their channels as long as the
 /// object exists.
 class Alternation final : Event, Listener {
 public:
@@ -127,7 +127,6 @@ private:
     std::span<const Guard> guards_;
 };
 
-/// Waits until a guard is ready.
 void sleep(Process& self, std::span<const Guard> guards, const SourceLocation& where) {
     auto channels = awaited_channels(guards);
     auto timeout = earliest_timeout(guards);

@@ -25,7 +25,7 @@ struct Guard {
 
 /// Waits until a guard is ready and returns its index. If several guards are ready, returns the first of them in the
 /// given order, as occam's PRI ALT does; the transputer's instructions do the same for ALT. Guards of kind `never`,
-/// whose condition is false, are ignored. The message of an input guard is not input. Throws std::logic_error if no
+/// whose condition is false, are ignored. Does not input the message of an input guard. Throws std::logic_error if no
 /// guard can ever become ready (in occam such an ALT acts as STOP).
 std::size_t select(std::span<const Guard> guards, const SourceLocation& = SourceLocation::current());
 
@@ -43,8 +43,9 @@ auto after(Time due, Body body, const SourceLocation& where = SourceLocation::cu
 }
 
 /// Makes occam's SKIP guard, which is always ready. Guards listed before it are chosen if they are ready; guards listed
-/// after it are never chosen. Polling costs a placed process cycles. A process that is not placed polls in no virtual
-/// time. Other processes get their turn at the same instant, but time passes only when the polling process waits.
+/// after it are never chosen. A placed process pays cycles for polling. A process that is not placed polls in no
+/// virtual time: other processes get their turn at the same instant, but time passes only when the polling process
+/// waits.
 template <std::invocable Body>
 auto skip(Body body, const SourceLocation& where = SourceLocation::current()) {
     return std::pair(Guard{Guard::skip, nullptr, Time{}, where}, std::move(body));
@@ -111,7 +112,8 @@ auto each(std::span<const Input<T>> inputs, Turn& turn, Body body,
     return detail::replicated(inputs, turn.next, std::move(take), where);
 }
 
-// These two take a vector, such as environment.inputs<T>("in"), which may be a temporary in the call of alt().
+// The next two functions take a vector, such as `environment.inputs<T>("in")`; it may be a temporary in the call of
+// alt().
 template <class T, std::invocable<std::size_t, T> Body>
 auto each(const std::vector<Input<T>>& inputs, Body body, const SourceLocation& where = SourceLocation::current()) {
     return each(std::span<const Input<T>>(inputs), std::move(body), where);
@@ -153,8 +155,8 @@ auto when(bool condition, Guards<Body> several) {
     return when([=](std::size_t) { return condition; }, std::move(several));
 }
 
-/// Runs occam's PRI ALT: waits for the first ready guard, inputs if it is an input guard, and runs the guarded body.
-/// Returns the index of the guard.
+/// Runs occam's PRI ALT: waits for the first ready guard, inputs the message if it is an input guard, and runs the
+/// guarded body. Returns the index of the guard.
 template <class... Bodies>
 requires(sizeof...(Bodies) > 0) std::size_t alt(std::pair<Guard, Bodies>... alternatives) {
     const Guard guards[] = {alternatives.first...};

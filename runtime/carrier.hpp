@@ -12,16 +12,17 @@ namespace placedpar {
 class AnyChannel;
 class Process;
 
-/// Carries the messages of hard channels from one executive to another. A carrier is a direction of a link, alone or
-/// shared with other channels. output() and input() return when the calling process can continue. Each charges the
-/// process OperationCosts::hard_communication.
+/// Carries the messages of hard channels from one executive to another. Examples are a direction of a link, a route of
+/// packets, and a lane through a bus master's memory. output() and input() return when the calling process can
+/// continue. Each call charges the process OperationCosts::hard_communication.
 class Carrier {
 public:
     virtual ~Carrier() = default;
 
     /// Sends the message that waits in the channel. REQUIRES: called by the outputting process.
     virtual void output(AnyChannel&, const WireForm&, const SourceLocation&) = 0;
-    /// Receives a message into the channel's waiting slot. REQUIRES: called by the inputting process.
+    /// Receives a message into the slot of the process that waits in the channel. REQUIRES: called by the inputting
+    /// process.
     virtual void input(AnyChannel&, const SourceLocation&) = 0;
     /// Returns whether a message has begun to arrive and no process has asked for it.
     virtual bool message_waits(const AnyChannel&) const = 0;
@@ -36,7 +37,7 @@ public:
     virtual bool output_must_be_reset(const AnyChannel&) const { return false; }
     virtual bool input_must_be_reset(const AnyChannel&) const { return false; }
     /// Returns the channels that keep an outputting process waiting although its partner inputs. They are other
-    /// channels on which the same message must be output, or channels whose message has not been taken.
+    /// channels of the same broadcast: the message has not been output on them, or their receiver does not input it.
     virtual std::vector<const AnyChannel*> held_up_by(const AnyChannel&) const { return {}; }
 
     // The next functions are for carriers whose messages can be given up (runtime/recovery.hpp).
@@ -44,8 +45,8 @@ public:
     /// in "travels in packets".
     virtual std::string why_not_given_up() const { return "is on a carrier that takes messages as a whole"; }
     /// Make output (input) return, so that the process continues without its message. Return false and do nothing if
-    /// the message is already complete for the process. REQUIRES: called by an event, while a process is in output
-    /// (input).
+    /// the process's part of the transfer is already complete. REQUIRES: called by an event, while a process is in
+    /// output (input).
     virtual bool give_up_output(AnyChannel&) { return false; }
     virtual bool give_up_input(AnyChannel&) { return false; }
     /// Clear the end after its message was given up. Return how many bytes of the message this end has transferred.

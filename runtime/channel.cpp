@@ -16,8 +16,8 @@ namespace {
 
 AnyChannel::User user(const Process& process) { return {&process, &process.outermost(), process.ordinal()}; }
 
-/// Returns whether the process may use an end after its last user. Both must belong to the same outermost process, and
-/// must not be two components of one PAR.
+/// Returns whether the process may use an end after its last user. The process and the last user must belong to the
+/// same outermost process, and must not be two components of one PAR.
 bool may_follow(const AnyChannel::User& last, const Process& process) {
     return last.outermost == &process.outermost() && !process.is_beside(last.ordinal);
 }
@@ -35,7 +35,8 @@ void require_unused(const void* end, const AnyChannel& channel) {
 
 } // namespace
 
-/// Derives the identity from the process that makes the channel. Outside of a run, derives it from the channel's name.
+/// Derives the identity from the process that makes the channel. Outside of a run with histories, derives it from the
+/// channel's name.
 std::uint64_t AnyChannel::new_identity(const std::string& name) {
     const Kernel* kernel = Kernel::current();
     if (!kernel || !kernel->keeps_histories())

@@ -19,8 +19,8 @@
 
 namespace placedpar {
 
-/// Receives a call when a message begins to wait in a channel. Alternations are listeners, and so are attempts that a
-/// message ends.
+/// Receives a call when a message begins to wait in a channel. Alternations are listeners. So are attempts that end
+/// when a message waits in another channel.
 class Listener {
 public:
     /// Called when a message waits in the channel and no process has asked for it.
@@ -30,7 +30,7 @@ protected:
     ~Listener() = default;
 };
 
-/// Receives a call when the process of an attempt is in the channel.
+/// Receives a call when the process of an attempt has begun its input or output.
 class AttemptObserver {
 public:
     virtual void entered() = 0;
@@ -43,7 +43,7 @@ protected:
 ///
 /// The two processes need not know whether the channel is soft or hard. On a soft channel, the process that arrives
 /// second copies the message and continues, and the first process is made ready. On a hard channel, a carrier transfers
-/// the message over a link.
+/// the message, for example over a link.
 ///
 /// 1. A channel is put on a carrier before it is used, or never.
 /// 2. Each end has one owner: a process at the outermost level. Components of its PARs may use the end one after
@@ -140,8 +140,8 @@ public:
         return carrier_ ? carrier_->held_up_by(*this) : std::vector<const AnyChannel*>{};
     }
 
-    /// The content of a channel between routers: the user's channel to which the current packet belongs, and whether
-    /// the packet is an acknowledge. The channel is null for messages that are not packets.
+    /// Describes the current message of a channel between routers: the user's channel to which the packet belongs, and
+    /// whether the packet is an acknowledge. `channel` is null for a message that is not a packet.
     struct PacketPayload {
         const AnyChannel* channel = nullptr;
         bool acknowledges = false;
@@ -164,7 +164,7 @@ public:
     }
 
 protected:
-    // The common path of a communication is inlined into the program; waiting and rare cases are not. If the partner
+    // The common path of a communication is inlined into the caller; waiting and rare cases are not. If the partner
     // waits in a soft channel, the process copies the message and completes the communication. Otherwise it waits. On a
     // hard channel it always waits, even if the partner is already in the carrier.
 
@@ -182,7 +182,7 @@ protected:
             begin(self, costs->soft_communication);
         own(inputter_, self, "inputs from");
     }
-    /// Return the message slot (the message) of the partner that waits in a soft channel, or null if no partner waits.
+    /// Return the slot (message) of a partner that waits in a soft channel, or null if no partner waits.
     void* soft_slot(const Process& self) const {
         if (is_particular_) [[unlikely]]
             return soft_partner(self, slot_, output_out_of_order_, output_attempt_, "outputs to");
@@ -193,7 +193,8 @@ protected:
             return soft_partner(self, message_, input_out_of_order_, input_attempt_, "inputs from");
         return message_;
     }
-    /// Notifies observers that the second process has arrived at a soft channel.
+    /// Records in the fingerprint and in the trace that the second process has arrived at a soft channel. Throws
+    /// std::logic_error if the two processes are on different executives.
     void meet(Process& self) {
         const Executive *own = self.executive(), *other = waiting_->executive();
         if (own != other && own && other) [[unlikely]]
@@ -201,8 +202,8 @@ protected:
         note_communication(self.kernel());
     }
     /// Complete the communication for the second process, which has copied the message. The process pays for the copy,
-    /// and its partner continues. During the copy no other process may use its end. An output of one word has already
-    /// paid for its copy.
+    /// and its partner continues. During the copy no other process may use this process's end. An output of one word
+    /// has already paid for its copy.
     void part_from_inputter(Process& self, const WireForm& form) {
         const Executive* executive = self.executive();
         bool pays = executive && !executive->costs().is_one_word(form);
@@ -239,8 +240,8 @@ protected:
 
 private:
     static std::uint64_t new_identity(const std::string& name);
-    /// Marks a process as present at an end of the channel, as long as the object exists. Its message, or the slot for
-    /// a message, is at a fixed address.
+    /// Marks a process as present at an end of the channel, as long as the object exists. The process's message, or its
+    /// slot for a message, is at a fixed address.
     class Inside {
     public:
         explicit Inside(bool& flag, void** place = nullptr, void* mine = nullptr) : flag_(flag), place_(place) {
@@ -308,18 +309,18 @@ private:
     [[noreturn]] void refuse_without_carrier(const Process& self, const Process& other) const;
     [[noreturn]] void refuse_unreset(const Process& self, const char* verb) const;
 
-    // The members are in the order of use, in cache lines. These are needed for each communication.
+    // The members are grouped into cache lines in the order of use. These are needed for each communication.
     Carrier* carrier_ = nullptr;             ///< null if the channel is soft
     void* message_ = nullptr;                ///< set while an outputter is in the channel
     void* slot_ = nullptr;                   ///< set while an inputter is in the channel
     Process* waiting_ = nullptr;             ///< on a soft channel, the process that arrived first
     const WireForm* waiting_form_ = nullptr; ///< form of the waiting process's message, if the process outputs
-    Listener* listener_ = nullptr;           ///< set by an inputter that waits on several channels
-    bool is_particular_ = false;             ///< the channel is hard, or has an attempt at an end; one test covers both
-                                             ///< cases
-    bool outputter_inside_ = false;          ///< a process is in output
-    bool inputter_inside_ = false;           ///< a process is in input, or has a guard on the channel
-    bool output_out_of_order_ = false;       ///< a message was given up at the output end, and the end must be reset
+    Listener* listener_ = nullptr;     ///< set by an alternation, or by an attempt that a message in this channel ends
+    bool is_particular_ = false;       ///< the channel is hard, or has an attempt at an end; one test covers both
+                                       ///< cases
+    bool outputter_inside_ = false;    ///< a process is in output
+    bool inputter_inside_ = false;     ///< a process is in input, or has a guard on the channel
+    bool output_out_of_order_ = false; ///< a message was given up at the output end, and the end must be reset
     bool input_out_of_order_ = false;
     User outputter_, inputter_;
 

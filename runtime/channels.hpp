@@ -16,7 +16,6 @@ namespace placedpar {
 template <class T>
 class Channels {
 public:
-    /// Makes an empty array.
     Channels() = default;
     /// Makes the channels "name[0]" to "name[count - 1]".
     Channels(const std::string& name, std::size_t count) {

@@ -19,8 +19,8 @@ namespace {
 
 using Processes = std::vector<const Process*>; ///< in order of creation
 
-/// Returns the process that has to act at a channel's end. This is the end's user. If the user was a component that has
-/// ended, it is the outermost ancestor.
+/// Returns the process that has to act at a channel's end. This is the end's last user or, if this user was a component
+/// that has ended, the component's outermost ancestor.
 const Process* who_is(const AnyChannel::User& user, const Processes& living) {
     auto found = std::ranges::lower_bound(living, user.ordinal, {}, &Process::ordinal);
     // The address is not enough: a later component may have the address of one that ended.
@@ -47,7 +47,7 @@ void add_awaited_by_output(const AnyChannel& channel, const Processes& living, P
         partners.push_back(who_is(other->output_waits() ? other->last_inputter() : other->last_outputter(), living));
 }
 
-/// Returns the processes for which this process waits. It continues when one of them acts.
+/// Returns the processes for which this process waits. A wait on channels ends when one of them acts.
 Processes awaited_by(const Process& process, const Processes& living) {
     Processes partners;
     if (halted(process))
@@ -178,7 +178,7 @@ std::vector<std::string> describe_held_up(const Processes& stuck) {
     return texts;
 }
 
-/// Describes channels whose one end gave up a message in the middle, while the other end is still in the message.
+/// Describes channels at which one process gave up a message half-way while the other process is still transferring it.
 std::vector<std::string> describe_unreset(const Processes& stuck, const Processes& living) {
     std::vector<std::string> texts;
     std::unordered_set<const AnyChannel*> known;

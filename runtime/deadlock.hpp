@@ -23,7 +23,7 @@ struct StuckProcess {
 struct StuckChannel {
     std::string name;
     std::string outputter, inputter; ///< paths of the processes, or a placeholder for an end that was never used
-    std::string waiting;             ///< "outputter" or "inputter"
+    std::string waiting;             ///< the end that waits: "outputter" or "inputter"
     std::string netlist = "";        ///< place of its connection: "farm.cfs:20"; "" without a netlist
 };
 

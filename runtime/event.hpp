@@ -54,7 +54,7 @@ public:
     /// REQUIRES: the event is not scheduled.
     void schedule(Event&, Time, Priority);
     /// Schedules the event. Events of equal time and priority happen in the order of their ranks (Kernel::new_ranks),
-    /// however early they were scheduled. REQUIRES: the event is not scheduled, and no other event of this time and
+    /// in whatever order they were scheduled. REQUIRES: the event is not scheduled, and no other event of this time and
     /// priority has the same rank.
     void schedule(Event&, Time, Priority, std::uint64_t rank);
     /// Do the same as cancel() followed by schedule(), at less cost.

@@ -21,12 +21,12 @@ struct OperationCosts {
     Cycles soft_word_output{};   ///< an output of one byte or one word on a soft channel, including the copy
     Cycles hard_communication{}; ///< an input or output on a hard channel, for each part of the message
     Cycles word_outside{};       ///< additional cycles of each access to a word outside the chip (CodeShape)
-    Cycles copied_word{};        ///< on a soft channel, paid by the process that arrives second, except for
-                                 ///< soft_word_output
+    Cycles copied_word{}; ///< each word of a message on a soft channel, unless `soft_word_output` includes its copy;
+                          ///< paid by the process that arrives second
     std::int64_t bytes_in_a_word = 4;
 
     Cycles start_component{}; ///< each component of a PAR, except the last, which the parent runs itself
-    Cycles run_component{};   ///< a component of another priority, such as the high one of a PRI PAR
+    Cycles run_component{};   ///< the same for a component whose priority differs from its parent's, as in a PRI PAR
     Cycles end_component{};   ///< paid by the component when it ends
 
     Cycles timer_read{};
@@ -56,20 +56,20 @@ struct OperationCosts {
     }
 };
 
-/// Executes processes and divides its time between them: a transputer's processor, a bus master, a workstation. It
-/// separates occam's constructs (channels, PAR, ALT, timers) from the hardware; they use only this interface. A process
-/// without an executive is infinitely fast.
+/// A processor, such as a transputer, a bus master or a workstation, which divides its time among its processes.
+/// occam's constructs (channels, PAR, ALT, timers) use the hardware only through this interface. A process without an
+/// executive is infinitely fast.
 ///
 /// An implementation must keep these rules:
 /// 1. make_ready(p) states that p can continue. The executive calls Kernel::enqueue(p) once, immediately or when p's
-/// turn comes. From this call on p has the executive, and continues at the same virtual time.
+/// turn comes. From the call of enqueue() on, p has the executive, and it continues at the same virtual time.
 /// 2. p keeps the executive until it leaves the executive, to wait or at its end. While it has the executive, p may
 /// compute.
 /// 3. If begin_computing(p) returns false, the executive calls Kernel::enqueue(p) once, when the work is done.
-/// Meanwhile it may execute other processes. If begin_computing(p) returns true, the work is already done, by
-/// Kernel::pass_time or because there was no work.
-/// 4. make_ready and leave do not wait or throw, because events and ending processes call them. begin_computing does
-/// not wait.
+/// Meanwhile it may execute other processes. If begin_computing(p) returns true, the work is already done:
+/// Kernel::pass_time has advanced the time, or there was no work.
+/// 4. make_ready() and leave() do not wait or throw, because events and ending processes call them. begin_computing()
+/// does not wait.
 /// 5. The operations that a program repeats while it polls (SKIP guards, waits for a past time) must take time.
 /// Otherwise virtual time stands still while the program polls.
 class Executive {
@@ -84,7 +84,8 @@ public:
     virtual Time tick(Priority) const = 0;
 
     /// Starts a computation of the running process. Returns whether the computation is already done. Throws
-    /// std::logic_error if cycles < 0 or a count of the shape is < 1. REQUIRES: the process has this executive.
+    /// std::logic_error if `cycles` or `words_outside` is negative, or if another member of the shape is less than 1.
+    /// REQUIRES: the process has this executive.
     virtual bool begin_computing(Process&, Cycles, const CodeShape&) = 0;
     /// Returns whether a fault has stopped the executive and all its processes for ever.
     virtual bool halted() const { return false; }
@@ -111,16 +112,16 @@ private:
 };
 
 /// Lets the running process compute for this number of cycles of its executive. Without an executive this takes no
-/// time. The shape states at which points the process can leave the executive, counted back from the end. Throws
-/// std::logic_error if cycles < 0 or a count of the shape is < 1.
+/// time. The shape states at which points the process can leave the executive; the points are counted back from the end
+/// of the computation. Throws std::logic_error as Executive::begin_computing does.
 void compute(Cycles, const CodeShape& = {});
 
 /// Stops the running process for ever, as occam's STOP does, while others continue. Any process that waits for it,
 /// including the parent of its PAR, waits for ever. A run that ends with stopped processes ends as in a deadlock.
 [[noreturn]] void stop(const SourceLocation& = SourceLocation::current());
 
-/// Charges the running process for an operation. `cost` is applied to its executive's costs, as in `charge(self,
-/// &OperationCosts::timer_read)`.
+/// Charges the running process for an operation. `cost` selects from the costs of the process's executive, as in
+/// `charge(self, &OperationCosts::timer_read)`.
 template <class Cost>
 void charge(Process& self, Cost cost) {
     if (Executive* executive = self.executive())

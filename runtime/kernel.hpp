@@ -55,13 +55,13 @@ struct Failure {
 /// priority (EventQueue::Priority). Within a priority they happen by rank or, without ranks, by insertion. Nothing else
 /// decides, and no wall clock is read, so a simulation is deterministic.
 ///
-/// The work is over when no process is ready and no event is due. It is also over when every process of the program has
-/// ended, even if the machine could continue. The run then ends too, unless processes have asked to continue after the
-/// work.
+/// The work is over when no process is ready and no event is scheduled. It is also over when every process of the
+/// program has ended, even if the machine could continue. The run then ends too, unless processes have asked to
+/// continue after the work.
 ///
 /// 1. A kernel is used by one thread; only interrupt() may be called from another thread.
 /// 2. A kernel runs once, and no other kernel runs on its thread during the run.
-/// 3. wait, give_way and running may be called only by the process that is being executed.
+/// 3. wait(), give_way() and running() may be called only by the process that is being executed.
 /// 4. A process is destroyed before its kernel, and only when it has ended or the run is over.
 ///
 /// Processes are Boost fibers. When a process ends, its fiber runs the next process, so a PAR in a loop needs no new
@@ -105,13 +105,13 @@ public:
         else
             enqueue(p);
     }
-    /// Puts the process at the back of the ready queue. Only executives call this; all others call make_ready.
+    /// Puts the process at the back of the ready queue. Only executives call this; all others call make_ready().
     void enqueue(Process& p) { hot_.ready.push_back(p); }
     /// Takes the running process off its executive, and runs other processes until it is made ready. If there is a
     /// successor, makes it ready; it must have an executive. Throws Unwinding when the simulation is over.
     void wait(Process* successor = nullptr);
-    /// Runs other processes until the running process is made ready, but does not take it off its executive. The
-    /// process keeps the executive while it computes, or has already left it.
+    /// Runs other processes until the running process is made ready, but does not take it off its executive. Used for a
+    /// process that keeps its executive while it computes, and for a process that has already left its executive.
     void give_way();
     /// Begins an operation of the running process: output, input, ALT, computation, delay, PAR. Returns the process's
     /// history, which records the operation, or null if the process keeps no history. Throws Unwinding when the

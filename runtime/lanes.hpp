@@ -14,10 +14,10 @@
 
 namespace placedpar {
 
-/// Holds one number for each of eight individuals, in registers of `width` doubles. Code written for double works for
-/// Lanes, too. Each lane gets the same bits as a double would, because every operation rounds once. max and min compare
-/// as std::max and std::min do. Create and use Lanes only in the `Work` of in_vectors(), so that the code is compiled
-/// for this width.
+/// Holds eight doubles in registers of `width` doubles: for example, the same parameter of eight individuals of a
+/// population. Code written for double works for Lanes, too. Each lane gets the same bits as a double would, because
+/// every operation rounds once. The functions `max` and `min` compare as std::max and std::min do. Create and use Lanes
+/// only in the `Work` of in_vectors(), so that the code is compiled for this width.
 template <std::size_t width>
 class Lanes {
 public:
@@ -147,7 +147,7 @@ private:
         return Lanes(results);
     }
 
-    // The results are a > b ? a : b and a < b ? a : b. The code names an instruction where GCC 12 does not find it.
+    // The results are `a > b ? a : b` and `a < b ? a : b`. The code names the instruction where GCC 12 misses it.
     [[gnu::always_inline]] static void take_greater(const Register& a, const Register& b, Register& result) {
         result = a > b ? a : b;
     }

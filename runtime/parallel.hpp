@@ -15,7 +15,6 @@ namespace placedpar {
 template <class Body>
 concept ComponentBody = std::constructible_from<Process::Body, Body>;
 
-/// One component of a PAR.
 struct Component {
     Process::Body body;
     Priority priority;
@@ -29,7 +28,7 @@ void run_in_parallel(std::vector<Component>, const SourceLocation&);
 /// Returns the priority of the running process, which its components inherit.
 Priority own_priority();
 
-/// The first component of a PAR. The caller of `par` makes it from a body, so that it can record the place of the call.
+/// The first component of a PAR. A call of `par` converts a body to this type, which records the place of the call.
 struct FirstComponent {
     template <ComponentBody Body>
     FirstComponent(Body&& b, const SourceLocation& here = SourceLocation::current())

@@ -86,8 +86,8 @@ protected:
 private:
     friend class Process;
     /// Called at the process's turn. Returns whether the process waits, after a call of Process::begin_wait. If it does
-    /// not wait, its program continues. The kernel calls this function like an event, on the stack of any process, and
-    /// Kernel::running is this process. The function must not wait in any other way.
+    /// not wait, its program continues. The kernel calls this function like an event, on the stack of any process;
+    /// Kernel::running() returns the process that communicates. The function must not wait in any other way.
     virtual bool begin(Process&) noexcept = 0;
 };
 
@@ -206,7 +206,7 @@ private:
     Communication* communication_ = nullptr;      ///< communication to begin at the next turn; null: the program
                                                   ///< continues
     const AnyChannel* awaited_channel_ = nullptr; ///< channel of the last wait, if it was a wait for a single channel
-    SourceLocation where_;                        ///< place in the program of the last wait
+    SourceLocation where_;                        ///< place of the last wait in the program
     Process* outermost_ = this;                   ///< see outermost()
     // A process at the outermost level counts these for itself and its components.
     std::size_t going_on_ = 1; ///< number of processes that neither wait nor have ended

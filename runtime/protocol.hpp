@@ -13,8 +13,8 @@
 
 namespace placedpar {
 
-/// The lengths in bytes of the parts in which a message travels on a wire. Each part is a communication. A value of
-/// fixed size is one part. occam's counted array `INT::[]BYTE` has two parts, the count and the bytes.
+/// The lengths in bytes of the parts in which a message travels on a wire. Each part is a communication of its own. A
+/// value of fixed size is one part. occam's counted array `INT::[]BYTE` has two parts, the count and the bytes.
 class WireForm {
 public:
     static constexpr std::size_t most_parts = 4;

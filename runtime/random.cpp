@@ -25,7 +25,7 @@ std::uint64_t path_hash(std::string_view path) {
 
 void count_on(r123::Philox4x32::ctr_type& counter, std::uint32_t blocks) {
     counter[0] += blocks;
-    counter[1] += counter[0] < blocks; // // carry
+    counter[1] += counter[0] < blocks; // carry
 }
 
 #ifdef __x86_64__

@@ -66,8 +66,8 @@ bool output_or_fail(Output<T> to, T message, Time deadline, const SourceLocation
     return !attempt.failed();
 }
 
-/// Outputs the message. Returns whether it was sent before a message came from `failure`. If the message from `failure`
-/// ends the attempt, it is input.
+/// Outputs the message. Returns whether it was sent before a message came from `failure`. If a message from `failure`
+/// ends the attempt, this message is input.
 template <class T, class F>
 bool output_or_fail(Output<T> to, T message, Input<F> failure,
                     const SourceLocation& where = SourceLocation::current()) {

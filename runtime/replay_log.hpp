@@ -18,8 +18,8 @@ class ReplayDivergence {};
 
 /// The state that the histories of all processes of a run share.
 struct ReplaySession {
-    /// The number of readings that the histories may still record, of 16 bytes each. A run with more readings is not
-    /// repeated.
+    /// The number of observations, of 16 bytes each, that the histories may still record. A run with more observations
+    /// cannot be repeated.
     std::size_t room = 4'000'000;
     bool can_be_repeated = true;                 ///< false after an action that cannot be repeated
     bool has_diverged = false;                   ///< a process that repeats its history has departed from it
@@ -29,12 +29,13 @@ struct ReplaySession {
 /// The history of a process in a run: its actions, and observations that no message carried. Such observations are the
 /// guards that its alternations chose, and the times that its clocks showed.
 ///
-/// A process can repeat its history with other messages and without a machine. Its alternations choose the same guards,
-/// and its clocks show the same times, as in the original run. Suppose that all processes do exactly what their
-/// histories say. Then a run on the machine with these messages would have had the same events. The reason is that the
-/// machine and the kernel know nothing else of a program: by induction over the events, each process would have seen
-/// what it saw in the original run. If a process acts differently, the run has departed from its history. (T. LeBlanc
-/// and J. Mellor-Crummey, Debugging parallel programs with Instant Replay, IEEE Transactions on Computers C-36(4),
+/// A process can repeat its history with messages of other contents, and without a machine. Its alternations choose the
+/// same guards, and its clocks show the same times, as in the original run. Suppose that all processes do exactly what
+/// their histories say. Then a run on the machine with these messages would have had the same events. The reason is
+/// that the machine and the kernel know nothing else of a program: by induction over the events, each process would
+/// have seen what it saw in the original run. If a process acts differently, the run has departed from its history. (T.
+/// LeBlanc and J. Mellor-Crummey, Debugging parallel programs with Instant Replay, IEEE Transactions on Computers
+/// C-36(4),
 /// 1987. The order of processes does not change the order of messages on a channel: G. Kahn, The semantics of a simple
 /// language for parallel programming, 1974.)
 ///
@@ -74,10 +75,10 @@ public:
 
     // The next functions are called for the process's actions, in order.
 
-    /// Records an action. `what`: less than 2^56, or a hash of which 56 bits are enough. `how`: always the same number
-    /// of words for the same kind of action. Throws ReplayDivergence if the process acts more often than its original,
-    /// or if any process has departed. A different action is detected at the next observation (observe()) or at the end
-    /// of the process.
+    /// Records an action. `what`: less than 2^56, or a hash of which 56 bits are enough. `how`: details; actions of the
+    /// same kind have the same number of words. Throws ReplayDivergence if the process acts more often than its
+    /// original, or if any process has departed. A different action is detected at the next observation (observe()) or
+    /// at the end of the process.
     void record(Action action, std::uint64_t what, std::initializer_list<std::uint64_t> how = {}) {
         if (is_silent_)
             return;
@@ -87,12 +88,14 @@ public:
         for (std::uint64_t word : how)
             fingerprint_.mix(word);
     }
-    /// Records an action that destructors may perform. A departure is recorded, but not thrown.
+    /// Records an action that destructors may perform. If the process departs from its history, this is recorded, but
+    /// no exception is thrown.
     void record_quietly(Action, std::uint64_t what);
     /// Returns an observation that messages do not carry: the result of `look`, or, when repeating, the value that the
     /// original saw. Actions of the process during `look` are not recorded separately. Throws ReplayDivergence if the
-    /// original did not make this observation at this point, or if any process has departed. Destructors may read the
-    /// clock, so a clock reading returns 0 instead of throwing. After 100,000 such readings it throws, too.
+    /// original did not make this observation at this point, or if any process has departed. A reading of the clock
+    /// then returns 0 instead of throwing, because destructors may read the clock. After 100,000 such readings it
+    /// throws, too.
     template <std::invocable Look>
     std::int64_t observe(Action what, Look look) {
         if (is_silent_)

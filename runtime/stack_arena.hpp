@@ -16,13 +16,14 @@ struct Stack {
     /// Returns the size of a stack. Only the pages that a process touches take memory. AddressSanitizer's red zones
     /// make stack frames several times larger.
     static std::size_t bytes() { return SwitchedStack::is_watched() ? 4 * usual_bytes : usual_bytes; }
-    static constexpr std::size_t zone_bytes = 64 * 1024; ///< more than the size of most arrays, which may be written in
-                                                         ///< any order
+    /// Larger than most arrays on a stack, whose elements may be written in any order.
+    static constexpr std::size_t zone_bytes = 64 * 1024;
 
     /// Returns whether a fault at the address is an overflow of this stack. This is so if the address is in the guarded
     /// zone. If the zone is not guarded, it is so if the address is below the zone and the zone has been written to.
     bool was_left_for(const void* address) const;
-    /// Returns whether the end of the zone has been overwritten; it was all zeros. For stacks that are not guarded.
+    /// Returns whether the zone's 64 bytes next to the stack, at first zeros, have been overwritten. For stacks that
+    /// are not guarded.
     bool has_overflowed() const;
 };
 
@@ -36,8 +37,8 @@ public:
     StackArena(const StackArena&) = delete;
     StackArena& operator=(const StackArena&) = delete;
 
-    /// Returns a stack that exists as long as the arena. Its content is undefined, but its zone is all zeros. Since
-    /// Linux 6.13 all stacks are guarded, before only the first 16,000. Throws std::bad_alloc.
+    /// Returns a stack that exists as long as the arena. Its content is undefined, but its zone is all zeros. All
+    /// stacks are guarded on Linux 6.13 or later, only the first 16,000 on earlier versions. Throws std::bad_alloc.
     Stack allocate();
     bool all_guarded() const { return all_guarded_; }
 

@@ -6,7 +6,7 @@ namespace placedpar {
 
 /// Reports every switch from one fiber's stack to another to AddressSanitizer. Without this the sanitizer would report
 /// an exception as a jump out of the stack. The class tests at run time whether the sanitizer is present: a program
-/// compiled with the sanitizer may link rooms compiled without it. Without the sanitizer, the class does nothing.
+/// compiled with the sanitizer may link libraries compiled without it. Without the sanitizer, the class does nothing.
 ///
 /// 1. Call lies_at() once the stack's memory is known.
 /// 2. To switch, call leave_for(the other stack), then switch.

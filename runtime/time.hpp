@@ -19,7 +19,8 @@ constexpr Cycles operator+(Cycles a, Cycles b) {
 }
 constexpr Cycles operator*(std::int64_t n, Cycles c) { return Cycles{n * static_cast<std::int64_t>(c)}; }
 
-__extension__ typedef __int128 WideInteger; ///< needed because periods * 1e12 exceeds 64 bits after nine seconds
+/// Needed because `periods * 1e12` exceeds 64 bits above 9.2 million periods.
+__extension__ typedef __int128 WideInteger;
 
 /// Converts a number of picoseconds to a time, at most Time::max(). REQUIRES: count >= 0.
 constexpr Time clamped(WideInteger count) {
@@ -39,7 +40,7 @@ constexpr Time times(std::int64_t n, Time each) { return clamped(WideInteger{n} 
 /// Returns `t + by`, at most Time::max(). REQUIRES: t >= 0.
 constexpr Time later(Time t, Time by) { return by > Time::max() - t ? Time::max() : t + by; }
 
-/// Computes duration_of for one frequency, without a division of 128 bits.
+/// Computes duration_of() for one frequency, without a division of 128 bits.
 class Clock {
 public:
     /// REQUIRES: hertz > 0.

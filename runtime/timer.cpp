@@ -10,7 +10,6 @@ namespace placedpar {
 
 namespace {
 
-/// An event that wakes a process.
 struct Alarm final : Event {
     explicit Alarm(Process& p) : process(p) {}
     void happen() noexcept override { process.kernel().make_ready(process); }

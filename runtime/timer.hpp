@@ -40,7 +40,7 @@ constexpr bool is_after(std::int32_t a, std::int32_t b) { return minus(a, b) > 0
 /// occam's TIMER: the clock that the running process's executive shows to processes of the same priority. A reading has
 /// the bits of a word: 32, or 16 on a T2. On a T2 a reading is a number from -32768 to 32767, and the clock wraps round
 /// after 65.5 ms at high priority and after 4.19 s at low priority. Numbers that a program passes are reduced to the
-/// same bits.
+/// same number of bits.
 class Timer {
 public:
     /// Returns the tick of the running process's clock, or a microsecond if the process is not placed.

@@ -8,16 +8,16 @@
 
 namespace placedpar {
 
-/// The start of a use of a place. The place is a direction of a link, used by a channel, or the track of a bus or
+/// States that a use of a place begins. The place is a direction of a link, used by a channel, or the track of a bus or
 /// device.
 struct PlaceTaken {
     const std::string& place;
-    const std::string& subject;          ///< channel, what the bus carries, or master that waits for the bus
+    const std::string& subject;          ///< a channel, what the bus carries, or a master that waits for the bus
     Time since;                          ///< may be in the future
     const AnyChannel* channel = nullptr; ///< the channel, if the place is a direction of a link
 };
 
-/// The end of a use of a place.
+/// States that a use of a place ends.
 struct PlaceLeft {
     const std::string& place;
     Time until;                         ///< may be in the future

@@ -7,8 +7,9 @@
 namespace placedpar {
 
 // One program serves every processor. Code that profits from wide registers is compiled for each width. At run time the
-// widest registers that the processor has are chosen. INVARIANT: all widths give the same bits. So no width may
-// contract a multiplication and an addition into one rounding: compile with -ffp-contract=off.
+// widest registers that the processor has are chosen. INVARIANT: all widths give the same bits. So the
+// compiler must not fuse a multiplication and an addition, which would save one rounding: compile with
+// `-ffp-contract=off`.
 // Rejected: Google Highway and similar libraries. Their functions can be called only from code marked for their target,
 // so a user's plain struct could not be evaluated in wide registers.
 
@@ -36,12 +37,12 @@ struct Registers<8> {
     typedef std::uint64_t Words __attribute__((vector_size(64)));
 };
 
-/// Returns the largest of vector_widths that this processor has.
+/// Returns the largest of `vector_widths` that this processor has.
 std::size_t widest_vector_width();
 
 /// Returns the width in use. It is the widest, unless a test or a benchmark has set another.
 std::size_t vector_width();
-/// Sets the width in use. Throws std::invalid_argument if the width is not in vector_widths, or if the processor does
+/// Sets the width in use. Throws std::invalid_argument if the width is not in `vector_widths`, or if the processor does
 /// not have it.
 void use_vector_width(std::size_t width);
 

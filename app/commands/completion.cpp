@@ -60,7 +60,6 @@ Words first_words(const DeclaredCommand& program) {
     return names;
 }
 
-/// Returns the values of the command's argument.
 Words values_of(const std::string& command) {
     for (const Command& each : commands())
         if (command == each.name && each.values)

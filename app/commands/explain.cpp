@@ -47,7 +47,7 @@ void require_path_format(const std::filesystem::path& path) {
             "{}: a timeline with the critical path can be written only as .json, for ui.perfetto.dev", path.string()));
 }
 
-/// Returns the changes with the settings of --set; a change replaces a setting of the same name.
+/// Adds the settings of --set to the changes, except settings that a change replaces.
 Overrides with_set(const NetlistOptions& options, Overrides changes) {
     changes.merge(overrides_of(options.set));
     return changes;
@@ -62,7 +62,7 @@ ChangedNetlist reading_with(const NetlistOptions& options, const ParsedNetlist& 
 }
 
 DeclaredWith declaring_with(const NetlistOptions& options, const ParsedNetlist& netlist) {
-    auto problems = std::make_shared<const ProblemRegistry>(known_problems(0)); // the kinds use it
+    auto problems = std::make_shared<const ProblemRegistry>(known_problems(0)); // the kinds refer to it
     auto kinds = std::make_shared<const Catalogue>(known_kinds(*problems));
     return [options, netlist, problems, kinds](const Overrides& changes) {
         return netlist.read(*kinds, with_set(options, changes)).declared;

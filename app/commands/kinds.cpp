@@ -29,7 +29,7 @@ std::string list_kinds(const Catalogue& catalogue) {
                        program_name(), problems_group, policies_group);
 }
 
-/// Returns whether this is the name of a problem, with or without its numbers.
+/// Returns whether this is the name of a problem, with or without numbers in parentheses.
 bool is_problem(const ProblemRegistry& problems, const std::string& name) {
     auto names = problems.names();
     return std::ranges::count(names, name.substr(0, name.find('('))) > 0;
@@ -43,7 +43,6 @@ std::vector<std::string> problems_and_policies(const ProblemRegistry& problems) 
     return names;
 }
 
-/// The meaning of a name.
 enum class Meant { kinds, all_problems, problem, all_policies, policy };
 
 /// Throws UserError if the name is unknown.

@@ -145,7 +145,7 @@ void add_options(Options& command, MonitorOptions& options) {
     add_diagnosis(command, settings.diagnosis);
 }
 
-/// Returns a search that does what identify --way thesis --on does. Tries it on a made-up record. Throws UserError if
+/// Returns a search that does what `identify --way thesis --on` does. Tries it on a made-up record. Throws UserError if
 /// the netlist cannot search.
 auto search_on(const NetlistAsked& netlist, const ServiceSettings& settings) {
     IdentificationWay way = thesis_way();

@@ -24,7 +24,6 @@ using namespace hydraulics;
 
 namespace {
 
-/// The options of the command.
 struct RecordOptions {
     std::string scenario, job, links, configuration, noise, machine, out;
     std::vector<std::string> set;

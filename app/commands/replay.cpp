@@ -96,7 +96,7 @@ void require_outputs(const ReplayOptions& options) {
         require_folder_for_plots(options.plots);
 }
 
-/// Refuses --against printed if the experiment has only one set of figures.
+/// Refuses `--against printed` if the experiment has only one set of figures.
 void require_printed(const Experiment& experiment, const ReplayOptions& options) {
     std::vector<std::string_view> having;
     for (const Experiment& each : experiments())

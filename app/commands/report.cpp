@@ -31,7 +31,7 @@ struct ReportOptions {
     std::array<std::filesystem::path, 3> outputs() const { return {csv, svg, page}; }
 };
 
-/// Returns where placedpar sweep stores the results of a netlist or a study by default.
+/// Returns where `placedpar sweep` stores the results of a netlist or a study by default.
 std::filesystem::path kept_results_of(const std::string& study) {
     std::string name = lower_case(study);
     return name.ends_with(".toml") || name.ends_with(".cfs") ? std::filesystem::path(study).stem().string() + ".sqlite"

@@ -116,7 +116,8 @@ bool others_are_meant(const RunOptions& options, std::chrono::steady_clock::time
     return are_meant({options.seeds, true, 1, taken.count()}, interruption);
 }
 
-/// Runs the seeds until one is interrupted. Returns no runs if the user does not confirm them.
+/// Runs the network with one seed after another until a run is interrupted. Returns no runs if the user does not
+/// confirm them.
 std::vector<FinishedRun> run_seeds(const Network& network, const RunOptions& options, TraceSink* trace) {
     InterruptedBySignals interruption;
     std::optional<ProgressLine> progress; // not with --watch, which the line would disturb
@@ -184,8 +185,8 @@ void write_files(const Network& network, std::span<const FinishedRun> runs, std:
         write_whole(options.convergence, draw_svg(convergence_plot(network.source_path, logs)));
 }
 
-/// Returns the exit code of the first run that is not a success. An interruption between runs ends no run, so the
-/// number of runs is compared, too.
+/// Returns the exit code of the first run that is not a success. An interruption between two runs changes the ending of
+/// neither, so the number of runs is compared, too.
 ExitCode exit_code_of(std::span<const FinishedRun> runs, std::size_t asked) {
     for (const FinishedRun& run : runs)
         if (ExitCode code = exit_code_of(run.report.result.ending); code != ExitCode::success)

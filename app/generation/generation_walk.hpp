@@ -65,11 +65,12 @@ private:
     std::size_t generations_ = 0;
 };
 
-/// Returns every step as a table for students, with the random numbers, and the schemata of order 1 with the prediction
+/// Returns a table of every step with its random numbers, and a table of the schemata of order 1 with the predictions
 /// of equation 6.2.
 std::string print_walk(const WalkedGeneration&, const WalkSettings&);
 
-/// Returns steps 0 to 3 of Figure 6.4: the population, after reproduction, mates and offspring, the next population.
+/// Returns steps 0 to 3 of Figure 6.4: the population, the strings after reproduction, the mates with their offspring,
+/// and the next population.
 std::vector<DrawnHypercube> draw_walk(const WalkedGeneration&);
 VertexLegend walk_legend();
 

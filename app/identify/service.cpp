@@ -83,7 +83,7 @@ private:
         const LinkSet wanted = wanted_links(options, first.channels());
         if (!wanted.empty())
             return wanted;
-        for (Link link : links_of(first.links())) // throws with the channels that the first link lacks
+        for (Link link : links_of(first.links())) // throws an error that names the channels that the first link lacks
             require_channels(first, link, areas_from(first.channels(), link, areas_asked(options)));
         throw UnfitRecord("no link has all readings that identification needs: inlet_pressure, angle, and spool "
                           "or servo or (inlet_area and bypass_area)");

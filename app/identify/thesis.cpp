@@ -30,7 +30,7 @@ using namespace identification;
 
 namespace {
 
-/// Returns a way with the options that were typed.
+/// Returns the way, changed by the options that were typed.
 IdentificationWay way_of(const IdentifyOptions& options, IdentificationWay way) {
     way.bits = options.bits.value_or(way.bits);
     if (!options.coding.empty())
@@ -49,7 +49,8 @@ IdentificationWay way_of(const IdentifyOptions& options, IdentificationWay way) 
     return way;
 }
 
-/// Returns whether the boom's areas come from its spool, as read or from the voltage by equation A.1.
+/// Returns whether the boom's areas come from the position of its spool, which is read or computed from the voltage by
+/// equation A.1.
 bool uses_spool(const Record& record, const Question& question) {
     return question.links.contains(Link::boom) &&
            areas_from(record.channels(), Link::boom, question.areas_from) != AreasFrom::areas;
@@ -62,8 +63,8 @@ struct Case {
     Sampling sampling; ///< sampling of the record as read
     IdentificationWay way;
     Question question;
-    bool calibrates = false;                ///< whether --offset auto was given and has an effect
-    std::optional<SpoolOffset> calibration; ///< set if the record shows the offset
+    bool calibrates = false;                ///< the offset is calibrated from the record (`--offset auto`, the default)
+    std::optional<SpoolOffset> calibration; ///< set if the calibration found the offset
 };
 
 std::string print_calibration(const std::optional<SpoolOffset>& found) {
@@ -114,7 +115,8 @@ Case read_case(const IdentifyOptions& options, const IdentificationWay& way) {
     return asked;
 }
 
-/// Prints the settings of a search over the whole movement, the limit of the record, and the cost.
+/// Prints the settings of a search over the whole movement, the least standard error that the record's noise allows,
+/// and the cost.
 std::string print_whole(const Identified& identified, const ComplianceSearch& prepared, const WholeWay& whole,
                         const SearchCost& cost) {
     std::string text = fmt::format(

@@ -18,8 +18,8 @@ class Record; // hydraulics/data/record.hpp
 /// Runs one search over the first transient, as in chapter 3 of the thesis. If a netlist is given, also runs the same
 /// search as processes of the netlist.
 ExitCode identify_by_thesis(const IdentifyOptions& options, boost::json::object& json);
-/// Runs one search for several links over the whole movement (identification/whole_search.hpp), and prints the limit of
-/// the record and the cost on T800s.
+/// Runs one search for several links over the whole movement (identification/whole_search.hpp), and prints the least
+/// standard error that the record's noise allows, and the cost on T800s.
 ExitCode identify_over_whole(const IdentifyOptions& options, boost::json::object& json);
 /// Evaluates all movements, as the monitor identifies and judges them. Without a configuration, calls
 /// identify_moving() if configurations can be recognised from the record, and otherwise assumes configuration a.

@@ -1,4 +1,4 @@
-// This module is loaded when mpirun started the program: explore/study/ranks.hpp.
+// This module is loaded if mpirun has started the program (see explore/study/ranks.hpp).
 
 #include "explore/study/ranks.hpp"
 

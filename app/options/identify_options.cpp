@@ -46,7 +46,7 @@ void declare_way(Options& command, IdentifyOptions& options) {
              "the first transient, as in chapter 3; whole: one search for several links over the whole movement, "
              "which divides each link's flow error by its scatter; default: service, with --side outlet whole")
         .one_of({"service", "thesis", "whole"});
-    // With fewer bits the compliance of a sound machine is within about a step of the lower bound.
+    // With fewer bits, about one step of the code separates the compliance of a sound machine from the lower bound.
     add_number(command, "--bits", options.bits, 6, 52,
                "number of bits that code a compliance; default: 10, with --way whole 12");
     add_number(command, "--elite", options.elite, 0, a_million,
@@ -63,7 +63,7 @@ void declare_way(Options& command, IdentifyOptions& options) {
     add_seed(command, options.seed);
 }
 
-/// Declares the options of the other ways. The options of --way thesis also apply to the processes of --on.
+/// Declares the options of `--way thesis` and `--way whole`. The options of `--way thesis` also apply to `--on`.
 void declare_thesis_way(Options& command, IdentifyOptions& options) {
     const char* group = "With --way thesis or whole";
     add_number(command, "--samples", options.samples, 1, a_million,

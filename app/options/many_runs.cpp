@@ -57,7 +57,7 @@ bool are_meant(const RunsAhead& ahead, const Interruption& interruption) {
     print_error(fmt::format("{}. Begin? [y/N] ", many));
     std::string answer;
     if (!wait_for_answer(interruption) || !std::getline(std::cin, answer))
-        print_error("\n"); // ends the line that no answer has ended
+        print_error("\n"); // the user typed no newline, so end the prompt's line here
     return lower_case(answer).starts_with("y");
 }
 

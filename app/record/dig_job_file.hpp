@@ -15,7 +15,7 @@ namespace placedpar {
 ///
 ///     [[move]]
 ///     seconds = 4
-///     reach = -25                                                         # in/s; what is not given is 0
+///     reach = -25                                                         # in/s; 0 if not given
 ///     pitch = -4                                                          # deg/s
 ///     soil = 1500                                                         # lbf
 ///

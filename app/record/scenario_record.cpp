@@ -60,7 +60,7 @@ std::string options_of(const LinksInMotion& moving, const RecordScenario& scenar
     return fmt::format(" --link {} --configuration {}", fmt::join(names, ","), name_of(moving.configuration));
 }
 
-/// The parameters that differ from the program's own, as options and with their original values.
+/// The parameters that differ from the program's defaults: as options, and as lines with both values.
 struct ChangedParameters {
     std::string options, lines;
 };

@@ -17,10 +17,10 @@ const hydraulics::RecordScenario& scenario_called(std::string_view name);
 
 std::vector<std::string> names_of_scenarios();
 
-/// Returns the scenario's parameters on a machine, after applying --noise and --set. A value is a number in the unit
-/// that the hydraulics room uses, or a number with a unit: "4.1e-11 m^3/Pa". Throws UserError for an unknown noise
-/// level or name, for a value that is not a number or has a unit of another quantity, and for a value outside the
-/// parameter's range.
+/// Returns the scenario's parameters on a machine, after applying --noise and --set. A value is a number in the
+/// parameter's own unit, or a number with another unit of the same quantity: "4.1e-11 m^3/Pa". Throws UserError for an
+/// unknown noise level or name, for a value that is not a number or has a unit of another quantity, and for a value
+/// outside the parameter's range.
 hydraulics::Parameters scenario_parameters(const hydraulics::RecordScenario& scenario,
                                            const hydraulics::Parameters& machine, const std::string& noise,
                                            const Overrides& overrides);

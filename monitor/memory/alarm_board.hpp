@@ -36,7 +36,8 @@ private:
     std::optional<double> shelved_until(const KeptAlarm& alarm, double at) const;
 
     std::map<std::string, std::vector<KeptAlarm>> open_;
-    std::map<std::string, std::vector<KeptAlarm>> shelved_; ///< alarms as they were when shelved, active or not
+    /// Copies made when the alarms were shelved; an alarm may have been cleared since.
+    std::map<std::string, std::vector<KeptAlarm>> shelved_;
 };
 
 } // namespace placedpar::monitor

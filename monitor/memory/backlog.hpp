@@ -22,7 +22,6 @@ public:
     bool empty() const { return by_age_.empty(); }
     /// REQUIRES: the backlog is not empty.
     std::uint64_t oldest_number() const { return by_age_.begin()->first; }
-    /// Returns the machine of the oldest message.
     const std::string& oldest_machine() const { return by_age_.begin()->second; }
 
 private:

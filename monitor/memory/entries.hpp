@@ -50,12 +50,12 @@ struct ForgottenMachine {
 };
 inline constexpr const char* forget_text = "forget";
 
-/// Reports that the saved states contain all messages up to this number.
+/// States that the saved states include the effect of all messages up to this number.
 struct TrimmedMessages {
     std::uint64_t up_to;
 };
 
-/// A compliance that has settled.
+/// An estimate of a compliance that has settled.
 struct KeptEstimate {
     std::string machine;
     double at, time_s;

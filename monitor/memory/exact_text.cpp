@@ -12,7 +12,6 @@ namespace placedpar::monitor {
 
 namespace {
 
-/// Returns the words of a text in order.
 std::vector<std::string_view> words(std::string_view text) {
     std::vector<std::string_view> found;
     for (std::size_t begin = 0; begin < text.size();) {

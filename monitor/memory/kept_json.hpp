@@ -55,8 +55,8 @@ void for_each_double(T& value, Use& use) {
 }
 
 /// Converts values to JSON and back to the same bits, using their descriptions by Boost.Describe. A struct becomes an
-/// object with a field for each member; a class with a state() becomes its state. A value or a list that consists of
-/// doubles only becomes one text (exact_text.hpp).
+/// object with a field for each member; a class with a function `state()` is stored as the result of this function. A
+/// value or a list that consists of doubles only becomes one text (exact_text.hpp).
 struct KeptJson {
     template <typename T>
     static boost::json::value write(const T& value) {

@@ -90,7 +90,7 @@ void StateFile::lock() {
 }
 
 void StateFile::connect() {
-    database_.emplace(path_, false); // the file may have been removed
+    database_.emplace(path_, false); // does not create the file if it has been removed
     database_->run("PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON; PRAGMA synchronous = EXTRA; "
                    "PRAGMA journal_mode = DELETE");
 }

@@ -30,10 +30,10 @@ struct StateContent {
 /// 1. When commit() returns, its transactions are on the disk. After a kill or a loss of power, the file has either all
 ///    transactions of a commit() or none. SQLite's rollback journal, which exists during a transaction only, guarantees
 ///    this.
-/// 2. Every row has a checksum of its values. A single row, the ledger, records which messages there are and the sum of
-///    all other rows' checksums. A damaged or truncated file is therefore refused, unless the damage lies where no data
-///    is stored. A file whose rollback journal was damaged after a kill is refused, too. If the file is
-///    removed or replaced before commit() returns, commit() throws.
+/// 2. Every row has a checksum of its values. A single row, the ledger, records which messages there are, and the sum
+///    of the checksums of all other rows except the messages. A damaged or truncated file is therefore refused, unless
+///    the damage lies where no data is stored. A file whose rollback journal was damaged after a kill is refused, too.
+///    If the file is removed or replaced before commit() returns, commit() throws.
 /// 3. The file is locked: only one program can open it at a time.
 /// 4. Only one thread may use an object at a time.
 class StateFile {

@@ -157,7 +157,7 @@ UnwrittenState StateStore::state_of(const Diagnosis& diagnosis) const {
     return {diagnosis.name(), last_message_, std::make_shared<const Diagnosis::State>(diagnosis.state())};
 }
 
-/// Also trims the messages that are no longer needed once this state is stored.
+/// Adds the state of a diagnosis, and trims the messages that are no longer needed once this state is stored.
 void StateStore::add_state(Transaction& transaction, const Diagnosis& diagnosis) {
     transaction.entries.push_back(state_of(diagnosis));
     backlog_.drop(diagnosis.name());

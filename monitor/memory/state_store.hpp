@@ -44,7 +44,7 @@ public:
     const std::string& trouble() const { return trouble_; }
     /// Returns a message for the operator about opening the file; "" if there is none.
     const std::string& said() const { return said_; }
-    /// Returns the alarms that were not cleared or were shelved.
+    /// Returns the active alarms, and the alarms that were ever shelved.
     const std::vector<KeptAlarm>& noted_alarms() const { return noted_alarms_; }
 
     /// From now on, `tell` is called after each transaction, in the writer's thread. Must be called once, before

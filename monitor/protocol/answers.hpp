@@ -33,14 +33,14 @@ struct Load {
     double longest_turn_s = 0; ///< longest turn of the event loop, during which no client was served
 };
 
-/// What the processes of the netlist of --on answered to a movement.
+/// The answer of the processes of a netlist (option --on) about a movement.
 struct NetlistAnswer {
     std::string machine;
     hydraulics::LinkSet set;
     double from_s = 0, to_s = 0; ///< times of the movement's first and last reading
     hydraulics::Circuit circuit;
     std::string wrong;                  ///< why there is no answer; "" if there is one
-    identification::AnswerInTime found; ///< if there is one
+    identification::AnswerInTime found; ///< the answer, if there is one
 };
 
 /// Each function returns one answer of the monitor: a JSON object on one line, with its newline. docs/guides/monitor.md
@@ -51,10 +51,10 @@ std::string configured_line(const identification::Diagnosis& diagnosis);
 std::string estimates_line(const identification::Diagnosis& diagnosis, const identification::SampleOutcome& outcome,
                            const identification::DiagnosisSettings& settings);
 std::string alarm_line(const identification::Diagnosis& diagnosis, const identification::Alarm& alarm, bool raised);
-/// Returns everything known of a machine: all sets ever used, baselines, cross-checks and alarms.
+/// Returns everything known of a machine: all sets of links ever used, baselines, cross-checks and alarms.
 std::string status_line(const identification::Diagnosis& diagnosis, const identification::DiagnosisSettings& settings);
 std::string netlist_line(const NetlistAnswer& answer);
-/// Returns the "text" of the line above.
+/// Returns the field "text" of netlist_line().
 std::string print_netlist_answer(const NetlistAnswer& answer);
 std::string load_line(const Load& load);
 /// States whether a restart would restore everything; if not, `text` gives the reason.

@@ -36,7 +36,6 @@ public:
     std::vector<std::string> names() const;
     /// Throws if the object has a field that no call has requested.
     void finish() const;
-    /// Returns the path of a field.
     std::string path_of(std::string_view name) const;
 
 private:

@@ -17,12 +17,12 @@ namespace placedpar::monitor {
 inline constexpr int protocol_version = 1;
 
 enum class Role : unsigned char { control, watch };
-/// Selects the samples after which a connection gets estimates: all samples, samples that moved an estimate, or no
-/// samples.
+/// Selects the samples after which a connection gets estimates: all samples, samples for which the search made
+/// generations, or no samples.
 enum class Answers : unsigned char { all, moved, none };
 
 struct Hello {
-    std::string machine; ///< name of the machine
+    std::string machine;
     Role role = Role::control;
     Answers answers = Answers::all;
     double load_every_s = 0; ///< period of load reports; 0: only on request

@@ -17,7 +17,7 @@ namespace placedpar::monitor {
 /// Reads lines from one client and writes lines to it. The bytes waiting in either direction are limited.
 ///
 /// 1. Bytes are read only while no whole line is waiting and little output is waiting or held. TCP slows down a client
-///    that sends too much, and the memory used stays below line_bytes + queue_bytes + the size of one read.
+///    that sends too much, and the memory used stays below `line_bytes` + `queue_bytes` + the size of one read.
 /// 2. Each turn of the event loop handles one line per connection, so that a client that sends many lines does not
 ///    delay the others.
 /// 3. All functions are called from the loop's only thread.
@@ -38,7 +38,7 @@ public:
     Connection(Socket socket, const ServiceLimits& limits, Handlers handlers);
 
     void start();
-    /// Sends a line, which includes its newline. A client with more than queue_bytes waiting gets an error and is
+    /// Sends a line, which includes its newline. A client with more than `queue_bytes` waiting gets an error and is
     /// closed.
     void send(std::string_view line);
     /// Sends the waiting output, then closes the connection. Input that still arrives is discarded.
@@ -47,7 +47,7 @@ public:
     void tick(Clock::time_point now);
     /// Adds `bytes`, which may be negative, to the bytes that wait elsewhere and count as queued.
     void hold(std::ptrdiff_t bytes);
-    /// Ends the time limit hello_s.
+    /// Ends the time limit `hello_s`.
     void greeted() { greeted_ = true; }
     /// Closes the connection immediately.
     void close();

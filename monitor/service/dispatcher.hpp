@@ -23,7 +23,7 @@ namespace placedpar::monitor {
 class Dispatcher {
 public:
     /// `store` may be null: then nothing is stored. `say` receives messages for the operator. `searches` may be null:
-    /// then no netlist searches. REQUIRES: the limits outlive this object.
+    /// then no movement is given to a netlist. REQUIRES: the limits outlive this object.
     Dispatcher(Diagnoses& diagnoses, StateStore* store, const ServiceLimits& limits, Token token,
                std::function<void(const std::string&)> say, NetlistSearches* searches = nullptr);
 

@@ -23,8 +23,7 @@ public:
     /// UserError if a name is not a host name.
     HostNames(const std::string& address, const std::vector<std::string>& further);
 
-    /// Returns whether the host is accepted; `here` is the address by which the connection arrived, which is accepted
-    /// too.
+    /// Returns whether the host is accepted. `here`, the local address of the connection, is accepted, too.
     bool has(const std::string& host, const std::string& here) const { return host == here || names_.contains(host); }
 
 private:

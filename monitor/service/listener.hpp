@@ -31,7 +31,7 @@ public:
     /// Throws UserError. `option` is the port's name on the command line, such as "--port".
     static Listener at_port(boost::asio::io_context& io, const std::string& address, std::uint16_t port,
                             const std::string& option);
-    /// Replaces a socket at which no program listens any more. Only this user and group may connect.
+    /// Replaces a socket at which no program listens any more. Only programs of this user and group may connect.
     static Listener at_path(boost::asio::io_context& io, const std::string& path);
     ~Listener();
     Listener(Listener&&) = default;

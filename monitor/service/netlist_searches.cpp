@@ -17,7 +17,8 @@ using namespace identification;
 
 namespace {
 
-constexpr std::size_t slope_side = line_fit_points / 2; ///< samples on each side of a sample that its slopes use
+/// The slope at a sample is fitted to this number of samples on each side.
+constexpr std::size_t slope_side = line_fit_points / 2;
 
 void keep_last(std::vector<CircuitSample>& samples, std::size_t most) {
     samples.erase(samples.begin(), samples.end() - static_cast<std::ptrdiff_t>(std::min(samples.size(), most)));

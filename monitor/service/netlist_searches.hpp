@@ -17,13 +17,15 @@
 
 namespace placedpar::monitor {
 
-/// Records the movements of all machines. A thread of its own searches each movement that has ended.
+/// Records the movements of all machines. A separate thread finds the compliances of each movement that has ended.
 class NetlistSearches {
 public:
-    /// Searches all samples, which are `period_s` apart. Throws std::exception, which says why there is no answer.
+    /// Finds the compliances from all samples of a movement, which are `period_s` apart. Throws std::exception, which
+    /// says why there is no answer.
     using Search = std::function<identification::AnswerInTime(identification::ComplianceSearch, double period_s)>;
 
-    static constexpr std::size_t most_waiting = 16; ///< further movements are skipped; ours
+    /// The number of movements that may wait for the search (our choice); further movements are skipped.
+    static constexpr std::size_t most_waiting = 16;
 
     /// `tell` receives each answer. REQUIRES: the thread of `io` calls all functions.
     NetlistSearches(Search search, std::size_t bits, boost::asio::io_context& io,
@@ -33,11 +35,11 @@ public:
     /// Must be called after each message that the diagnosis has accepted.
     void follow(const identification::Diagnosis& diagnosis);
     void forget(const std::string& machine) { machines_.erase(machine); }
-    /// Returns the newest answers about the sets of the machine.
+    /// Returns the newest answer about each set of the machine's links.
     std::vector<NetlistAnswer> answers(const std::string& machine) const;
 
 private:
-    /// The movements of a set of links.
+    /// The present movement of a set of links, and the newest answer.
     struct Recording {
         hydraulics::Circuit circuit;
         std::vector<hydraulics::CircuitSample> samples; ///< of the movement, and up to a second before it

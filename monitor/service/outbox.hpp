@@ -13,7 +13,8 @@ namespace placedpar::monitor {
 /// in the order of send(). Held bytes count as queued for the client.
 class Outbox {
 public:
-    /// Makes lines sent from now on wait for this ticket. REQUIRES: the ticket is not less than any earlier ticket.
+    /// Makes lines sent from now on wait for this ticket, which is the number of a write to the state file. REQUIRES:
+    /// the ticket is not less than any earlier ticket.
     void wait_for(std::uint64_t ticket) { promised_ = ticket; }
     /// Records that everything up to this ticket is on the disk or lost, and sends the lines that waited for it.
     void release(std::uint64_t ticket);
@@ -24,7 +25,7 @@ public:
     /// Counts `bytes` of the client's input, which are on their way to the disk, as queued for the client. Sends
     /// nothing.
     void hold(Client& client, std::size_t bytes);
-    /// Must be called before the client is destroyed.
+    /// Forgets the client. Must be called before the client is destroyed.
     void drop(const Client& client);
 
 private:

@@ -9,7 +9,7 @@
 
 namespace placedpar::monitor {
 
-/// Counts how often each peer has taken over machines. Peers have the names of Caller::peer.
+/// Counts how often each peer has taken over machines. Caller::peer is the name of a peer.
 class Peers {
 public:
     using Clock = std::chrono::steady_clock;

@@ -33,7 +33,7 @@ public:
     bool well() const { return trouble_.empty(); }
     const std::string& trouble() const { return trouble_; }
 
-    /// Processes a report from StateStore::start(). Returns whether well() has changed.
+    /// Processes a report that the callback of StateStore::start() received. Returns whether well() has changed.
     bool note(const WriteProgress& progress);
     /// Tries to store everything again when a retry is due. Must be called a few times a second.
     void tick(const AlarmBoard& alarms);

@@ -14,11 +14,11 @@
 
 namespace placedpar::monitor {
 
-/// A machine or a connection, whose number is limited.
+/// A machine or a connection. The numbers of machines and of connections are limited.
 struct Occupant {
     std::string peer;          ///< owner, as Caller::peer; "": unknown
     bool kept = false;         ///< the occupant is, or serves, a known machine, so no newcomer takes its place
-    bool idle = false;         ///< not in use, so that its own peer may use the place for another occupant
+    bool idle = false;         ///< not in use, so that its peer may use the place for another occupant
     std::uint64_t samples = 0; ///< number of accepted samples
     std::chrono::steady_clock::time_point heard; ///< time of the last message
 };
@@ -44,8 +44,8 @@ public:
     explicit MachinePlaces(const ServiceLimits& limits) : limits_(limits) {}
 
     /// Adds a machine from the state file. The machine is known if it has any samples. While it has fewer than
-    /// known_samples, it loses that status if another machine becomes known and needs the place. REQUIRES: machines are
-    /// restored in order of falling `samples`.
+    /// `known_samples` samples, it loses this status if another machine becomes known and needs the place. REQUIRES:
+    /// machines are restored in order of falling `samples`.
     void restored(const std::string& machine, std::uint64_t samples, Clock::time_point now);
     void introduced(const std::string& machine, const std::string& peer, Clock::time_point now);
     void forgotten(const std::string& machine);
@@ -72,7 +72,8 @@ private:
 
     void keep(Machine& machine, bool kept);
     /// Finds a place that one more machine may keep. If there is no such place, the known machine with the fewest
-    /// samples gives up its place, provided that it has fewer than known_samples. Returns false if no place was found.
+    /// samples gives up its place, provided that it has fewer than `known_samples` samples. Returns false if no place
+    /// was found.
     bool find_kept_place();
 
     const ServiceLimits& limits_;

@@ -29,12 +29,12 @@ struct ServiceSettings {
     std::uint64_t seed = 1;
     ServiceLimits limits;
     identification::DiagnosisSettings diagnosis;
-    /// Searches each movement by the processes of a netlist (NetlistSearches::Search); may be empty.
+    /// Finds the compliances of a movement by the processes of a netlist (NetlistSearches::Search); may be empty.
     std::function<identification::AnswerInTime(identification::ComplianceSearch, double period_s)> netlist;
 };
 
-/// The on-line diagnosis as a service over TCP and Unix-domain sockets. One thread does all work. A second thread
-/// writes the state file, and a third one searches movements by a netlist.
+/// The on-line diagnosis as a service over TCP and Unix-domain sockets. One thread serves all clients and makes all
+/// diagnoses. A second thread writes the state file, and a third thread runs the searches of a netlist.
 class Service {
 public:
     /// Restores the state and listens. The log receives messages for the operator. REQUIRES: the log outlives this

@@ -35,7 +35,6 @@ public:
     /// Accepts a connection. If there are too many connections, the peer with the most connections loses the connection
     /// that has waited longest.
     void welcome(Listener::Socket socket, const Caller& caller);
-    /// Closes all connections.
     void close();
 
 private:

@@ -49,7 +49,7 @@ std::string declarator(std::string_view base, const std::vector<std::int64_t>& d
 
 std::string print_constant(const Value& value) {
     if (const auto* integer = std::get_if<std::int64_t>(&value)) {
-        // the absolute value of this number does not fit into 64 bits
+        // the absolute value of this number does not fit into a signed 64-bit integer
         if (*integer == std::numeric_limits<std::int64_t>::min())
             return fmt::format("({} - 1)", *integer + 1);
         return fmt::format("{}", *integer);

@@ -17,7 +17,7 @@
 
 namespace placedpar {
 
-/// Records the critical path of a run during the run. Each event is stored with its cause. The cause of a message is
+/// Records the critical path of a run while it happens. Each event is stored with its cause. The cause of a message is
 /// the arrival of the later of its two processes at the channel. The cause of a turn on a processor is the end of the
 /// preceding turn; the cause of the end of a PAR is the end of its last component. The causes lead from the end of the
 /// run to its beginning without a gap, since each activity begins when its cause ends.

@@ -14,8 +14,9 @@ namespace placedpar {
 inline constexpr std::size_t most_path_points = 2'000'000;
 
 /// Stores events, each with the event that caused it. The events form a tree; its root, point 0, is the beginning of
-/// the run. From time to time, points that cannot be reached from a number in use are removed. If too many points
-/// remain, the tree is given up: from then on this object holds only the points in use, and the cause of each.
+/// the run. From time to time, all points are removed except the points in use and their direct and indirect causes. If
+/// too many points remain, the tree is given up: from then on this object holds only the points in use, and the cause
+/// of each.
 class PathPoints {
 public:
     using Number = std::uint32_t; ///< index of a point; changes when points are removed
@@ -37,8 +38,8 @@ public:
     bool empty() const { return points_.empty(); }
 
     bool should_forget() const { return points_.size() >= room_; }
-    /// Removes points that cannot be reached from any of the numbers, and renumbers the other points. REQUIRES: each
-    /// variable that holds a number in use is listed exactly once.
+    /// Removes all points except the points in use and their causes, and renumbers the rest. REQUIRES: each variable
+    /// that holds a number in use is listed exactly once.
     void forget_but(std::span<Number* const> in_use);
     /// Returns whether the tree was given up.
     bool too_long() const { return too_long_; }

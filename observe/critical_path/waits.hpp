@@ -11,8 +11,8 @@ namespace placedpar {
 /// The time of a process, including the components of its PARs, by activity. The process counts as computing while the
 /// process or a component computes. Otherwise it counts as communicating while the process or a component moves words
 /// over a bus or waits for the bus. Otherwise it counts as ready while the process or a component is ready, and as
-/// waiting at all other times. A wait for a message counts as communicating once both processes are at the channel, and
-/// a wait without a partner as delayed. The times add up to the lifetime of the process.
+/// waiting at all other times. A wait for a message counts as communicating once both processes are at the channel. A
+/// wait without a partner counts as delayed. The times add up to the lifetime of the process.
 struct Account {
     Time computing{}, ready{}, communicating{}, delayed{}, waiting{};
     std::map<std::string, Time> waiting_for; ///< parts of `waiting` by partner, without a wait that never ended

@@ -42,7 +42,7 @@ private:
     const Tracks& tracks_;
     LoadBins bins_;
     Stretches stretches_;
-    std::vector<PathPart> path_; ///< the critical path, if it is known; only the longest parts of a very long path
+    std::vector<PathPart> path_; ///< parts of the critical path that have a track; of a very long path only the longest
     Time begin_{}, end_{};
     std::string why_;
 };

@@ -19,10 +19,10 @@ struct PageContent {
     const GenerationLog& searches;
 };
 
-/// Shows a run as one HTML file, which a browser displays without internet. The page shows the network, coloured by
-/// load at the time that a slider selects, timelines, measurements, the cycle of a deadlock, and convergence. The file
-/// stays below 64 megabytes: for a very long run it has the slices and messages of the beginning and the end of the
-/// run, and only the load for the time in between.
+/// Shows a run as one HTML file, which a browser displays without internet. The page shows timelines, measurements, the
+/// cycle of a deadlock, convergence, and the network. A slider selects the time whose load colours the network. The
+/// file stays below 64 megabytes: of a very long run it has the slices and messages at the beginning and the end, and
+/// only the load in between.
 class RunPage {
 public:
     /// Records the part of the run in the window. Throws UserError if the window is empty. The network is used only by

@@ -12,7 +12,8 @@ struct Room {
     std::size_t bytes_of_each_end = 16'000'000; ///< keeps a page below 64 megabytes
 };
 
-/// Collects the slices and messages of a run of any length in stretches. A full stretch is packed immediately.
+/// Collects the slices and messages of a run of any length in stretches. The open stretch receives new entries; a full
+/// stretch is packed immediately.
 ///
 /// An entry that begins before the open stretch goes into a second row of longer stretches, or into a third row if it
 /// begins before the second row's open stretch. The stretches of a row do not overlap. So all entries at a given time

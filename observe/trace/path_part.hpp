@@ -10,7 +10,7 @@ namespace placedpar {
 /// A part of a run's critical path. It begins where the preceding part ends; the first part begins with the run.
 struct PathPart {
     Activity activity;   ///< starting, computing, carrying (a message), moving, arbitrating, delayed, ready or ended
-    std::string subject; ///< "master on t[0]"; the channel; the process
+    std::string subject; ///< a process with its processor ("master on t[0]"), a channel, a bus, or a process alone
     std::string place;   ///< the processor, direction of a link, or bus that this part used; "" if none
     Time begin, end;     ///< begin < end
 };

@@ -100,7 +100,6 @@ std::string label_of(const Track& track) {
     return track.place.kind == Track::Kind::link && dot != std::string::npos ? track.name.substr(dot + 1) : track.name;
 }
 
-/// A unit of the time axis.
 struct Unit {
     const char* name;
     double picoseconds;
@@ -122,7 +121,6 @@ double step_for(double span) {
     return 10 * power;
 }
 
-/// Draws one timeline.
 class TimelineDrawing {
 public:
     TimelineDrawing(const Tracks& tracks, Time begin, Time end)

@@ -28,7 +28,7 @@ private:
 /// One direction between a bus master and the transputer of a dual-ported memory. Messages go through a buffer in the
 /// memory, one at a time. The master moves the words over the bus. The transputer copies them between the buffer and
 /// its process's memory. It swaps bytes if the two computers have different byte orders: a 68020 is big endian, a T800
-/// little endian. Each end interrupts the other when the buffer becomes available to it.
+/// little endian. Each end interrupts the other when the buffer becomes available to the other.
 class MemoryLane final : public Carrier {
 public:
     /// The size of the buffer for one direction, in bytes (our choice). A longer message is moved in parts.

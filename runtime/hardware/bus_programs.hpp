@@ -9,9 +9,9 @@
 namespace placedpar::hardware::bus_programs {
 
 /// The program of a Sun 3/280 at 25 MHz. Published (a table of SGI's): a host's programmed accesses to bytes reach 0.2
-/// to 0.75 Mbyte/s, D32 reads about 1 Mbyte/s, and D32 writes about 3 Mbyte/s. Ours, within these ranges: 1.5 us for a
-/// byte, 4 us for reading a word, and 1.33 us for writing a word. The bus takes 310 ns of each. From an interrupt to
-/// the process it takes a tenth of a millisecond, which is ours, too.
+/// to 0.75 Mbyte/s, D32 reads about 1 Mbyte/s, and D32 writes about 3 Mbyte/s. Our choice within these ranges: 1.5 us
+/// for a byte, 4 us for reading a word, and 1.33 us for writing a word, each including 310 ns on the bus. Also our
+/// choice: 0.1 ms from an interrupt to the process.
 constexpr BusProgram sun_3_280{
     .byte_access = Cycles{30}, .read_word = Cycles{92}, .write_word = Cycles{26}, .interrupt = Cycles{2500}};
 

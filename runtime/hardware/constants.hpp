@@ -22,7 +22,7 @@ struct Constant {
     double value;
     std::string_view unit;
     Provenance mark;
-    std::string_view source; ///< publication; meaning of our own choice; measured figures of a fit
+    std::string_view source; ///< the publication, the reason for our choice, or the measured figures of a fit
 };
 
 /// Returns every timing constant that a netlist does not state. The simulation uses the same constants. The constants

@@ -47,9 +47,9 @@ struct SwitchAnswer {
 
 /// An IMS C004: a switch with 32 inputs and 32 outputs. Each output repeats the data of one input, or nothing. Commands
 /// change the connections during the run; at the start nothing is connected. Data is lost at an input that no output
-/// repeats. Ours: data is also lost if its output leads to another link than intended, and between the making of a
-/// connection and the next command 3. A connection is not disturbed when it is made again, or while other connections
-/// are made.
+/// repeats. Our assumptions: data is also lost if the output is not wired to the other end of the data's link. On a new
+/// connection, data is lost until the next command 3. A connection is not disturbed when it is made again, or while
+/// other connections are made.
 ///
 /// The switch executes its own logic: a process that inputs commands from the configuration link and obeys them. This
 /// process takes no time in addition to the link's.
@@ -71,8 +71,8 @@ public:
     /// Returns whether data that arrives at the input leaves at the output.
     bool leads(int input, int output) const;
 
-    /// Leads a link through the switch. Its end a is wired to the switch's link `at_a`, its end b to `at_b`. REQUIRES:
-    /// the run has not begun.
+    /// Leads a link through the switch. End a of the link is wired to the switch's link `at_a`, end b to `at_b`.
+    /// REQUIRES: the run has not begun.
     void lead_on(Link&, int at_a, int at_b);
 
     /// Data of a link that the switch lost because no output repeated it.
@@ -84,7 +84,7 @@ public:
         std::string state; ///< state of this output at that time, such as "was connected to no input"
     };
     /// Returns the losses. There is one for each direction of a link that lost data, in the order of lead_on(); the
-    /// direction from a comes first.
+    /// direction from end a comes first.
     std::deque<Loss> losses() const;
     std::uint64_t commands() const { return commands_; }
     /// Returns how many connections were made. A connection of two links counts at each output.

@@ -70,7 +70,7 @@ public:
     /// REQUIRES: the link outlives the run.
     void has_link(Link&);
     /// Stops the processor at this time. It executes nothing more, and processes that wait for it wait for ever. Its
-    /// links only fall silent if they have a fault of their own (LinkFault). REQUIRES: the run has not begun.
+    /// links continue to work unless they have a fault of their own (LinkFault). REQUIRES: the run has not begun.
     void halt_at(Time moment) { halts_at_ = std::min(halts_at_, moment); }
     bool halted() const override;
 
@@ -113,7 +113,7 @@ private:
     void account(const Process&, Time worked);
     void preempt();
 
-    // The members are in the order of use, in cache lines. Each turn needs all members of the first two lines.
+    // The members are grouped into cache lines in the order of use. Each turn needs all members of the first two lines.
     alignas(64) Turn turn_{*this};
     Kernel& kernel_;
     Process* current_ = nullptr; ///< the process that has the processor
@@ -121,8 +121,8 @@ private:
     Time settled_at_{}; ///< the work of the current process up to this time has been subtracted from its remaining work
 
     std::int64_t words_settled_ = 0; ///< words_moved_by_links() at the time settled_at_
-    // The last result of words_moved_by_links(), and its time. For the same time the result changes only if a part
-    // ends.
+    // The last result of words_moved_by_links(), and its time. At one time the result changes only if a part of a
+    // message ends.
     Time counted_at_{-1};
     std::uint64_t words_ = 0, ended_when_counted_ = 0;
     LinkEngineMemory engines_;
@@ -130,7 +130,7 @@ private:
     Time switching_{}; ///< time of a switch to the next process
     Time halts_at_ = Time::max();
 
-    boost::container::small_vector<Link*, 4> links_; ///< a transputer has at most four
+    boost::container::small_vector<Link*, 4> links_; ///< a transputer has at most four links
     Process* preempted_ = nullptr;                   ///< low-priority process that was pre-empted
 
     ProcessQueue high_, low_; ///< processes that wait for the processor

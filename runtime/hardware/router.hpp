@@ -71,7 +71,7 @@ public:
     Router& operator=(const Router&) = delete;
 
     /// Return the number of packets that were passed on from one link to another, and their cost to the processor,
-    /// including instructions. Interrupts of other processes are not counted. There is at most one when a packet comes
+    /// including instructions. The cost does not include interrupts of other processes, at most one when a packet comes
     /// and one when it has gone.
     std::uint64_t packets_passed_on() const { return packets_passed_on_; }
     Cycles cycles_of_passing_on() const;

@@ -33,7 +33,7 @@ enum class Release { when_done, on_request };
 struct VmeTiming {
     Time word = std::chrono::nanoseconds{310};        ///< D32 with ordinary memory, published (textbook figure)
     Time byte = std::chrono::nanoseconds{310};        ///< ours: a register is as fast as ordinary memory
-    Time arbitration = std::chrono::nanoseconds{200}; ///< ours: from a request to its grant, or from a release
+    Time arbitration = std::chrono::nanoseconds{200}; ///< ours: time from a request or a release to the grant
     Time time_out = std::chrono::microseconds{125};   ///< published: a common default of bus timers
 };
 
@@ -67,11 +67,11 @@ public:
 /// A VMEbus. Its masters request the bus, and one of them gets it. The bus then moves words for the processes of this
 /// master.
 ///
-/// 1. The arbiter decides `arbitration` after the bus was requested or given up. It decides among all masters that then
-/// request the bus.
-/// 2. A word is always moved to its end. After it, the master may have to give up the bus: with Release::on_request, if
-/// any other master requests it; with Release::when_done, only if a higher level requests it and the arbitration is PRI
-/// (BCLR). The rest of the block waits for the master's next turn.
+/// 1. The arbiter decides when the time `VmeTiming::arbitration` has passed since the bus was requested or given up. It
+/// decides among all masters that then request the bus.
+/// 2. The move of a word is always completed. After the word, a master with Release::on_request gives up the bus if any
+/// other master requests it. A master with Release::when_done gives it up within a block only to a higher level, and
+/// only if the arbitration is PRI (BCLR). The rest of the block waits for the master's next turn.
 /// 3. A master with Release::on_request keeps the bus until another master requests it. Meanwhile it needs no
 /// arbitration.
 /// 4. The words of a block follow each other without a break. One event covers the block until a request arrives to
@@ -154,7 +154,7 @@ struct BusProgram {
 class VmeMaster {
 public:
     /// REQUIRES: the bus outlives the master. Throws std::logic_error for a level outside 0 to 3 and for a slot outside
-    /// 1 to 21. Throws it also if the slot belongs to another master, or if the level is not 3 on a bus with a single
+    /// 1 to 21. Also throws it if the slot belongs to another master, or if the level is not 3 on a bus with a single
     /// level.
     VmeMaster(Kernel&, std::string name, VmeBus&, const VmePlace& = {}, const BusProgram& = {});
     VmeMaster(const VmeMaster&) = delete;
@@ -169,7 +169,7 @@ public:
     /// still meanwhile. Throw BusError if no slave responds. REQUIRES: words > 0.
     void move_words(BusSlave&, std::uint64_t words);
     void access_byte(BusSlave&);
-    /// Holds the bus for a time in one cycle, which cannot be interrupted, like a device that does not release the bus.
+    /// Holds the bus for a time without a break, like a device that does not release the bus.
     void hold(Time);
     /// Holds the bus until a time. If the bus is granted later than that, gives it up at once.
     void hold_until(Time);
@@ -190,7 +190,7 @@ private:
         Process& process;
         std::uint64_t words;
         Time each;
-        Time until{}; ///< end of the current single word, if it is not over
+        Time until{}; ///< for hold_until(): the time until which the bus is held
         bool done = false;
     };
     void move(std::uint64_t words, Time each, Time until = {});
@@ -203,7 +203,7 @@ private:
     VmeBus& bus_;
     VmePlace place_;
     BusProgram program_;
-    std::string waiting_track_; ///< name of the track in a trace
+    std::string waiting_track_; ///< name of the track that shows waits for the bus in a trace
     std::deque<Block*> blocks_;
     bool asks_ = false;
     Time asked_at_{};
