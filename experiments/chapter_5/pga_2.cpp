@@ -37,7 +37,7 @@ struct BroadcastStudies {
 /// distributed fitness function, tests "close but remained different ... no indication of premature convergence".
 std::vector<Claim> claims_of(const BroadcastStudies& studies, double noise) {
     auto error = [](const PlantStudy& study) { return study.of(0, Tracking::error_after); };
-    return {{"traditional: generations with an unchanged best",
+    return {{"traditional: generations in which both bests agree",
              "share",
              studies.traditional.identical,
              0.9,
@@ -49,7 +49,7 @@ std::vector<Claim> claims_of(const BroadcastStudies& studies, double noise) {
              found_pole,
              {},
              ClaimVerdict::fails},
-            {"distributed: generations with an unchanged best", "share", studies.distributed.identical, {}, 0.5},
+            {"distributed: generations in which both bests agree", "share", studies.distributed.identical, {}, 0.5},
             {"distributed: error of the pole after the change", "", error(studies.distributed), {}, found_pole},
             {"diversity, distributed minus traditional",
              "bits",
