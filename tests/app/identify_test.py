@@ -245,7 +245,7 @@ class Identification(unittest.TestCase):
         for was, becomes in (('"plant"', '"boom"'), ('"2 5 5 5 5 5"', '"5"'), ('"2 7 7 7 7 7"', '"10"'),
                              ('"../../', f'"{EXAMPLES}/'), ("window = 30", "window = 10")):
             text = text.replace(was, becomes)
-        self.assertIn("is one of a pair", self.refused(STEP, "--on", self.file("pair.cfs", text)))
+        self.assertIn("is a coarse or a fine search", self.refused(STEP, "--on", self.file("pair.cfs", text)))
 
     def test_processes_that_do_not_find_the_same_end_with_3(self):
         # identify uses another crossover.
@@ -257,7 +257,7 @@ class Identification(unittest.TestCase):
             place host on sun; place master on t;""")
         run = by_thesis(STEP, "--population", 20, "--on", other)
         self.assertEqual(run.returncode, 3, run.stderr)
-        self.assertIn("by the netlist's processes: different\n", run.stdout)
+        self.assertIn("from the netlist's processes: different\n", run.stdout)
 
     def test_processes_that_cannot_search_as_natively_are_refused(self):
         gap = self.rows(lambda row: None if 0.39 < float(row[0]) < 0.45 else row)
@@ -312,7 +312,7 @@ class Identification(unittest.TestCase):
 
     def test_help_names_every_choice(self):
         said = placedpar("identify", "--help").stdout
-        for words in ("service|thesis|whole=service", "auto|none|INCHES", "areas|spool|servo", "6..52", "refuse|skip=refuse",
+        for words in ("service|thesis|whole", "auto|none|INCHES", "areas|spool|servo", "6..52", "refuse|skip=refuse",
                       "search over the first transient, as in chapter 3"):
             self.assertIn(words, said)
         self.assertNotRegex(said, re.compile(r"TEXT|UINT|FLOAT"))

@@ -18,7 +18,8 @@ PLOTS = {
                                             "desired"],
                         "pole-loci": ["real pole ← to -49", "pair", "at C", "at 4 C", "at 6 C", "at 7 C", "limit of stability"]},
     "schemata": {"schemata": ["rates .8 and .01", "no crossover", "reproduction alone", "the bound"]},
-    "circuits": {"figure-2-11": ["configuration e: bucket, boom, stick, swing", "configuration b: bucket", "shut", "a_iSW"],
+    "circuits": {"figure-2-10": ["in b, d", "in c, e"],
+                 "figure-2-11": ["configuration e: bucket, boom, stick, swing", "configuration b: bucket", "shut", "a_iSW"],
                  "figure-b-1": ["bucket", "boom", "C_BUi", "C_BOi", "a_eBU", "a_eBO", "tank", "Q"],
                  "figure-a-1": ["boom", "C_BOi", "a_iBO", "a_eBO", "tank", "Q"]},
     "hypercube": {"figure-6-1": ["F 10", "maximum among its neighbours"],
@@ -29,7 +30,7 @@ PLOTS = {
 }
 
 # Drawings without curves.
-DRAWINGS = {"figure-2-11", "figure-a-1", "figure-b-1", "figure-6-1", "figure-6-2", "figure-6-3"}
+DRAWINGS = {"figure-2-10", "figure-2-11", "figure-a-1", "figure-b-1", "figure-6-1", "figure-6-2", "figure-6-3"}
 
 
 def texts(svg):

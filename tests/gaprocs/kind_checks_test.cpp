@@ -97,7 +97,7 @@ TEST_CASE("a message shorter than the string that it carries gives a warning") {
               .empty());
     auto said =
         refusal("master", "master (problem = \"line\", slaves = 2, coding = \"natural(1)\", string_bytes = 1);");
-    CHECK(said.starts_with("farm.cfs:5:62: warning: string_bytes = 1, but a string of \"line\" takes 2"));
+    CHECK(said.starts_with("farm.cfs:5:62: warning: string_bytes = 1, but a string of \"line\" has 2 bytes"));
 }
 
 TEST_CASE("settings that do not suit the record give one warning each") {
@@ -298,7 +298,7 @@ TEST_CASE("settings that contradict each other are refused at the parameter") {
     says(master("bias = 8388609.0"), "expected from 1e-300 to 8388608");
     CHECK(master("bias = 8388608.0").empty());
     says(refusal("host", "host (samples = 13, problem = \"line\");"),
-         "farm.cfs:4:7: error: samples = 13, but the record of \"line\" has only only 12");
+         "farm.cfs:4:7: error: samples = 13, but the record of \"line\" has only 12");
 }
 
 TEST_CASE("unknown problems, and different problems of a master and its slaves, are refused") {

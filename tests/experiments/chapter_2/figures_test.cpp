@@ -119,13 +119,16 @@ std::size_t count(const std::string& text, const std::string& part) {
 
 TEST_CASE("the circuits: each configuration has four cylinders, two pumps, and a way out for the oil of each pump") {
     const std::vector<NamedDrawing> drawings = test::replay_named("circuits").drawings;
-    REQUIRE(drawings.size() == 3);
-    CHECK(drawings[0].name == "figure-2-11");
-    CHECK(count(drawings[0].svg, "class=\"cylinder\"") == 5 * 4);
-    CHECK(count(drawings[0].svg, "class=\"pump\"") == 5 * 2);
-    CHECK(count(drawings[0].svg, ">tank<") == 6); // two in a, one in each other configuration
-    CHECK(count(drawings[0].svg, ">shut<") == 2); // the bucket in b, the swing in c
-    CHECK(count(drawings[1].svg, "class=\"cylinder\"") == 2);
-    CHECK(count(drawings[1].svg, "class=\"pump\"") == 1);
-    CHECK(count(drawings[2].svg, "class=\"cylinder\"") == 1);
+    REQUIRE(drawings.size() == 4);
+    CHECK(drawings[0].name == "figure-2-10");
+    CHECK(count(drawings[0].svg, "in b, d") == 1); // the way of branch 2's surplus to the boom
+    CHECK(count(drawings[0].svg, "in c, e") == 1); // the way of branch 1's surplus to the stick
+    CHECK(drawings[1].name == "figure-2-11");
+    CHECK(count(drawings[1].svg, "class=\"cylinder\"") == 5 * 4);
+    CHECK(count(drawings[1].svg, "class=\"pump\"") == 5 * 2);
+    CHECK(count(drawings[1].svg, ">tank<") == 6); // two in a, one in each other configuration
+    CHECK(count(drawings[1].svg, ">shut<") == 2); // the bucket in b, the swing in c
+    CHECK(count(drawings[2].svg, "class=\"cylinder\"") == 2);
+    CHECK(count(drawings[2].svg, "class=\"pump\"") == 1);
+    CHECK(count(drawings[3].svg, "class=\"cylinder\"") == 1);
 }

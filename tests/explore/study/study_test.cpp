@@ -178,7 +178,8 @@ TEST_CASE("a study whose number of runs exceeds 64 bits is refused with its larg
 
 TEST_CASE("values and seeds whose number exceeds 64 bits are refused") {
     StudyAxis axis{"a", std::vector<StudyValues>(18'447, StudyValues("a", "1..1000000000000000"))};
-    CHECK_THROWS_WITH_AS(axis.count(), doctest::Contains("a: its 18447 ranges and values have too many"), UserError);
+    CHECK_THROWS_WITH_AS(axis.count(), doctest::Contains("a: the 18447 ranges and values have too many values"),
+                         UserError);
     axis.parts.pop_back();
     CHECK(axis.count() == 18'446'000'000'000'000'000U);
     constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();

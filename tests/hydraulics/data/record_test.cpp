@@ -159,7 +159,7 @@ TEST_CASE("wrong times are refused with their place") {
     CHECK(record_faults(milliseconds) ==
           "warning 1:18: samples are 20 s apart, which is unusual | it would be ordinary in ms\n");
     CHECK(record_faults("boom.angle [deg],time [s]\n1,0\n2,0.02\n3,0.04\n4,0.06\n5,0.08\n6,0.01\n")
-              .starts_with("error 7:3: 0.07 s before"));
+              .starts_with("error 7:3: the time is 0.07 s before"));
 }
 
 TEST_CASE("suspicious channels give warnings") {

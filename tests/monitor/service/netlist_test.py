@@ -119,7 +119,7 @@ class OnNetlist(ServiceTest):
         said = client.receive_type("netlist")
         self.assertEqual((said["set"], set(said["compliance_in3_per_psi"])), ("P2a", {"BU", "BO"}))
         self.check_equal(said, self.identified(columns, rows, "--link", "bucket,boom", "--on", FIGURE_E2))
-        self.assertIn('string_bytes = 2, but a string of "boom" takes 3', said["warnings"])  # made for one link
+        self.assertIn('string_bytes = 2, but a string of "boom" has 3 bytes', said["warnings"])  # made for one link
 
     def test_fast_readings_are_averaged_as_identify_averages_them(self):
         columns, rows = self.movement("excavator", "--set", "sensors.period=0.005", "--seed", 4)
@@ -236,7 +236,7 @@ class OnNetlist(ServiceTest):
         self.assertRegex(said, r"wrong\.cfs:4:12: error: .*\"u\"")
         self.assertRegex(self.refusal("--on", SENSORS), r"sensor-to-alarm\.cfs:\d+:\d+: error: unknown search problem "
                                                         r"'leaking-boom'; known: boom, boom-by-voltage")
-        self.assertIn("its searches have 120 individuals together, but the identification has 60: give --population 120",
+        self.assertIn("the netlist's searches have 120 individuals in all, but the identification has 60: give --population 120",
                       self.refusal("--on", FIGURE_E2, "--set", "population=30", "--population", 60))
         self.assertIn("no process searches", self.refusal("--on", EXAMPLES / "machine/links/link.cfs"))
         self.assertIn("none.cfs", self.refusal("--on", self.folder / "none.cfs"))

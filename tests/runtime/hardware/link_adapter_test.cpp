@@ -388,5 +388,5 @@ TEST_CASE("a receiver that does not come holds up the others, which the report d
     REQUIRE(result.deadlock);
     CHECK(result.deadlock->cycle.empty());
     REQUIRE(!result.deadlock->held_up.empty());
-    CHECK(result.deadlock->held_up[0].find(": until c1 is taken, too") != std::string::npos);
+    CHECK(result.deadlock->held_up[0].find(": waits until c1 is taken, too") != std::string::npos);
 }
