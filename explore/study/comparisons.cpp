@@ -88,8 +88,8 @@ private:
         return cell;
     }
 
-    /// Sets the mean over the seeds and its interval. If a percentage is 0 or 100 in every run, the interval is that of
-    /// a share of the runs.
+    /// Sets the mean over the seeds and, for several seeds, its interval. If a percentage is 0 or 100 in every run, the
+    /// interval is that of a share of the runs.
     void set_figure(Cell& cell, const StudyRow& row, const Overrides& set, const FiguresByName& above) {
         StudyCell figures;
         std::size_t none = 0, all = 0;
@@ -101,6 +101,8 @@ private:
         }
         figures.close();
         cell.simulated = figures.mean;
+        if (study_.seeds == 1)
+            return;
         cell.interval = none + all == figures.runs && cell.unit == "%"
                             ? success_interval(all, figures.runs)
                             : Interval{figures.mean - figures.half_width, figures.mean + figures.half_width};

@@ -245,9 +245,9 @@ private:
                 settings.require(row.known[column], {});
                 known["known"] = row.known[column].value(set, {});
             });
-        for (const auto& [name, bounds] : {std::pair("at_least", &row.at_least), std::pair("at_most", &row.at_most)})
-            if (column < bounds->size() && (*bounds)[column])
-                attempt_at(value_at(members, name, column), [&] { settings.require((*bounds)[column], {}); });
+        for (const auto& each : {std::pair("at_least", &row.at_least), std::pair("at_most", &row.at_most)})
+            if (const auto& bounds = *each.second; column < bounds.size() && bounds[column])
+                attempt_at(value_at(members, each.first, column), [&] { settings.require(bounds[column], {}); });
         if (column < row.tolerances.size() && row.tolerances[column].amount)
             attempt_at(value_at(members, "tolerance", column),
                        [&] { check_tolerance(row.tolerances[column].amount, settings, set, known); });

@@ -31,7 +31,7 @@ class SensorToAlarm(unittest.TestCase):
             netlist.write_text(f'#include "{NETLIST}"\nsensors (samples = 21);\n', encoding="utf-8")
             refused = placedpar("check", netlist)
             self.assertEqual(refused.returncode, 1)
-            self.assertIn('more.cfs:2:10: error: samples = 21, but the record of "leaking-boom" has 20', refused.stderr)
+            self.assertIn('more.cfs:2:10: error: samples = 21, but the record of "leaking-boom" has only 20', refused.stderr)
             netlist.write_text(netlist.read_text(encoding="utf-8").replace("21", "20"), encoding="utf-8")
             self.assertEqual(placedpar("check", netlist).returncode, 0)
 

@@ -81,7 +81,7 @@ class Streams(unittest.TestCase):
         netlist = self.fed(CLUSTER.read_text(encoding="utf-8"), "identify", RECORD, "--way", "thesis", "--on", "-", "--set", "slaves=1",
                            folder=CLUSTER.parent)
         self.assertEqual(netlist.returncode, 0, netlist.stderr)
-        self.assertIn("by the netlist's processes: equal", netlist.stdout)
+        self.assertIn("from the netlist's processes: equal", netlist.stdout)
 
     def test_standard_input_is_one_file(self):
         for arguments in (["identify", "-", "--way", "thesis", "--on", "-"], ["identify", "-", "--machine", "-"]):
