@@ -22,7 +22,7 @@ DeviceKind link_adapter();
 /// Describes a transputer on a bus, such as the BBK-V2.
 DeviceKind bus_master();
 
-/// Lists all functions above.
+/// Lists all devices above.
 inline constexpr DeviceKind (*known_devices[])() = {transputer, workstation,  crossbar,  edge,
                                                     vme,        link_adapter, bus_master};
 
