@@ -38,8 +38,7 @@ Spread spread_of_bits(std::span<const Genome> population, std::size_t bits) {
     return spread;
 }
 
-/// Returns number `number` of each individual, scaled to 0 at the lower end of the number's range and 1 at the upper
-/// end.
+/// Returns the number with index `number` of each individual, scaled so that the number's range is 0 to 1.
 std::vector<double> places_of(std::span<const Genome> population, const RealVector& reals, std::size_t number) {
     auto [low, high] = reals.range(number);
     std::vector<double> places;
@@ -87,8 +86,8 @@ std::vector<std::uint64_t> neighbours_in(std::span<const Genome> tours, const Pe
     return pairs;
 }
 
-/// Computes the spread of tours. Each pair of neighbours that only one of two tours has adds 1 to the squared distance
-/// of the tours. So the squared distance is twice Representation::distance().
+/// Computes the spread of tours. The squared distance of two tours is the number of pairs of neighbours that only one
+/// of them has. This is twice Representation::distance().
 Spread spread_of_tours(std::span<const Genome> population, const Permutation& permutation) {
     Spread spread{StringKind::permutation, 2 * static_cast<double>(permutation.places()), population.size()};
     auto pairs = neighbours_in(population, permutation);
@@ -150,9 +149,9 @@ double diversity_within(const Spread& population) {
     return diversity_of(2 * population.squares / static_cast<double>(population.individuals - 1), population);
 }
 
-/// The mean squared distance of two individuals from different populations is the sum of three terms: the mean squared
-/// distance of each individual from the centre of its population, and the squared distance of the two centres. The mean
-/// of the last term over all pairs of centres follows from the centres' distances from their own mean.
+/// Computes the mean squared distance of two individuals from different populations, a sum of three terms. Two of them
+/// are the mean squared distances of each population's individuals from its centre. The third is the squared distance
+/// of the two centres; its mean over all pairs of centres follows from the centres' distances from their own mean.
 double diversity_between(std::span<const Spread> populations) {
     auto count = static_cast<double>(populations.size());
     double from_own = 0, of_centres = 0;

@@ -66,7 +66,7 @@ public:
     /// several individuals at once. REQUIRES: out.size() == population.size().
     virtual void fitness_of(std::span<const Genome> population, std::span<const Sample> samples, double bias,
                             std::span<double> out) const = 0;
-    /// Return the parameters that the string codes, their names and their units.
+    /// These functions return the parameters that the string codes, their names, and their units.
     virtual std::vector<double> decode(const Genome& genome) const = 0;
     virtual std::vector<std::string> parameter_names() const = 0;
     virtual std::vector<std::string> parameter_units() const = 0;

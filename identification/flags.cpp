@@ -20,7 +20,8 @@ namespace {
 // These limits are ours, half the limits of ExcitationGate. Below these limits, at medium noise, a third of the
 // estimates are wrong by more than 10 %.
 constexpr double least_slope_psi_per_s = 400, least_flow_in3_per_s = 3.4;
-// The largest accepted difference between the compliances of the two halves, as a share of the compliance.
+// A link is flagged if the compliances found in the two halves of the samples differ by more than this share of the
+// answer.
 constexpr double halves_differ = 0.3;
 // The difference must also exceed this many standard errors, so that noise alone raises no flag.
 constexpr double halves_differ_errors = 4;

@@ -8,11 +8,12 @@ namespace {
 
 using Square = PerJunction<PerJunction<double>>;
 
-/// The scatter that is added to each flow: about the resolution of the readings. Without it, some combinations of flows
-/// would get unlimited weight in records without noise.
+/// This is the least standard deviation of a flow: its square is added to the mean square of each flow. It is about the
+/// resolution of the readings. Without it, some combinations of flows would get unlimited weight in records without
+/// noise.
 constexpr double least_scatter_in3_per_s = 0.1;
-/// With few samples, the scatter of some combination of flows looks too small. Therefore shrinkage * mean * junctions /
-/// samples^2 is added to the scatter of each flow, where `mean` is the mean scatter of the flows.
+/// With few samples, the mean square of some combination of flows looks too small. Therefore shrinkage * mean *
+/// junctions / samples^2 is added to the mean square of each flow, where `mean` is the mean over the flows.
 constexpr double shrinkage = 10;
 
 Square covariance_at(const Circuit& circuit, std::span<const CircuitSample> samples, const FlowConstants& flow,

@@ -13,8 +13,8 @@
 
 namespace placedpar {
 
-/// Counts what the netlist declares. Devices that a program can set, such as a C004, count as processors. Refused
-/// statements declare nothing.
+/// Counts the processors and the processes that a netlist declares. A device that a program can set, such as a C004,
+/// counts as a processor. A statement with an error declares nothing.
 struct Declared {
     std::size_t processors = 0, processes = 0;
 };

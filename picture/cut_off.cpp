@@ -34,7 +34,8 @@ private:
     double from_, length_;
 };
 
-/// One end of an axis, where series may be cut off. `along_` is the other axis, which is parallel to this edge.
+/// An end of an axis is an edge of the panel, at which series may be cut off. `axis_` is perpendicular to this edge,
+/// `along_` parallel.
 class End {
 public:
     End(PanelEdge edge, const Panel& panel)

@@ -132,7 +132,7 @@ public:
 private:
     struct Line {
         std::map<double, std::size_t> positions; ///< rank of each node by its position along the line
-        double first, last;                      ///< outer borders of the line's boxes, perpendicular to the line
+        double first, last;                      ///< top and bottom of a row's boxes, or left and right of a column's
         std::size_t number = 0;
 
         void add(double position, double least, double most) {
@@ -218,8 +218,8 @@ private:
 
     double below(std::size_t node, double lane) const { return row(node).last + lane; }
 
-    /// Returns a path that leads down from node `a`, below the row of `a` to the lane to the right of its column, along
-    /// this lane, and below the row of `b`.
+    /// Returns a path from the bottom of node `a` to the bottom of node `b`. It leads below the row of `a`, along the
+    /// lane to the right of the column of `a`, and below the row of `b`. Within a row it needs no such lane.
     Path through_lanes(std::size_t a, std::size_t b) const {
         double flat = lane(column(a).number, column(b).number), steep = lane(row(a).number, row(b).number);
         Point from = box(a).centre, to = box(b).centre;

@@ -14,7 +14,8 @@ namespace placedpar::picture {
 
 namespace {
 
-/// The costs, in steps of a pitch, of a step, a bend, a crossing with a wire, and a point close to a box.
+/// A path costs `step_cost` for each step of a pitch. The other costs are added for a bend, a crossing with a wire, and
+/// a point close to a box.
 constexpr unsigned step_cost = 1, bend_cost = 4, crossing_cost = 1, near_cost = 2;
 constexpr std::size_t most_points = 4'000'000, most_steps = 40'000'000;
 
@@ -213,7 +214,7 @@ private:
     Box goal_;
     /// The points at which the search may end, and the direction in which the path must arrive there.
     std::map<std::size_t, Way> entries_;
-    /// Owned by the raster, so that a search spends no time on points that it does not reach.
+    /// The raster keeps these arrays from search to search. A search resets only the points that it has reached.
     std::vector<unsigned>& costs_;
     std::vector<unsigned char>& before_;
     std::vector<State> reached_;

@@ -51,7 +51,8 @@ std::vector<Port> ports_of(const Box& box, const Sides& sides) {
     return ports;
 }
 
-/// Returns the middle of the range that two boxes share along an axis, and half of its length.
+/// Returns the middle of the range that two boxes share along an axis, rounded to a multiple of the pitch, and half of
+/// the range's length.
 std::pair<double, double> common_range(double from, double to, double other_from, double other_to) {
     double least = std::max(from, other_from), most = std::min(to, other_to);
     return {std::round((least + most) / 2 / pitch) * pitch, (most - least) / 2};

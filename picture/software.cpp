@@ -55,7 +55,8 @@ private:
         software_.network.nodes.push_back(std::move(node));
     }
 
-    /// Returns the node for a channel's end. An edge gets a node when the first channel leads to it.
+    /// Returns the node that stands for a channel's end: a process or an edge. The first channel at an edge adds its
+    /// node.
     std::size_t node_of(const ChannelEnd& end) {
         if (!end.at_edge())
             return end.process;

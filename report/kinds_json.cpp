@@ -55,7 +55,7 @@ json::object process_json(const ProcessKind& kind) {
             {"measures", list(kind.measurements, measure_json)}};
 }
 
-/// Describes a model. "defaults" has only the attributes in which it differs from its kind.
+/// Describes a model. "defaults" has only the attributes whose defaults differ from those of the device kind.
 json::object model_json(const DeviceModel& model) {
     json::object defaults;
     for (const auto& [name, value] : model.attributes)
@@ -78,7 +78,7 @@ json::object fault_json(const FaultKind& kind) {
             {"attributes", list(kind.attributes, [](const auto& each) { return parameter_json(each.value); })}};
 }
 
-/// Describes a device kind with its model of that name; with all models if the name is "".
+/// Describes a device kind and its model `name`, or all its models if `name` is empty.
 json::object device_json(const DeviceKind& kind, const std::string& name) {
     json::array models;
     for (const DeviceModel& model : kind.models)

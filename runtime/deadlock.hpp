@@ -27,13 +27,14 @@ struct StuckChannel {
     std::string netlist = "";        ///< place of its connection: "farm.cfs:20"; "" without a netlist
 };
 
-/// The report of a simulation that cannot continue. It shows which process waits for which. It holds no addresses, so
+/// Reports why a simulation cannot continue: which process waits for which. The report holds no memory addresses, so
 /// two reports of the same deadlock are equal.
 struct Deadlock {
     std::vector<std::string> cycle; ///< paths of processes in a wait cycle: each waits for the next, the last for the
                                     ///< first; may be empty
-    /// Reasons why processes wait although their partners are ready, such as "a, b: until c is output, too" and "a:
-    /// until in resets its end, too".
+    /// Reasons why processes wait although their partners are ready, such as "a, b: waits until c is taken, too,
+    /// because one message goes to all of them" and "in: waits until sink gives up its message and resets its end, too,
+    /// because source gave it up in the middle".
     std::vector<std::string> held_up;
     std::vector<StuckProcess> processes;
     std::vector<StuckChannel> channels;

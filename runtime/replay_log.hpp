@@ -30,14 +30,13 @@ struct ReplaySession {
 /// guards that its alternations chose, and the times that its clocks showed.
 ///
 /// A process can repeat its history with messages of other contents, and without a machine. Its alternations choose the
-/// same guards, and its clocks show the same times, as in the original run. Suppose that all processes do exactly what
-/// their histories say. Then a run on the machine with these messages would have had the same events. The reason is
-/// that the machine and the kernel know nothing else of a program: by induction over the events, each process would
-/// have seen what it saw in the original run. If a process acts differently, the run has departed from its history. (T.
-/// LeBlanc and J. Mellor-Crummey, Debugging parallel programs with Instant Replay, IEEE Transactions on Computers
-/// C-36(4),
-/// 1987. The order of processes does not change the order of messages on a channel: G. Kahn, The semantics of a simple
-/// language for parallel programming, 1974.)
+/// same guards, and its clocks show the same times, as in the original run. If every process does exactly what its
+/// history says, a run on the machine with these messages would have the events of the original run. The machine and
+/// the kernel know nothing else of a program, so by induction over the events each process would see what it saw in the
+/// original run. If a process acts differently, the run has departed from its history. (T. LeBlanc and J.
+/// Mellor-Crummey, Debugging parallel programs with Instant Replay, IEEE Transactions on Computers C-36(4), 1987. The
+/// order of processes does not change the order of messages on a channel: G. Kahn, The semantics of a simple language
+/// for parallel programming, 1974.)
 ///
 /// REQUIRES of the program: the actions and messages of a process follow from its messages and from the observations
 /// recorded here. Two processes, even components of one PAR, share no data that one of them changes.
@@ -75,8 +74,8 @@ public:
 
     // The next functions are called for the process's actions, in order.
 
-    /// Records an action. `what`: less than 2^56, or a hash of which 56 bits are enough. `how`: details; actions of the
-    /// same kind have the same number of words. Throws ReplayDivergence if the process acts more often than its
+    /// Records an action. `what` is a number below 2^56 or a hash, of which 56 bits suffice. `how` has details; all
+    /// actions of a kind have the same number of words. Throws ReplayDivergence if the process acts more often than its
     /// original, or if any process has departed. A different action is detected at the next observation (observe()) or
     /// at the end of the process.
     void record(Action action, std::uint64_t what, std::initializer_list<std::uint64_t> how = {}) {

@@ -8,8 +8,7 @@
 
 namespace placedpar {
 
-/// States that a use of a place begins. The place is a direction of a link, used by a channel, or the track of a bus or
-/// device.
+/// A place is in use from `since` on: a direction of a link that a channel uses, or the track of a bus or device.
 struct PlaceTaken {
     const std::string& place;
     const std::string& subject;          ///< a channel, what the bus carries, or a master that waits for the bus
@@ -17,7 +16,7 @@ struct PlaceTaken {
     const AnyChannel* channel = nullptr; ///< the channel, if the place is a direction of a link
 };
 
-/// States that a use of a place ends.
+/// The place is no longer in use from `until` on.
 struct PlaceLeft {
     const std::string& place;
     Time until;                         ///< may be in the future
@@ -36,11 +35,12 @@ struct PlaceLeft {
 class TraceSink {
 public:
     /// States that a process changes its activity:
-    ///   starting          The process exists from now on. Its program begins when its turn comes. Only a notice of
-    ///                     `ready` may come earlier.
+    ///   starting          The process exists; its program begins when its turn comes. For a process that was made
+    ///                     before the run, this notice comes when the run begins, perhaps after one of `ready`.
     ///   delayed, ...      The process waits. Its activity and awaited_channels() say for what.
     ///   ready             The wait or the computation of the process is over, or the process has lost its executive.
-    ///                     There is no such notice at the end of a PAR, nor for a delay without a wait.
+    ///                     On an executive there is no such notice at the end of a PAR. There is none for a delay
+    ///                     without a wait.
     ///   executing         A wait is over, and the program runs again. The process's activity and awaited_channels()
     ///                     are still those of the wait.
     ///   computing         The executive works for the process. This may begin before the program runs again, because

@@ -18,8 +18,9 @@ double median(std::vector<double> values);
 /// this median, because it is a value that a search found. REQUIRES: at least one value.
 double lower_median(std::vector<double> values);
 
-/// Returns the value with number ceil(share * size), counted from 1, in ascending order (nearest rank). At least the
-/// given share of the values are at or below the result. REQUIRES: at least one value, 0 <= share <= 1.
+/// Returns the value with number ceil(share * size), counted from 1, in ascending order (nearest rank); the least value
+/// if the share is 0. At least the given share of the values are at or below the result. REQUIRES: at least one value,
+/// 0 <= share <= 1.
 double quantile(std::vector<double> values, double share);
 
 } // namespace placedpar

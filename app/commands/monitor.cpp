@@ -216,7 +216,8 @@ Action declare(Options& command, const std::string&) {
 
 namespace placedpar {
 
-/// Serves until SIGINT or SIGTERM. Prints where it listens, and messages for the operator on standard error.
+/// Serves until SIGINT or SIGTERM. Prints its addresses on standard output, and messages for the operator on standard
+/// error.
 extern const Command monitor_command{
     .name = "monitor",
     .about = "Serves the on-line diagnosis to control systems over TCP",

@@ -56,10 +56,10 @@ bool moves(const IdentifyOptions& options, const ChannelSet& there) {
     return options.configuration.empty() && recognisable(there);
 }
 
-/// Rounds to nanoseconds, since clock steps written as decimals are whole nanoseconds.
+/// Rounds a period to whole nanoseconds, since clock steps written as decimals are whole nanoseconds.
 double whole_nanoseconds(double period_s) { return std::round(period_s * 1e9) / 1e9; }
 
-/// Identifies a record from its first piece on.
+/// Identifies the compliances in a record that is read in pieces.
 class Identifying {
 public:
     Identifying(const IdentifyOptions& options, const Record& first)
@@ -129,7 +129,7 @@ private:
     LinkSet links_;
     RecordDiagnosis diagnosis_;
     std::size_t count_ = 0;
-    boost::json::array movements_; ///< kept only if requested, since a record of any length must fit into memory
+    boost::json::array movements_; ///< empty unless keeps_movements_, so that memory does not grow with the record
     bool flagged_ = false;
 };
 

@@ -21,7 +21,7 @@ using Runs = std::vector<SearchRun>;
 
 constexpr std::size_t trials_a_sample = 5;
 constexpr std::size_t records_shown = 50; // number of records for the ways that are not judged
-constexpr std::size_t lost_for = 20;      // number of samples: 100 generations, a sixth of the figure
+constexpr std::size_t lost_for = 20;      // number of samples: 100 of the 600 generations of a search
 
 /// Extends a way to 600 generations, well past the 425 of Figure 3.11.
 IdentificationWay prolonged(IdentificationWay way) {
@@ -36,7 +36,8 @@ IdentificationWay gated(IdentificationWay way) {
 
 IdentificationWay long_way() { return prolonged(thesis_way()); }
 
-/// A generation to compare, and the prototype's percentage of right records without a gate.
+/// A generation to compare, and an earlier result of this project without a gate: the percentage of records in which
+/// both compliances are right in this generation.
 struct Known {
     std::size_t generation;
     double percent;
@@ -85,8 +86,8 @@ Comparison low_noise_comparison(const TwoLinkMotion& motion, const Seeds& shown)
     return comparison;
 }
 
-/// Returns the generation in which a search loses the answer. Before it, both compliances were right within `percent`;
-/// from it on, one of the two is wrong for `lost_for` samples in a row. Returns the generation after the last if the
+/// Returns the generation in which a search loses the answer: from it on, one of the two compliances is off by more
+/// than `percent` for `lost_for` samples in a row, after both were right. Returns the generation after the last if the
 /// search keeps the answer; nullopt if both compliances are never right.
 std::optional<double> lost_from(const SearchRun& run, double percent) {
     std::size_t off = 0;
@@ -101,8 +102,9 @@ std::optional<double> lost_from(const SearchRun& run, double percent) {
     return found ? std::optional(static_cast<double>(trials_a_sample * (run.estimates.size() + 1))) : std::nullopt;
 }
 
-/// A way to search, and the bounds of the percentage of its searches that lose the answer before the thesis's
-/// generation. For the thesis's single run, this percentage is between 2.5 and 97.5 with a probability of 95 %.
+/// A way to search, and bounds of the percentage of its searches that lose the answer before generation 425. In the
+/// thesis's single run the answer is lost at 425. If the thesis searched in this way, this percentage is between 2.5
+/// and 97.5 with a probability of 95 %.
 struct LosingWay {
     const char* name;
     std::optional<double> at_least, at_most;

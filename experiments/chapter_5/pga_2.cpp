@@ -33,8 +33,9 @@ struct BroadcastStudies {
     std::vector<const PlantStudy*> all() const { return {&traditional, &larger, &windows, &distributed}; }
 };
 
-/// Tests "The estimated poles from two different local GAs became identical and converged prematurely". With the
-/// distributed fitness function, tests "close but remained different ... no indication of premature convergence".
+/// Tests two statements of the thesis. On the traditional islands: "The estimated poles from two different local GAs
+/// became identical and converged prematurely". On islands with the distributed fitness function: "close but remained
+/// different ... no indication of premature convergence".
 std::vector<Claim> claims_of(const BroadcastStudies& studies, double noise) {
     auto error = [](const PlantStudy& study) { return study.of(0, Tracking::error_after); };
     return {{"traditional: generations in which both bests agree",

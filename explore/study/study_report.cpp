@@ -10,7 +10,8 @@ namespace placedpar {
 
 namespace {
 
-/// Returns a row of the table. The endings of runs come last, after the measures.
+/// Returns a row of the table. How the runs ended is the last column of the printed table, but comes before the
+/// measures in CSV.
 Row row_of(const StudySummary& summary, const StudyLine& line, bool intervals) {
     Row row;
     for (std::size_t i = 0; i < summary.axes.size(); ++i)

@@ -14,17 +14,16 @@ namespace placedpar {
 std::string shown_mean(const StudyCell&);
 /// Returns the interval as "± 0.05"; "" for a single run.
 std::string shown_interval(const StudyCell&);
-/// Returns how runs ended, "3 deadlock, 2 refused: why"; "" if all completed.
+/// Returns how the runs of a line ended, such as "3 deadlock, 2 refused: why"; "" if all completed.
 std::string ended_of(const StudyLine&);
-/// Returns the heading of a measure: "master.T_exe [ms]", or "relative master.T_exe" if there are reference runs. If a
-/// setting is also named "links", the heading is "links measured".
+/// Returns the heading of a measure, such as "master.T_exe [ms]"; "relative master.T_exe" if there are reference runs.
+/// If a setting has the name of the measure, "measured" follows the name: "links measured".
 std::string measure_with_unit(const StudySummary&, std::size_t measure);
 /// Returns whether some combination was run with several seeds.
 bool has_intervals(const StudySummary&);
 /// Returns the settings as "slaves = 2, clock = 5M".
 std::string shown_settings(const Overrides&);
-/// Returns a sentence that says what is wrong with reference settings that no run has, with the names of the runs'
-/// settings.
+/// Returns the message for reference settings that no run has. `set` has the names of the settings that the runs have.
 std::string there_is_no_reference(const Overrides& wanted, const std::vector<std::string>& set);
 /// Returns sentences that hold for all lines: "all with samples = 12", "relative to slaves = 0".
 std::vector<std::string> said_of_all(const StudySummary&);

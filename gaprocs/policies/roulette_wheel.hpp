@@ -18,9 +18,10 @@ public:
     /// in turns. The ball is never in a sector of width 0. A ball at the boundary of two sectors is in the second.
     /// REQUIRES: the wheel is not empty, 0 <= turn <= 1 - 2^-32.
     std::size_t sector(double turn) const;
-    /// Returns sector() of each of several balls, faster than separate calls. REQUIRES: as sector().
+    /// Returns the sectors of several balls, faster than separate calls of sector(). REQUIRES: what sector() requires.
     std::vector<std::size_t> sectors(std::vector<double> turns) const;
-    /// Returns sector() of each of `balls` evenly spaced balls, the first at turn / balls. REQUIRES: as sector().
+    /// Returns the sectors of `balls` evenly spaced balls, of which the first lies at turn / balls. REQUIRES: what
+    /// sector() requires.
     std::vector<std::size_t> sectors(std::size_t balls, double turn) const;
 
 private:

@@ -126,7 +126,8 @@ private:
         }
     }
 
-    /// Compares this island's parameters with those of the first island in its part.
+    /// Compares this island's problem, coding and exchanges with those of the first island in its group. Islands of a
+    /// group exchange with each other, directly or through other islands.
     void check_neighbours_agree() {
         const ProcessInstance& first = instance(archipelago_.part_of(number_).front());
         for (const char* parameter : {"problem", "coding"})
@@ -192,7 +193,8 @@ private:
             {archipelago_.islands()[island].process, std::move(about), std::move(message), std::move(hint), true});
     }
 
-    /// Warns if islands do not exchange with each other. Only the first island warns.
+    /// Warns if individuals of some islands never reach some others. The first island's checks give this warning for
+    /// all islands.
     void warn_of_parts() {
         const auto& parts = archipelago_.parts();
         if (number_ != 0)

@@ -17,7 +17,7 @@ PistonLeak leak_of(Link link, const Parameters& parameters) {
     return link == Link::boom ? PistonLeak{parameters["fault.leak"], parameters["fault.leak_start"]} : PistonLeak{};
 }
 
-/// Returns the valve by B.5 from the rows two_links.NAME_*.
+/// Returns the orifices of the valve of link `name` over time (equation B.5), from the rows two_links.NAME_*.
 TimedOrifices two_link_orifices(std::string_view name, const Parameters& parameters) {
     auto value = [&](std::string_view what) { return parameters[fmt::format("two_links.{}_{}", name, what)]; };
     return {.inlet_final_in2 = value("inlet_final"),
@@ -28,8 +28,8 @@ TimedOrifices two_link_orifices(std::string_view name, const Parameters& paramet
             .step_time_s = 0};
 }
 
-/// Returns the flow that the controller demands, and the link's pressure at this flow. If the junction's bypass is
-/// shut, the link takes the whole flow.
+/// Returns the flow into the link's cylinder that the controller demands, and the link's pressure at this flow. If a
+/// check valve shuts the junction's bypass, the flow is that of all pumps of the junction.
 FlowTarget target_of(const Junction& junction, const FlowConstants& flow, const Parameters& parameters) {
     LinkMechanics link = coupled_mechanics(junction.link, parameters);
     double in = junction.through == Through::nowhere ? junction.pumps * flow.pump_in3_per_s

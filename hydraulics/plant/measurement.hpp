@@ -15,7 +15,7 @@ struct MeasurementNoise {
     double pressure_psi = 0;
     double angle_deg = 0;
     double spool_in = 0;
-    double area_share = 0; ///< relative to an orifice area, if areas are measured
+    double area_share = 0; ///< for measured areas of orifices, as a share of the area
 };
 
 /// Reads the rows noise.*.

@@ -43,14 +43,14 @@ struct UnwrittenState {
     std::shared_ptr<const identification::DiagnosisState> state;
 };
 
-/// Deletes the state and the history of a machine. The machine's messages remain in the file, so a message with the
-/// text `forget_text` must follow them.
+/// Deletes the state and the history of a machine. Earlier messages of the machine may remain in the file. So the same
+/// transaction must have a message with the text `forget_text`, after which a restart does not process them again.
 struct ForgottenMachine {
     std::string machine;
 };
 inline constexpr const char* forget_text = "forget";
 
-/// States that the saved states include the effect of all messages up to this number.
+/// Deletes all messages up to this number, because the stored states include their effect.
 struct TrimmedMessages {
     std::uint64_t up_to;
 };

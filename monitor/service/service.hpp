@@ -29,7 +29,8 @@ struct ServiceSettings {
     std::uint64_t seed = 1;
     ServiceLimits limits;
     identification::DiagnosisSettings diagnosis;
-    /// Finds the compliances of a movement by the processes of a netlist (NetlistSearches::Search); may be empty.
+    /// Runs a netlist that finds the compliances of a movement (see NetlistSearches::Search). If it is empty, the
+    /// service runs no netlist.
     std::function<identification::AnswerInTime(identification::ComplianceSearch, double period_s)> netlist;
 };
 

@@ -4,7 +4,7 @@ namespace placedpar::description {
 
 namespace {
 
-/// Converts the optional: optional<Value> has no constructor from an optional of one of Value's alternatives.
+/// Converts an optional of one of Value's alternatives.
 template <class T>
 std::optional<Value> as_value(std::optional<T> value) {
     return value ? std::optional<Value>(std::move(*value)) : std::nullopt;

@@ -14,7 +14,7 @@ struct Period {
     Time begin, end;
 };
 
-/// Keeps all stretches while they fit, then the first and the last stretches.
+/// Keeps the first and the last stretches, up to a number of bytes at each end. Drops the stretches in between.
 class BothEnds {
 public:
     explicit BothEnds(std::size_t bytes_of_each_end) : most_(bytes_of_each_end) {}

@@ -17,7 +17,7 @@ GuideLine true_mark() { return {"true, sound", 1000 * Parameters::excavator()["b
 
 Panel panel_over_samples(std::span<const PlantFault> faults, const RecordSource& source, std::uint64_t seed) {
     Panel panel{"a: C_BOi estimated from the spool, after each sample of one record",
-                {"time [s]", 0.3, 0.6}, // from the first answer to the end of the slowest rise
+                {"time [s]", 0.3, 0.6}, // from the first estimate to the end of the slowest rise of the pressure
                 compliance_axis,
                 {},
                 {true_mark()}};

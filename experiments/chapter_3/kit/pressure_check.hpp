@@ -16,9 +16,9 @@ struct PressureCheck {
     double peak_psi;        ///< peak of the simulated pressure in the transient
 };
 
-/// Simulates the pressure from the first sample that has slopes. The spool is the model's, with its offset subtracted;
-/// the velocity is computed from the measured angle. Throws UserError if the record has no usable sample. Also throws
-/// what replay_pressure() throws.
+/// Simulates the pressure from the first sample that has slopes. The model gives the source of the spool position, and
+/// the offset that is subtracted from it. The velocity is computed from the measured angle. Throws UserError if the
+/// record has no usable sample, and whatever replay_pressure() throws.
 PressureCheck check_pressure(const BoomData&, const BoomModel&, double compliance_in3_per_psi);
 
 } // namespace placedpar

@@ -11,10 +11,10 @@ namespace placedpar {
 
 /// The results of many searches on scenario A, each with its own noise and random numbers.
 struct SearchStudy {
-    std::vector<double> error_percent;      ///< absolute error of the last estimate
-    std::vector<double> codes_from_optimum; ///< distance of the last estimate from the best code for the last window,
-                                            ///< in codes
-    std::vector<double> si_codes; ///< distance of the best code from the best code computed in SI units, in codes
+    std::vector<double> error_percent;      ///< relative error of the last estimate, without its sign
+    std::vector<double> codes_from_optimum; ///< difference between the code of the last estimate and the best code for
+                                            ///< the last window
+    std::vector<double> si_codes;           ///< difference between the best code and the best code computed in SI units
 
     double median_percent() const;
     double ninetieth_percent() const;

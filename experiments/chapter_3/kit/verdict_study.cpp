@@ -79,7 +79,7 @@ Outcome watch(TestedMachine machine, const TestedFault& fault, std::size_t movem
 
 namespace {
 
-/// Returns the judge of a machine's boom after its first movements.
+/// Returns a judge in the present state of the machine's judge of the boom.
 LinkJudge judge_of(const TestedMachine& machine) {
     return LinkJudge(machine.diagnosis().state().watches.begin()->second.judges.back());
 }
@@ -99,7 +99,7 @@ std::uint64_t make_known(TestedMachine& machine) {
 
 namespace {
 
-/// Returns the expected logarithm of the likelihood ratio of one unit of the fault to no fault, after
+/// Returns the expected logarithm of the likelihood ratio of two hypotheses, one unit of the fault and no fault, after
 /// `faulty_movements` movements. Assumes that these movements resemble the first movements, that the standard errors
 /// stated for them are right, and that the link has no other fault.
 double evidence_of(const LinkJudge& judge, LinkFault fault) {
