@@ -69,7 +69,7 @@ struct Reference {
     Location at;
     std::string name;
     std::vector<ExpressionPointer> subscripts;
-    std::string field; ///< "" if there is no dot
+    std::string field; ///< the name after the dot; "" if the text has no dot
     Location field_at;
     std::vector<ExpressionPointer> field_subscripts;
 };

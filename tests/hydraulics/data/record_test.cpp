@@ -367,7 +367,7 @@ TEST_CASE("rows without a needed reading are skipped on request; an unneeded rea
     CHECK(!read_record(text, {all_but_spool, false}).record); // the pressure of line 7 is needed
 }
 
-TEST_CASE("a column of configurations is read, and what is no configuration is unknown") {
+TEST_CASE("a column of configurations is read, and a cell without a known letter is unknown") {
     std::string text = "time [s],boom.angle [deg],configuration\n";
     for (int i = 0; i < 6; ++i)
         text += fmt::format("{},{},{}\n", 0.02 * i, i, std::vector<std::string>{"a", "e", "f", "", "d", "aa"}[i]);
