@@ -13,6 +13,8 @@ BELOW = {
     "store": ["text"],
     "runtime": [],
     "runtime/hardware": ["runtime"],
+    "runtime/transputer": ["runtime/hardware"],
+    "iserver": ["text"],
     "netlist/network": ["text"],
     "netlist/kinds": ["netlist/network", "runtime/hardware"],
     "netlist/language": ["netlist/network"],
