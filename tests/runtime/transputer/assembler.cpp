@@ -58,13 +58,30 @@ std::string_view cut(std::string_view& text, std::string_view separators) {
     return part;
 }
 
-int code_of(std::string_view table, std::string_view name) {
+using Codes = std::map<std::string_view, int>;
+
+Codes codes_of(std::string_view table) {
+    Codes codes;
     while (!table.empty()) {
         const auto code = cut(table, " ");
-        if (cut(table, " ") == name)
-            return static_cast<int>(std::strtol(std::string(code).c_str(), nullptr, 16));
+        codes[cut(table, " ")] = static_cast<int>(std::strtol(std::string(code).c_str(), nullptr, 16));
     }
-    return -1;
+    return codes;
+}
+
+int code_of(const Codes& codes, std::string_view name) {
+    const auto found = codes.find(name);
+    return found == codes.end() ? -1 : found->second;
+}
+
+const Codes& operation_codes() {
+    static const Codes codes = codes_of(operations);
+    return codes;
+}
+
+const Codes& entry_codes() {
+    static const Codes codes = codes_of(entries);
+    return codes;
 }
 
 bool is_name(std::string_view text) {
@@ -146,9 +163,9 @@ private:
             return direct(static_cast<unsigned>(found - functions.begin()), operand, address, least);
         if (!operand.empty())
             fail(fmt::format("\"{}\" has no operand", name));
-        if (const int code = code_of(operations, name); code >= 0)
+        if (const int code = code_of(operation_codes(), name); code >= 0)
             return instruction(operate, code);
-        const int entry = code_of(entries, name);
+        const int entry = code_of(entry_codes(), name);
         if (entry < 0)
             fail(fmt::format("\"{}\" is no instruction", name));
         auto both = instruction(load_constant, entry);
@@ -248,7 +265,7 @@ std::vector<std::uint8_t> instruction(unsigned function, std::int32_t operand, s
     return bytes;
 }
 
-int operation_code(std::string_view mnemonic) { return code_of(operations, mnemonic); }
+int operation_code(std::string_view mnemonic) { return code_of(operation_codes(), mnemonic); }
 
 std::uint32_t Assembly::operator[](std::string_view label) const {
     const auto found = labels.find(label);
