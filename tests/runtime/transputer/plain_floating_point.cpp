@@ -96,8 +96,7 @@ void compute(P& p, char sign) {
 }
 
 void compute_with_memory(P& p, char sign, bool is_double) {
-    push_real(p, load_real(p, p.pop(), is_double));
-    compute(p, sign);
+    p.f[0] = computed(p, sign, p.f[0], load_real(p, p.pop(), is_double));
 }
 
 void scale(P& p, char sign, double factor) {

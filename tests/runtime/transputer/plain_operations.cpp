@@ -50,6 +50,7 @@ void multiply_fractions(P& p) {
     }
     const std::int64_t product = wide(p.b) * wide(p.a), whole = product >> 31, rest = product & 0x7FFFFFFF;
     const bool up = rest > 0x40000000 || (rest == 0x40000000 && (whole & 1));
+    p.cycles += up ? 3 : 0;
     p.binary(low(static_cast<std::uint64_t>(whole + up)));
 }
 
