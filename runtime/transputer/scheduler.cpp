@@ -534,6 +534,8 @@ HalfCycles Core::outside_words(Word address, Word bytes) const {
 
 void Core::move_block(Word from, Word to, Word bytes) {
     const Word source = NodeMemory::offset_of(from), target = NodeMemory::offset_of(to);
+    if (bytes == 0) // programs move nothing from or to address 0
+        return;
     if (!memory_.holds(source, bytes))
         fault(Stopped::by_bad_address, from);
     else if (!memory_.holds(target, bytes))
