@@ -63,7 +63,7 @@ std::size_t FileStream::write(std::string_view bytes) {
     if (bytes.empty() || ::fstat(file_.descriptor(), &status) != 0)
         return 0;
     const auto gap = static_cast<std::uint64_t>(appends_ ? 0 : std::max<std::int64_t>(position() - status.st_size, 0));
-    const std::size_t allowed = quota_.take_all(gap) ? static_cast<std::size_t>(quota_.take(bytes.size())) : 0;
+    const auto allowed = static_cast<std::size_t>(quota_.take(bytes.size(), gap));
     const ssize_t count = allowed > 0 ? ::write(file_.descriptor(), bytes.data(), allowed) : 0;
     if (count < 0)
         error_ = errno;
@@ -175,16 +175,11 @@ private:
 
 } // namespace
 
-std::uint64_t WriteQuota::take(std::uint64_t bytes) {
-    const std::uint64_t taken = std::min(bytes, left_);
+std::uint64_t WriteQuota::take(std::uint64_t bytes, std::uint64_t gap) {
+    const std::uint64_t taken = gap < left_ ? std::min(bytes, left_ - gap) : 0;
     exceeded_ = exceeded_ || taken < bytes;
-    left_ -= taken;
+    left_ -= taken > 0 ? gap + taken : 0;
     return taken;
-}
-
-bool WriteQuota::take_all(std::uint64_t bytes) {
-    exceeded_ = exceeded_ || bytes > left_;
-    return bytes <= left_ && take(bytes) == bytes;
 }
 
 Streams::Streams(const HostFolder& folder, Terminal& terminal, VisibleText& visible, WriteQuota& quota)
@@ -202,7 +197,7 @@ std::optional<std::int32_t> Streams::open(std::string_view name, OpenMode mode) 
     OpenFile file = folder_.open(name, mode, created);
     if (!file)
         return std::nullopt;
-    if (created && !quota_.take_all(WriteQuota::new_file)) {
+    if (created && quota_.take(1, WriteQuota::new_file - 1) == 0) {
         folder_.remove(name);
         return std::nullopt;
     }

@@ -21,10 +21,9 @@ public:
     static constexpr std::uint64_t new_file = 4096;
 
     explicit WriteQuota(std::uint64_t bytes) : left_(bytes) {}
-    /// Takes up to `bytes`, and returns how many were left to take.
-    std::uint64_t take(std::uint64_t bytes);
-    /// Takes all of `bytes`, or takes nothing and returns false.
-    bool take_all(std::uint64_t bytes);
+    /// Takes up to `bytes`, and the whole `gap` before them. Returns how many of `bytes` it took. If this is 0, takes
+    /// nothing of the gap either.
+    std::uint64_t take(std::uint64_t bytes, std::uint64_t gap = 0);
     /// Returns whether a program asked for more than was left.
     bool exceeded() const { return exceeded_; }
 

@@ -22,7 +22,7 @@ public:
           path_(top_ / "host") {
         std::filesystem::remove_all(top_);
         std::filesystem::create_directories(path_);
-        std::ofstream(secret()) << "secret";
+        std::ofstream(secret()) << "unseen";
     }
     ~ScratchFolder() { std::filesystem::remove_all(top_); }
     ScratchFolder(const ScratchFolder&) = delete;
@@ -100,7 +100,9 @@ public:
         const iserver::Bytes opened = reply(Request(10).text(name).byte(type).byte(mode));
         return opened.at(2) == 0 ? word_of(opened) : -1;
     }
-    std::string read(std::int64_t stream, std::size_t most) { return text_of(reply(Request(12).word(stream).count(most))); }
+    std::string read(std::int64_t stream, std::size_t most) {
+        return text_of(reply(Request(12).word(stream).count(most)));
+    }
     std::size_t write(std::int64_t stream, std::string_view text) {
         const iserver::Bytes written = reply(Request(13).word(stream).text(text));
         return written.at(2) == 0 ? written.at(3) + 256U * written.at(4) : 0;

@@ -29,7 +29,8 @@ TEST_CASE("text, cursor movements and colours pass") {
 
 TEST_CASE("other control characters and bytes become visible") {
     CHECK(visible(std::string("\0\x01\x0c\x7f", 4)) == "^@^A^L^?");
-    CHECK(visible("\x9b" "2J\xff\xc2\x9b") == "\\x9b2J\\xff\\xc2\\x9b");
+    CHECK(visible("\x9b"
+                  "2J\xff\xc2\x9b") == "\\x9b2J\\xff\\xc2\\x9b");
     CHECK(visible("\xc0\x8a") == "\\xc0\\x8a"); // a newline in an overlong form
 }
 
@@ -37,7 +38,8 @@ TEST_CASE("sequences that answer, change a title or set modes become visible") {
     CHECK(visible("\x1b]0;title\a") == "^[]0;title\a");
     CHECK(visible("\x1b[6n\x1b[c") == "^[[6n^[[c");
     CHECK(visible("\x1b[?1049h") == "^[[?1049h");
-    CHECK(visible("\x1b" "c\x1bP0\x1b\\") == "^[c^[P0^[\\");
+    CHECK(visible("\x1b"
+                  "c\x1bP0\x1b\\") == "^[c^[P0^[\\");
     CHECK(visible("\x1b[1\x1b[2J") == "^[[1\x1b[2J");
     CHECK(visible("\x1b[" + std::string(40, '1') + "m") == "^[[" + std::string(40, '1') + "m");
 }
