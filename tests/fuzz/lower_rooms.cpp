@@ -2,6 +2,7 @@
 
 #include "hydraulics/data/parameters.hpp"
 #include "hydraulics/data/record_table.hpp"
+#include "iserver/server.hpp"
 #include "netlist/kinds/csp_kinds.hpp"
 #include "netlist/print/print.hpp"
 #include "netlist/read.hpp"
@@ -11,9 +12,13 @@
 #include "text/table.hpp"
 #include "text/utf8.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
+#include <string>
 
 namespace placedpar::fuzz {
 
@@ -97,14 +102,37 @@ void show_texts(const std::string& text) {
         require(row.cells.size() == table.header.cells.size(), "rows are as long as the header");
 }
 
+/// Serves a program that sends these bytes.
+void serve_requests(const std::string& bytes) {
+    const std::string folder = "/dev/shm/placedpar-fuzz-" + std::to_string(::getpid());
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder + "/a");
+    std::filesystem::create_symlink("/", folder + "/link");
+    iserver::ScriptedTerminal terminal("keys\nand lines\n", [](std::string_view text) {
+        require(text.find('\0') == text.npos, "control characters are shown");
+    });
+    iserver::Server server({.host_folder = folder, .write_limit_bytes = 10'000}, terminal);
+    iserver::PacketReader reader;
+    iserver::ByteView rest(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+    while (!rest.empty() && reader.refusal().empty()) {
+        const iserver::ByteView request = reader.take(rest);
+        if (request.empty())
+            continue;
+        const iserver::Answer answer = server.answer(request, {});
+        const bool serves = answer.state != iserver::ServerState::waits_for_input && !answer.reply.empty();
+        require(!serves || (answer.reply.size() % 2 == 0 && answer.reply.size() >= 8 && answer.reply.size() <= 512),
+                "a reply is a packet");
+        require(serves || answer.state != iserver::ServerState::running, "a running program gets a reply");
+    }
+    server.finish();
+    std::filesystem::remove_all(folder);
+}
+
 } // namespace
 
 std::span<const Reader> readers() {
-    static const Reader all[] = {{"netlist", read_netlist},
-                                 {"options", read_options},
-                                 {"record", read_record},
-                                 {"machine", read_machine},
-                                 {"texts", show_texts}};
+    static const Reader all[] = {{"netlist", read_netlist}, {"options", read_options}, {"record", read_record},
+                                 {"machine", read_machine}, {"texts", show_texts},     {"requests", serve_requests}};
     return all;
 }
 

@@ -35,6 +35,22 @@ def rows(text, count=40):
     return b"".join(text.splitlines(keepends=True)[:count])
 
 
+def request(tag, fields=b""):
+    """Returns a request of the iserver protocol."""
+    data = bytes([tag]) + fields
+    data += bytes(max(6 - len(data), len(data) % 2))
+    return len(data).to_bytes(2, "little") + data
+
+
+def text(content):
+    """Returns a text as a field of a request."""
+    return len(content).to_bytes(2, "little") + content
+
+
+STREAM = (3).to_bytes(4, "little")
+OPENED = request(10, text(b"a/file") + b"\1\5")
+
+
 SEEDS = {
     "netlist": lambda: files("examples/**/*.cfs", "tests/netlist/refusals/**/*.cfs"),
     "record": lambda: [rows(text) for text in files("examples/hydraulics/records/*.csv")] + texts_of("tests/hydraulics/data/record*.cpp"),
@@ -60,6 +76,9 @@ SEEDS = {
                         for fields in ("", "Authorization: Basic dXNlcjpwYXNzd29yZA==\r\n", "Content-Length: 3\r\n",
                                        "Connection: close\r\nTransfer-Encoding: chunked\r\n")],
     "command": lambda: [b"\n".join(line.split()) for line in matches(r"^\$ placedpar ([^|<>$`\n]+)$", "docs/**/*.md", "examples/**/*.md")],
+    "requests": lambda: [OPENED + request(tag, STREAM + text(b"some bytes") + bytes(8)) for tag in range(10, 26)]
+                        + [request(tag, text(b"file") + text(b"link/etc")) for tag in range(10, 43)]
+                        + [OPENED + request(17, STREAM + bytes([0, 8, 0, 0, 1, 0, 0, 0])) + request(13, STREAM + text(b"\x1b[2Jend"))],
     "arguments": lambda: texts_of("tests/explore/**/*.cpp", "tests/report/*.cpp"),
 }
 

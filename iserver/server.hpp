@@ -1,0 +1,91 @@
+#pragma once
+
+#include "iserver/packet.hpp"
+#include "iserver/streams.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace placedpar::iserver {
+
+struct ServerOptions {
+    std::filesystem::path host_folder = ""; ///< "": no file can be opened
+    std::string command_line = "";          ///< the program's own arguments
+    std::string whole_command_line = "";    ///< with the server's options
+    /// All that a program can ask for. INMOS's tools ask for IBOARDSIZE, IDEBUGSIZE and ISEARCH.
+    std::map<std::string, std::string, std::less<>> environment = {};
+    std::uint64_t write_limit_bytes = 64U << 20;
+    std::chrono::sys_seconds date = std::chrono::sys_days(std::chrono::year(1991) / 1 / 1); ///< when the run begins
+    std::optional<Bytes> core = std::nullopt; ///< what was read from a machine's memory before it was booted
+};
+
+enum class RequestTag : std::uint8_t; // server.cpp
+
+enum class ServerState {
+    running,
+    exited,         ///< the program has ended
+    waits_for_input ///< the program waits for a key or a line, and none will come
+};
+
+struct Answer {
+    Bytes reply;           ///< a packet; empty if the program waits for input for ever
+    ServerState state;     ///< unless running, the server takes no further requests
+    std::int32_t exit = 0; ///< the program's exit status: 0 for success, 1 for failure, or its own number
+};
+
+/// The host of a transputer program: answers the requests of the iserver protocol, as INMOS's server does. The program
+/// reaches the files of one folder, the terminal, and nothing else of the host. Any bytes are a possible request.
+///
+/// These answers differ from those of INMOS's server. No command of the host is executed. The date is that of the
+/// options, plus the time since the start. The server claims to be version 1.0: from version 1.4 on, packets may have
+/// 1024 bytes, and a program may rely on that.
+class Server {
+public:
+    /// A program that polls the keyboard this often in a row, without another request, waits for a key.
+    static constexpr std::size_t most_polls = 100'000;
+    /// A program that makes this number of requests for stream 0 after its end waits for a line.
+    static constexpr std::size_t most_requests_at_end = 1000;
+
+    /// Throws UserError if the host's folder cannot be opened, or if a text of the options is too long for a reply.
+    /// REQUIRES: the terminal outlives the server.
+    Server(ServerOptions, Terminal&);
+    Server(const Server&) = delete;
+    Server& operator=(const Server&) = delete;
+
+    /// Answers a request, which is a packet without its length. The time since the start is simulated time, or measured
+    /// time for a real board. Returns no reply if the program has exited, or waits for input, since an earlier request.
+    Answer answer(ByteView request, std::chrono::microseconds since_start);
+    /// Completes the output on the terminal. Call it once a run has ended, for whatever reason.
+    void finish();
+    /// Returns whether output was lost because of the write limit.
+    bool exceeded_write_limit() const { return quota_.exceeded(); }
+
+private:
+    Reply reply_to(RequestTag, RequestFields&);
+    Reply reply_for_stream(RequestTag, RequestFields&);
+    Reply open(RequestFields&);
+    Reply key(std::optional<std::uint8_t>);
+    Reply poll_key();
+    Reply time() const;
+    Reply core(RequestFields&) const;
+    Reply exit(RequestFields&);
+
+    ServerOptions options_;
+    Terminal& terminal_;
+    HostFolder folder_;
+    WriteQuota quota_;
+    VisibleText visible_;
+    Streams streams_;
+    ServerState state_ = ServerState::running;
+    std::int32_t exit_ = 0;
+    std::chrono::microseconds since_start_{};
+    std::size_t polls_ = 0;  ///< polls in a row, without a key that may come
+    std::size_t at_end_ = 0; ///< requests for stream 0 since it ended
+};
+
+} // namespace placedpar::iserver

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "iserver/host_folder.hpp"
+#include "iserver/terminal.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace placedpar::iserver {
+
+/// How many bytes a program may still write, to all files and to the terminal together. This bounds what a program that
+/// went wrong costs its host.
+class WriteQuota {
+public:
+    /// A new file counts as this number of bytes, so that a program cannot make millions of empty files.
+    static constexpr std::uint64_t new_file = 4096;
+
+    explicit WriteQuota(std::uint64_t bytes) : left_(bytes) {}
+    /// Takes up to `bytes`, and the whole `gap` before them. Returns how many of `bytes` it took. If this is 0, takes
+    /// nothing of the gap either.
+    std::uint64_t take(std::uint64_t bytes, std::uint64_t gap = 0);
+    /// Returns whether a program asked for more than was left.
+    bool exceeded() const { return exceeded_; }
+
+private:
+    std::uint64_t left_;
+    bool exceeded_ = false;
+};
+
+/// A stream in the sense of C: bytes, an indicator of the end, and an error.
+class Stream {
+public:
+    virtual ~Stream() = default;
+
+    /// Returns up to `most` bytes; fewer at the end, and where a person has typed a line.
+    virtual std::string read(std::size_t most) = 0;
+    /// Returns up to `most` bytes of the next line, without its newline. Returns nullopt at the end.
+    virtual std::optional<std::string> line(std::size_t most) = 0;
+    /// Returns how many bytes were written.
+    virtual std::size_t write(std::string_view) = 0;
+    /// Seeks from the start (1), the current position (2) or the end (3). Returns whether this succeeded.
+    virtual bool seek(std::int32_t, std::int32_t) { return false; }
+    /// Returns the position; nullopt if there is none, or if it does not fit.
+    virtual std::optional<std::int32_t> tell() { return std::nullopt; }
+    virtual bool is_terminal() const { return false; }
+
+    /// Returns whether a read has met the end. Like feof(), this is still false after the last byte was read.
+    bool at_end() const { return at_end_; }
+    /// Returns the number of the last error, as in errno; 0 if there was none.
+    int error() const { return error_; }
+
+protected:
+    bool at_end_ = false;
+    int error_ = 0;
+};
+
+/// The streams of a program: 0, 1 and 2 are the terminal's input and output, others are files.
+class Streams {
+public:
+    static constexpr std::size_t most = 256; ///< streams, with those of the terminal
+
+    /// REQUIRES: the arguments outlive this object.
+    Streams(const HostFolder&, Terminal&, VisibleText&, WriteQuota&);
+
+    /// Opens a file under the lowest free number. Returns nullopt if this fails.
+    std::optional<std::int32_t> open(std::string_view name, OpenMode);
+    /// Closes a file, or returns false if there is none. The streams of the terminal stay open.
+    bool close(std::int32_t number);
+    /// Returns null if no stream has this number.
+    Stream* find(std::int32_t number);
+
+private:
+    const HostFolder& folder_;
+    WriteQuota& quota_;
+    std::array<std::unique_ptr<Stream>, most> streams_;
+};
+
+} // namespace placedpar::iserver

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace placedpar::iserver {
+
+/// The screen and the keyboard of a served program.
+class Terminal {
+public:
+    virtual ~Terminal() = default;
+
+    /// Shows a text, which VisibleText has made safe.
+    virtual void write(std::string_view text) = 0;
+    /// Waits for a key, which is not shown. Returns nullopt if the input has ended.
+    virtual std::optional<std::uint8_t> wait_for_key() = 0;
+    /// Returns a key that has been pressed, without waiting.
+    virtual std::optional<std::uint8_t> pressed_key() = 0;
+    /// Waits for a line. Returns the line with its newline, if it has one; "" if the input has ended.
+    virtual std::string line() = 0;
+    /// Returns whether no key and no line will ever come again. May be false if this is not known yet.
+    virtual bool at_end() const = 0;
+    /// Returns whether a person sees the screen and presses the keys.
+    virtual bool is_interactive() const = 0;
+};
+
+/// A terminal whose keys were all written down before. Keys and lines are taken from the same text.
+class ScriptedTerminal : public Terminal {
+public:
+    ScriptedTerminal(std::string keys, std::function<void(std::string_view)> screen)
+        : keys_(std::move(keys)), screen_(std::move(screen)) {}
+
+    void write(std::string_view text) override { screen_(text); }
+    std::optional<std::uint8_t> wait_for_key() override { return pressed_key(); }
+    std::optional<std::uint8_t> pressed_key() override;
+    std::string line() override;
+    bool at_end() const override { return used_ == keys_.size(); }
+    bool is_interactive() const override { return false; }
+
+private:
+    std::string keys_;
+    std::size_t used_ = 0;
+    std::function<void(std::string_view)> screen_;
+};
+
+/// Makes a program's output safe for a terminal. These pass unchanged: UTF-8, newline, return, tab, backspace, bell,
+/// and the ANSI sequences that move the cursor, clear the screen or a line, or set colours. Other control characters
+/// become ^A, ^[ and so on; other bytes become \xff and so on. So no output sends an answer to the keyboard, changes a
+/// window's title or leaves the terminal in another mode.
+class VisibleText {
+public:
+    /// Returns the visible form of the bytes. A sequence or character that is not complete waits for later bytes.
+    std::string next(std::string_view bytes);
+    /// Returns the visible form of what waits, and the sequence that resets the colours if any were set.
+    std::string end();
+
+private:
+    std::string begun_; ///< an incomplete sequence or character
+    bool coloured_ = false;
+};
+
+} // namespace placedpar::iserver

@@ -1,0 +1,178 @@
+#include "runtime/transputer/decoded_code.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace placedpar::transputer {
+namespace {
+
+constexpr unsigned longest_block = 48;     // instructions
+constexpr Word most_prefixes = 200;        // of an instruction; ours
+constexpr Word longest_reach = (longest_block * (most_prefixes + 1)) / NodeMemory::page_bytes + 1; // pages
+constexpr unsigned most_static_cost = 8000; // half cycles of a block
+
+/// Returns whether the operand of a direct function counts words.
+bool counts_words(Operation operation) {
+    switch (operation) {
+    case Operation::ldlp:
+    case Operation::ldnl:
+    case Operation::ldnlp:
+    case Operation::ldl:
+    case Operation::ajw:
+    case Operation::stl:
+    case Operation::stnl:
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool branches_by_operand(Operation operation) {
+    return operation == Operation::j || operation == Operation::call || operation == Operation::cj;
+}
+
+/// An instruction as it stands in memory.
+struct Read {
+    Operation operation = Operation::unknown;
+    Word operand = 0;
+    Word length = 0; ///< 0: it does not end within the memory
+};
+
+Read read_instruction(const NodeMemory& memory, Word offset, Model model) {
+    Read result;
+    for (Word at = offset; at < memory.size() && at - offset <= most_prefixes; ++at) {
+        const std::uint8_t byte = memory.byte(at);
+        const Word function = byte >> 4;
+        result.operand |= byte & 15;
+        if (function == 2) {
+            result.operand <<= 4;
+        } else if (function == 6) {
+            result.operand = ~result.operand << 4;
+        } else {
+            result.length = at + 1 - offset;
+            // Bits above the tenth of the code of an operation are ignored: compilers pad with prefixes.
+            result.operation = function == 15 ? operation_of(result.operand & 0x3ff, model) : function_of(function);
+            return result;
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+DecodedCode::DecodedCode(NodeMemory& memory, const CodeTiming& timing)
+    : memory_(memory), timing_(timing), pages_(memory.size() / NodeMemory::page_bytes),
+      scratch_(longest_block + 1) {}
+
+DecodedCode::Page& DecodedCode::page(Word offset) {
+    std::unique_ptr<Page>& result = pages_[offset / NodeMemory::page_bytes];
+    if (!result) {
+        result = std::make_unique<Page>();
+        bytes_used_ += sizeof(Page);
+    }
+    memory_.code_flags()[offset / NodeMemory::page_bytes] = 1;
+    return *result;
+}
+
+bool DecodedCode::fill(Block& block, Word address, unsigned most_instructions) {
+    const Word begin = NodeMemory::offset_of(address);
+    Word at = begin;
+    const auto fetch = [this](Word word) { return word >= timing_.bytes_on_chip ? timing_.fetch : HalfCycles16{0}; };
+    Word fetched = begin & ~Word{3};
+    block.start = address;
+    block.first_word = fetched;
+    block.first_fetch = fetch(fetched);
+    std::uint32_t after = 0, extra = block.first_fetch;
+    std::size_t count = 0;
+    bool ended = false;
+    while (!ended && count < most_instructions && after < most_static_cost) {
+        const Read read = read_instruction(memory_, at, timing_.model);
+        if (read.length == 0)
+            break;
+        const Word next = at + read.length;
+        for (; fetched + 4 < next; after += fetch(fetched))
+            fetched += 4;
+        const Instruction& description = description_of(read.operation);
+        after += 2 * (read.length - 1);
+        if (description.unit != Unit::scheduler)
+            after += 2 * cycles_of(read.operation, timing_.model);
+        extra += 2u * description.extra_cycles + std::uint32_t{description.accesses} * timing_.penalty;
+        Word operand = read.operand;
+        if (branches_by_operand(read.operation))
+            operand += most_negative + next;
+        else if (counts_words(read.operation))
+            operand *= 4;
+        else if (description.unit != Unit::direct)
+            operand = most_negative + next;
+        scratch_[count++] = {read.operation, static_cast<std::uint8_t>(read.length), static_cast<std::uint16_t>(after),
+                             operand};
+        at = next;
+        ended = ends_block(read.operation);
+    }
+    if (count == 0)
+        return false;
+    scratch_[count] = {Operation::go_on, 0, static_cast<std::uint16_t>(after), most_negative + at};
+    block.bytes = at - begin;
+    block.last_word = fetched;
+    block.most = after + extra;
+    block.instructions = static_cast<std::uint32_t>(count);
+    return true;
+}
+
+Block* DecodedCode::single(Word address) {
+    if (NodeMemory::offset_of(address) >= memory_.size() || !fill(single_, address, 1))
+        return nullptr;
+    if (!single_.entries)
+        single_.entries = std::make_unique<Entry[]>(2);
+    std::copy_n(scratch_.begin(), 2, single_.entries.get());
+    single_.is_forgotten = false;
+    return &single_;
+}
+
+Block* DecodedCode::decode(Word address) {
+    auto block = std::make_unique<Block>();
+    if (NodeMemory::offset_of(address) >= memory_.size() || !fill(*block, address, longest_block))
+        return nullptr;
+    const std::uint64_t bytes = sizeof(Block) + (block->instructions + 1) * sizeof(Entry);
+    if (bytes_used_ + bytes > std::max<std::uint64_t>(memory_.size(), 65'536))
+        forget(0, memory_.size());
+    bytes_used_ += bytes;
+    block->entries = std::make_unique<Entry[]>(block->instructions + 1);
+    std::copy_n(scratch_.begin(), block->instructions + 1, block->entries.get());
+
+    const Word begin = NodeMemory::offset_of(address);
+    Page& first = page(begin);
+    for (Word at = begin | (NodeMemory::page_bytes - 1); at - begin < block->bytes - 1; at += NodeMemory::page_bytes)
+        page(at + 1).reached_from_before = true;
+    first.blocks[begin % NodeMemory::page_bytes] = block.get();
+    return first.starting.emplace_back(std::move(block)).get();
+}
+
+void DecodedCode::forget_page(Word index) {
+    std::unique_ptr<Page>& page = pages_[index];
+    if (!page)
+        return;
+    for (std::unique_ptr<Block>& block : page->starting) {
+        block->is_forgotten = true;
+        bytes_used_ -= sizeof(Block) + (block->instructions + 1) * sizeof(Entry);
+        forgotten_.push_back(std::move(block));
+    }
+    bytes_used_ -= sizeof(Page);
+    page.reset();
+    memory_.code_flags()[index] = 0;
+}
+
+void DecodedCode::forget(Word offset, Word bytes) {
+    if (bytes == 0)
+        return;
+    const Word first = offset / NodeMemory::page_bytes, last = (offset + bytes - 1) / NodeMemory::page_bytes;
+    for (Word i = first; i <= last; ++i) {
+        const bool reached = i == first && pages_[i] && pages_[i]->reached_from_before;
+        // Blocks of many prefixes may begin several pages before.
+        for (Word before = i; reached && before-- > 0 && i - before <= longest_reach;)
+            forget_page(before);
+        forget_page(i);
+    }
+}
+
+} // namespace placedpar::transputer

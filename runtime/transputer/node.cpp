@@ -1,0 +1,215 @@
+#include "runtime/transputer/node.hpp"
+
+#include "runtime/kernel.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace placedpar::transputer {
+namespace {
+
+Word word_of(std::span<const std::uint8_t, 4> bytes) {
+    Word result;
+    std::memcpy(&result, bytes.data(), sizeof result);
+    return result;
+}
+
+} // namespace
+
+Node::Node(Kernel& kernel, std::string name, Model model, std::uint64_t memory_bytes, const CoreTiming& timing)
+    : kernel_(kernel), name_(std::move(name)), core_(model, memory_bytes, timing, *this) {
+    for (int i = 0; i < links; ++i)
+        ports_[static_cast<std::size_t>(i)].belong_to(*this, i);
+}
+
+void Node::has_link(hardware::Link& link) {
+    link.from_a_to_b().move_messages_of(engines_);
+    link.from_b_to_a().move_messages_of(engines_);
+    wires_.push_back(&link);
+}
+
+// Running
+
+void Node::happen() noexcept {
+    if (std::exchange(is_idle_, false)) {
+        busy_ += core_.local_time() - core_.time_at(0);
+        core_.pass_idle_time(kernel_.now());
+        words_settled_ = words_moved();
+    }
+    if (settle())
+        run();
+}
+
+void Node::run() {
+    const bool link_in_use = core_.waits_for_links();
+    switch (core_.run(limit(link_in_use), link_in_use)) {
+    case Core::Pause::idle: return be_idle();
+    case Core::Pause::stopped:
+        activity_ = Activity::stopped;
+        return when_stopped_();
+    case Core::Pause::limit:
+    case Core::Pause::on_time: break;
+    }
+    kernel_.future().schedule(*this, core_.local_time(), EventQueue::turn);
+}
+
+/// Returns the local time up to which nothing else can act on the core. While link engines take accesses, local time
+/// passes faster than instructions do: then only half of the way is gone at once.
+HalfCycles Node::limit(bool link_in_use) const {
+    Time until = later(kernel_.now(), most_ahead_);
+    if (core_.may_be_interrupted() && !kernel_.future().empty())
+        until = std::min(until, kernel_.future().next_time());
+    HalfCycles result = std::max(core_.half_cycle_at(until), core_.local() + 1);
+    if (link_in_use) {
+        const HalfCycles way = std::min(result, core_.next_attention()) - core_.local();
+        result = core_.local() + std::max<HalfCycles>(1, way / 2);
+    }
+    return result;
+}
+
+/// Adds the accesses that link engines took since the last call. Returns false if local time is now in the future; the
+/// node then continues at that time.
+bool Node::settle() {
+    const std::uint64_t words = words_moved();
+    core_.lose_accesses(words - std::exchange(words_settled_, words));
+    if (core_.local_time() <= kernel_.now())
+        return true;
+    kernel_.future().schedule(*this, core_.local_time(), EventQueue::turn);
+    return false;
+}
+
+std::uint64_t Node::words_moved() {
+    std::uint64_t words = engines_.words_of_ended_parts;
+    if (engines_.parts_under_way > 0)
+        for (hardware::Link* const link : wires_)
+            words += link->words_moved(engines_, kernel_.now());
+    return words;
+}
+
+void Node::be_idle() {
+    if (core_.local_time() > kernel_.now()) { // another process may become ready until then
+        kernel_.future().schedule(*this, core_.local_time(), EventQueue::turn);
+        return;
+    }
+    is_idle_ = true;
+    if (core_.next_timer() != Time::max())
+        kernel_.future().schedule(*this, core_.next_timer(), EventQueue::turn);
+}
+
+/// Lets an idle core run at once. A core that is busy sees the process in its queue.
+void Node::wake() {
+    if (is_idle_ && activity_ == Activity::booted && core_.is_active())
+        kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
+}
+
+// Links
+
+void Node::Port::read(std::span<std::uint8_t> to) {
+    node_->core_.copy_from_memory(read_from, to);
+    read_from += static_cast<Word>(to.size());
+}
+
+void Node::Port::write(std::span<const std::uint8_t> bytes) {
+    if (node_->activity_ == Activity::listening)
+        return node_->hear(bytes);
+    node_->core_.copy_to_memory(write_to, bytes);
+    write_to += static_cast<Word>(bytes.size());
+}
+
+void Node::begin_transfer(int channel, Word address, Word bytes) {
+    if (channel >= 2 * links)
+        return; // the event channel: nothing is connected to its pin
+    Port& port = ports_[static_cast<std::size_t>(channel % links)];
+    if (channel < links) {
+        port.read_from = NodeMemory::offset_of(address);
+        if (port.out && !port.out->is_giving())
+            port.out->give(bytes);
+    } else {
+        port.write_to = NodeMemory::offset_of(address);
+        if (port.in && !port.in->is_taking())
+            port.in->take(bytes);
+    }
+}
+
+bool Node::byte_waits(int channel) {
+    const Port& port = ports_[static_cast<std::size_t>(channel % links)];
+    return port.in && port.in->has_byte();
+}
+
+void Node::reset(int) {}
+
+void Node::transfer_ended(int channel) {
+    if (activity_ == Activity::listening) {
+        listening_ = Listening::for_command;
+        listen(channel % links);
+        return;
+    }
+    core_.transfer_ended(channel);
+    wake();
+}
+
+void Node::taken(int link) {
+    if (activity_ == Activity::listening)
+        obey(link);
+    else
+        transfer_ended(links + link);
+}
+
+void Node::byte_has_come(int link) {
+    if (activity_ == Activity::listening) {
+        listen(link);
+        return;
+    }
+    core_.byte_has_come(links + link);
+    wake();
+}
+
+// Reset and boot
+
+/// Reads a command from a link, unless the command of another link is being obeyed.
+void Node::listen(int link) {
+    if (heard_link_ && *heard_link_ != link)
+        return;
+    heard_link_ = link;
+    heard_.clear();
+    ports_[static_cast<std::size_t>(link)].in->take(1);
+}
+
+void Node::hear(std::span<const std::uint8_t> bytes) { heard_.insert(heard_.end(), bytes.begin(), bytes.end()); }
+
+/// Acts on a command, or on the bytes that belong to it.
+void Node::obey(int link) {
+    Port& port = ports_[static_cast<std::size_t>(link)];
+    const std::vector<std::uint8_t> heard = std::exchange(heard_, {});
+    switch (listening_) {
+    case Listening::for_command: {
+        const std::uint8_t command = heard.front();
+        listening_ = command == 0 ? Listening::for_poke : command == 1 ? Listening::for_peek : Listening::for_code;
+        port.in->take(command == 0 ? 8u : command == 1 ? 4u : command);
+        return;
+    }
+    case Listening::for_poke:
+        core_.copy_to_memory(NodeMemory::offset_of(word_of(std::span(heard).subspan<0, 4>())),
+                             std::span(heard).subspan<4, 4>());
+        listening_ = Listening::for_command;
+        heard_link_.reset();
+        break;
+    case Listening::for_peek:
+        listening_ = Listening::answering;
+        port.read_from = NodeMemory::offset_of(word_of(std::span(heard).subspan<0, 4>()));
+        port.out->give(4);
+        return;
+    case Listening::for_code:
+        activity_ = Activity::booted;
+        core_.copy_to_memory(traits_of(core_.model()).memory_start, heard);
+        core_.boot(static_cast<Word>(heard.size()), links + link);
+        return wake();
+    case Listening::answering: return;
+    }
+    for (int each = 0; each < links && !heard_link_; ++each)
+        if (byte_waits(each))
+            listen(each);
+}
+
+} // namespace placedpar::transputer
