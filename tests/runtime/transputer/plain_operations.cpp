@@ -44,13 +44,14 @@ void multiply_quickly(P& p) {
 void multiply_fractions(P& p) {
     if (p.a == P::most_neg && p.b == P::most_neg) {
         p.set_error();
+        p.cycles += 3;
         p.binary(p.a);
         p.undefined |= 1;
         return;
     }
     const std::int64_t product = wide(p.b) * wide(p.a), whole = product >> 31, rest = product & 0x7FFFFFFF;
     const bool up = rest > 0x40000000 || (rest == 0x40000000 && (whole & 1));
-    p.cycles += up ? 3 : 0;
+    p.cycles += rest == 0 ? 3 : 0;
     p.binary(low(static_cast<std::uint64_t>(whole + up)));
 }
 
@@ -193,8 +194,14 @@ void store_byte(P& p) {
 }
 
 void move(P& p) {
-    p.cycles += 2 * p.copy(p.b, p.c, p.a);
+    p.copy(p.b, p.c, p.a);
     p.undefined = 7;
+}
+
+void pay_for_block(P& p) {
+    p.pay_for_copy(p.c, p.b, p.a);
+    p.cycles = p.rows * (p.cycles + 23);
+    p.extra *= p.rows;
 }
 
 enum class Which { every, nonzero, zero };
@@ -205,7 +212,7 @@ void move_block(P& p, Which which) {
         std::vector<std::uint8_t> before(p.a), given(p.a);
         for (Word i = 0; i < p.a && target - P::most_neg + i < p.memory.size(); ++i)
             before[i] = p.memory[target - P::most_neg + i];
-        p.cycles += 2 * p.copy(target, source, p.a) + 23;
+        p.copy(target, source, p.a);
         for (Word i = 0; i < p.a; ++i) {
             std::uint8_t& byte = p.memory[target - P::most_neg + i];
             if (which != Which::every && (which == Which::zero) != (byte == 0))
@@ -312,15 +319,18 @@ constexpr PlainOperation table[] = {
     {0x73, "cflerr", 3, t414 | t425 | t400, check_real},
     {0x5B, "move2dinit", 8, newer,
      [](P& p) { p.rows = p.a, p.target_stride = p.b, p.source_stride = p.c, p.undefined = 7; }},
-    {0x5C, "move2dall", 0, newer, [](P& p) { move_block(p, Which::every); }},
-    {0x5D, "move2dnonzero", 0, newer, [](P& p) { move_block(p, Which::nonzero); }},
-    {0x5E, "move2dzero", 0, newer, [](P& p) { move_block(p, Which::zero); }},
+    {0x5C, "move2dall", 0, newer, [](P& p) { move_block(p, Which::every); }, When::at_end_unless_interrupted,
+     pay_for_block},
+    {0x5D, "move2dnonzero", 0, newer, [](P& p) { move_block(p, Which::nonzero); }, When::at_end_unless_interrupted,
+     pay_for_block},
+    {0x5E, "move2dzero", 0, newer, [](P& p) { move_block(p, Which::zero); }, When::at_end_unless_interrupted,
+     pay_for_block},
     {0x74, "crcword", 35, newer, [](P& p) { cyclic_redundancy(p, 32); }},
     {0x75, "crcbyte", 11, newer, [](P& p) { cyclic_redundancy(p, 8); }},
     {0x76, "bitcnt", 2, newer, count_bits},
     {0x77, "bitrevword", 36, newer, [](P& p) { p.a = reversed(p.a, 32); }},
     {0x78, "bitrevnbits", 4, newer, reverse_some},
-    {0x4A, "move", 8, all, move},
+    {0x4A, "move", 8, all, move, When::at_end_unless_interrupted, [](P& p) { p.pay_for_copy(p.c, p.b, p.a); }},
     {0x20, "ret", 5, all, [](P& p) { p.iptr = p.local(0), p.wptr += 16; }},
     {0x06, "gcall", 4, all, [](P& p) { std::swap(p.a, p.iptr); }},
     {0x3C, "gajw", 2, all, [](P& p) { std::swap(p.a, p.wptr), p.wptr &= ~3U; }},
@@ -347,15 +357,5 @@ constexpr PlainOperation table[] = {
 } // namespace
 
 const std::span<const PlainOperation> plain_integer_operations = table;
-
-bool PlainTransputer::execute_integer(unsigned code) {
-    for (const auto& row : table)
-        if (row.code == code && row.models & settings.model) {
-            cycles += row.cycles;
-            row.effect(*this);
-            return true;
-        }
-    return false;
-}
 
 } // namespace placedpar::test

@@ -49,8 +49,7 @@ std::size_t PlainTransputer::offset(Word address, bool wraps) {
             stop(fmt::format("access outside memory: #{:08X}", address));
         place %= static_cast<Word>(memory.size());
     }
-    const Word on_chip = settings.model == t414 || settings.model == t400 ? 2048 : 4096;
-    if (place >= on_chip)
+    if (place >= on_chip())
         extra += 2 * (settings.memorycycles - 1);
     return place;
 }
@@ -86,22 +85,20 @@ void PlainTransputer::poke(Word address, std::span<const std::uint8_t> bytes) {
         memory.at(address++ - most_neg) = byte;
 }
 
-Word PlainTransputer::copy(Word target, Word source, Word count) {
-    if (count == 0)
-        return 0;
-    const auto words = [&](Word address) { return static_cast<Word>(((address & 3) + std::uint64_t{count} + 3) / 4); };
-    const auto check = [&](Word first) {
-        if (std::uint64_t{first - most_neg} + count > memory.size())
+void PlainTransputer::copy(Word target, Word source, Word count) {
+    for (const Word first : {source, target})
+        if (count != 0 && std::uint64_t{first - most_neg} + count > memory.size())
             stop(fmt::format("copy outside memory: {} bytes at #{:08X}", count, first));
-        const auto before = extra;
-        offset(first, false);
-        extra = before + (extra - before) * words(first);
-    };
-    check(source);
-    check(target);
     for (Word i = 0; i < count; ++i)
         memory[target - most_neg + i] = memory[source - most_neg + i];
-    return std::max(words(source), words(target));
+}
+
+void PlainTransputer::pay_for_copy(Word first, Word second, Word count) {
+    const auto words = [&](Word address) { return count == 0 ? 0 : ((address & 3) + std::uint64_t{count} + 3) / 4; };
+    cycles += 2 * words(first);
+    for (const Word address : {first, second})
+        if (address - most_neg >= on_chip())
+            extra += 2 * (settings.memorycycles - 1) * words(address);
 }
 
 // Instructions.
@@ -114,6 +111,8 @@ std::uint64_t PlainTransputer::step() {
     try {
         if (idle)
             wait_for_timer();
+        else if (pending_.operation)
+            go_on_with_pending();
         else
             execute();
     } catch (const Stop& why) {
@@ -139,8 +138,8 @@ void PlainTransputer::execute() {
     };
     operand = 0;
     cycles = extra = 0;
-    leaving = may_slice = false;
-    const bool had_error = error[priority];
+    leaving = may_slice = has_erred = false;
+    slice_is_over = priority == 1 && front[1] != not_process && slice() - slice_began >= 2;
     for (;;) {
         const unsigned byte = fetch();
         operand |= byte & 15;
@@ -152,9 +151,17 @@ void PlainTransputer::execute() {
         cycles += 1;
     }
     now += 2 * cycles + extra;
-    if (halt_on_error && error[priority] && !had_error)
+    if (halt_on_error && has_erred)
         stop("halted on error");
-    finish();
+    if (pending_.operation) {
+        cycles = pending_.operation->cycles;
+        extra = 0;
+        pending_.operation->cost(*this);
+        pending_.left = 2 * cycles + extra;
+        go_on_with_pending();
+    } else {
+        finish();
+    }
 }
 
 void PlainTransputer::direct(unsigned function) {
@@ -206,9 +213,25 @@ void PlainTransputer::direct(unsigned function) {
         pop_all(2);
         break;
     default: // opr: bits of the code above the tenth are ignored
-        if (!execute_integer(o & 0x3FF) && !execute_scheduling(o & 0x3FF) && !execute_floating_point(o & 0x3FF))
+        if (!execute_from(plain_integer_operations, o & 0x3FF) &&
+            !execute_from(plain_scheduling_operations, o & 0x3FF) && !execute_floating_point(o & 0x3FF))
             stop(fmt::format("unknown operation #{:X}", o & 0x3FF));
     }
+}
+
+bool PlainTransputer::execute_from(std::span<const PlainOperation> table, unsigned code) {
+    for (const auto& row : table) {
+        if (row.code != code || !(row.models & settings.model))
+            continue;
+        if (row.when == When::at_once) {
+            cycles += row.cycles;
+            row.effect(*this);
+        } else {
+            pending_.operation = &row;
+        }
+        return true;
+    }
+    return false;
 }
 
 std::string_view PlainTransputer::operation(unsigned code) const {

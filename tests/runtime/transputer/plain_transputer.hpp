@@ -19,24 +19,28 @@ struct PlainSettings {
     std::uint32_t clock_mhz = 20;
 };
 
+struct PlainOperation;
+
 /// A second implementation of the transputer, to judge the first one. It executes one instruction at a time from tables
 /// (`plain_operations.cpp`, `plain_scheduling.cpp`, `plain_floating_point.cpp`), with the effects and cycles of
 /// `docs/reference/transputer.md`. It shares no code with the implementation that it judges.
 ///
 /// Where the reference leaves a choice, this implementation decides:
 /// 1. Word accesses ignore the two lowest bits of an address.
-/// 2. An instruction takes effect at its start. It sees the clocks of that moment. Timers, timeslices and interrupts
-/// are
-///    looked at when its cycles have passed.
+/// 2. An operation on processes, channels or clocks takes effect when its cycles have passed. Its cycles depend on what
+///    it finds when they begin. Other instructions take effect at once. A timer wakes its process between instructions,
+///    or while an operation of the first kind is under way.
 /// 3. A word of code is fetched if it differs from the word of the previous byte of code.
-/// 4. Each word that an instruction reads or writes outside the chip costs memorycycles - 1, also in queues.
-/// Dispatching
-///    the next process costs nothing.
+/// 4. Operations on processes, channels and clocks do not pay for words outside the chip, except those of messages.
 /// 5. Clocks start with their value when sttimer ends. Timeslice periods count from time 0.
-/// 6. A move or message counts the words of the end that touches more.
-/// 7. A move or message is not interrupted; a high-priority process waits for its end.
-/// 8. Processes in the timer queue with equal times wake in the order in which they came.
-/// 9. A process that becomes ready passes through its queue, even if it runs at once.
+/// 6. A message counts the words that it touches in the memory of the process that comes second; a move those of its
+///    source; a two-dimensional move those of its first row.
+/// 7. Processes in the timer queue with equal times wake in the order in which they came.
+/// 8. A process that becomes ready passes through its queue, even if it runs at once.
+/// 9. dist compares with the time that the process was woken at, or found at taltwt. This is the word W-5.
+/// 10. A process gives way if the periods had passed when its instruction began. Processes that were woken meanwhile
+/// come
+///    before it in the queue. While it is interrupted, no periods are counted.
 ///
 /// Links are left out: an instruction that uses the channel of a link stops the processor.
 struct PlainTransputer {
@@ -54,6 +58,7 @@ struct PlainTransputer {
     /// Steps until the processor stops, or the next instruction is at the address. Returns the half cycles that passed.
     std::uint64_t run(Word until, int steps = 1000000);
 
+    Word on_chip() const { return settings.model == t414 || settings.model == t400 ? 2048 : 4096; }
     Word mem_start() const { return most_neg + (settings.model == t414 ? 0x48 : 0x70); }
     /// Writes bytes into memory without cost.
     void poke(Word address, std::span<const std::uint8_t>);
@@ -82,7 +87,8 @@ struct PlainTransputer {
     Word clock_value = 0;           ///< both clocks when they were started
     std::uint64_t clocks_since = 0; ///< when they were started
     std::array<bool, 2> timer_enabled{true, true};
-    std::uint64_t slice_began = 0; ///< the timeslice period in which the process was dispatched
+    std::uint64_t slice_began = 0;   ///< the timeslice period in which the process was dispatched
+    std::uint64_t slices_before = 0; ///< periods that an interrupted process has seen
     Word rows = 0, target_stride = 0, source_stride = 0;
 
     /// The floating-point unit.
@@ -98,14 +104,14 @@ struct PlainTransputer {
     // The rest is for the tables. Instructions add to `cycles`, and memory to `extra`, in half cycles.
     Word operand = 0, begun_at = 0, fetched = 0;
     std::uint64_t cycles = 0, extra = 0;
-    bool leaving = false, may_slice = false;
+    bool leaving = false, may_slice = false, slice_is_over = false, has_erred = false;
 
     void push(Word);
     Word pop();
     /// Replaces two operands by a result.
     void binary(Word);
     void pop_all(unsigned count);
-    void set_error() { error[priority] = true; }
+    void set_error() { error[priority] = has_erred = true; }
     [[noreturn]] void stop(std::string_view reason) const;
 
     Word load(Word address, bool wraps = false);
@@ -114,8 +120,9 @@ struct PlainTransputer {
     void store_byte(Word address, std::uint8_t value, bool wraps = false);
     Word local(int number) { return load(wptr + 4 * static_cast<Word>(number)); }
     void store_local(int number, Word value) { store(wptr + 4 * static_cast<Word>(number), value); }
-    /// Copies bytes, pays for memory outside the chip, and returns the words touched.
-    Word copy(Word target, Word source, Word count);
+    void copy(Word target, Word source, Word count);
+    /// Adds what a copy costs. The words at the first address count.
+    void pay_for_copy(Word first, Word second, Word count);
 
     Word descriptor() const { return wptr | priority; }
     void enqueue(Word descriptor);
@@ -125,13 +132,20 @@ struct PlainTransputer {
     void remove_timer(Word descriptor);
     bool selects(bool is_ready);
     void refuse_link(Word channel) const;
+    /// Returns what a process that waits at a channel tells: its pointer, or the state of its ALT.
+    Word told_by(Word process);
     void transfer(bool output, Word channel, Word pointer, Word count);
 
-    bool execute_integer(unsigned code);
-    bool execute_scheduling(unsigned code);
     bool execute_floating_point(unsigned code);
 
 private:
+    struct Pending {
+        const PlainOperation* operation = nullptr;
+        std::uint64_t left = 0; ///< half cycles to its effect
+    };
+    bool execute_from(std::span<const PlainOperation>, unsigned code);
+    void go_on_with_pending();
+    std::uint64_t next_timer() const;
     struct Stop {
         std::string reason;
     };
@@ -144,9 +158,13 @@ private:
     void run_next();
     void interrupt();
     void resume();
+    Pending pending_, interrupted_pending_;
     std::uint64_t slice() const { return now / (2048ULL * settings.clock_mhz); }
     std::uint64_t tick(unsigned of_priority) const { return (of_priority ? 128ULL : 2ULL) * settings.clock_mhz; }
 };
+
+/// When an operation takes effect: at its start, or when its cycles have passed. An interrupt may come before.
+enum class When { at_once, at_end, at_end_unless_interrupted };
 
 /// A row of the tables.
 struct PlainOperation {
@@ -155,6 +173,8 @@ struct PlainOperation {
     unsigned cycles;
     unsigned models;
     void (*effect)(PlainTransputer&);
+    When when = When::at_once;
+    void (*cost)(PlainTransputer&) = [](PlainTransputer&) {}; ///< adds cycles to an operation with effect at its end
 };
 extern const std::span<const PlainOperation> plain_integer_operations, plain_scheduling_operations;
 
