@@ -24,7 +24,7 @@ static_assert(std::is_trivially_copyable_v<Fpu>); // an interrupt saves it
 
 namespace {
 
-constexpr std::uint32_t infinity = 0x7F800000, minus = 0x80000000;
+constexpr std::uint32_t infinity_32 = 0x7F800000, minus_32 = 0x80000000;
 constexpr std::uint64_t infinity_64 = 0x7FF0'0000'0000'0000, minus_64 = 0x8000'0000'0000'0000;
 constexpr std::uint32_t one = 0x3F800000, two = 0x40000000, three = 0x40400000;
 
@@ -189,20 +189,21 @@ TEST_CASE("invalid operations give the NaNs that INMOS published, and set the er
     };
     const auto remainder = [](Fpu& unit) { unit.fpremfirst(); };
     const auto doubled = [](std::uint32_t single) { // zeros, infinities and -1
-        const std::uint64_t sign = single & minus ? minus_64 : 0;
-        const std::uint32_t magnitude = single & ~minus;
-        return sign | (magnitude == infinity ? infinity_64 : magnitude == one ? 0x3FF0'0000'0000'0000 : 0);
+        const std::uint64_t sign = single & minus_32 ? minus_64 : 0;
+        const std::uint32_t magnitude = single & ~minus_32;
+        return sign | (magnitude == infinity_32 ? infinity_64 : magnitude == one ? 0x3FF0'0000'0000'0000 : 0);
     };
-    for (const Row& row : {Row{&Fpu::fpdiv, 0, minus, 0x7FC00000, 0x7FF8'0000'0000'0000},
-                           Row{&Fpu::fpdiv, minus | infinity, infinity, 0x7FA00000, 0x7FF4'0000'0000'0000},
-                           Row{&Fpu::fpmul, minus, infinity, 0x7F900000, 0x7FF2'0000'0000'0000},
-                           Row{&Fpu::fpmul, infinity, 0, 0x7F900000, 0x7FF2'0000'0000'0000},
-                           Row{&Fpu::fpadd, infinity, minus | infinity, 0x7F880000, 0x7FF1'0000'0000'0000},
-                           Row{&Fpu::fpsub, minus | infinity, minus | infinity, 0x7F880000, 0x7FF1'0000'0000'0000},
-                           Row{&Fpu::fpusqrtfirst, 0, minus | one, 0x7F840000, 0x7FF0'8000'0000'0000},
-                           Row{&Fpu::fpusqrtfirst, 0, minus | infinity, 0x7F840000, 0x7FF0'8000'0000'0000},
-                           Row{nullptr, infinity, one, 0x7F804000, 0x7FF0'0800'0000'0000},
-                           Row{nullptr, one, minus, 0x7F802000, 0x7FF0'0400'0000'0000}}) {
+    for (const Row& row :
+         {Row{&Fpu::fpdiv, 0, minus_32, 0x7FC00000, 0x7FF8'0000'0000'0000},
+          Row{&Fpu::fpdiv, minus_32 | infinity_32, infinity_32, 0x7FA00000, 0x7FF4'0000'0000'0000},
+          Row{&Fpu::fpmul, minus_32, infinity_32, 0x7F900000, 0x7FF2'0000'0000'0000},
+          Row{&Fpu::fpmul, infinity_32, 0, 0x7F900000, 0x7FF2'0000'0000'0000},
+          Row{&Fpu::fpadd, infinity_32, minus_32 | infinity_32, 0x7F880000, 0x7FF1'0000'0000'0000},
+          Row{&Fpu::fpsub, minus_32 | infinity_32, minus_32 | infinity_32, 0x7F880000, 0x7FF1'0000'0000'0000},
+          Row{&Fpu::fpusqrtfirst, 0, minus_32 | one, 0x7F840000, 0x7FF0'8000'0000'0000},
+          Row{&Fpu::fpusqrtfirst, 0, minus_32 | infinity_32, 0x7F840000, 0x7FF0'8000'0000'0000},
+          Row{nullptr, infinity_32, one, 0x7F804000, 0x7FF0'0800'0000'0000},
+          Row{nullptr, one, minus_32, 0x7F802000, 0x7FF0'0400'0000'0000}}) {
         Fpu unit = with_singles(row.left, row.right), wide = with_doubles(doubled(row.left), doubled(row.right));
         for (Fpu* each : {&unit, &wide})
             row.operation ? (each->*row.operation)() : remainder(*each);
@@ -287,8 +288,8 @@ TEST_CASE("programs store a long integer as two words") {
 
 TEST_CASE("fpunoround keeps the bits that fit in a REAL32") {
     for (auto [wide, narrow] : {std::pair{0x3FF8'0000'3FFF'FFFF, 0x3FC00001U},
-                                {0xBFF0'0000'1FFF'FFFF, minus | one},
-                                {0x8000'0000'0000'0000, minus},
+                                {0xBFF0'0000'1FFF'FFFF, minus_32 | one},
+                                {0x8000'0000'0000'0000, minus_32},
                                 {0x43E0'0000'0000'0000, 0x5F000000U}}) {
         Fpu unit = with_doubles(0, std::uint64_t(wide));
         unit.fpunoround();
