@@ -40,13 +40,15 @@ bool has_host(const Network& network, std::size_t node) {
 
 void check_type(Completion& c, const Node& node) {
     if (!is_emulated(node))
-        c.reporter.error(node.declared,
-                         fmt::format("\"{}\" is a {}, whose code cannot be executed: T414, T425, T400, T800 and T805 can",
-                                     node.name, node.type));
+        c.reporter.error(
+            node.declared,
+            fmt::format("\"{}\" is a {}, whose code cannot be executed: T414, T425, T400, T800 and T805 can", node.name,
+                        node.type));
     else if (const std::int64_t bytes = node.integer("memory"); bytes < 2048 || bytes > 0xffff'ff00 || bytes % 256 != 0)
-        c.reporter.error(node.declared, fmt::format("\"{}\" has {} bytes of memory, but code can be executed with 2K to "
-                                                    "just below 4G, in steps of 256 bytes",
-                                                    node.name, bytes));
+        c.reporter.error(node.declared,
+                         fmt::format("\"{}\" has {} bytes of memory, but code can be executed with 2K to "
+                                     "just below 4G, in steps of 256 bytes",
+                                     node.name, bytes));
 }
 
 void check_boot(Completion& c, std::size_t index) {

@@ -15,16 +15,17 @@ namespace placedpar {
 namespace {
 
 bool begins_with(std::span<const std::uint8_t> bytes, std::string_view text) {
-    return bytes.size() >= text.size() && std::equal(text.begin(), text.end(), bytes.begin(), [](char a, std::uint8_t b) {
-               return static_cast<std::uint8_t>(a) == b;
-           });
+    return bytes.size() >= text.size() &&
+           std::equal(text.begin(), text.end(), bytes.begin(),
+                      [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
 }
 
 /// Returns whether the first bytes are text: printable characters, tabs and ends of lines.
 bool is_text(std::span<const std::uint8_t> bytes) {
     const auto begin = bytes.first(std::min<std::size_t>(bytes.size(), 512));
     return std::ranges::all_of(begin, [](std::uint8_t byte) {
-        return byte >= 0x80 || (byte >= ' ' && byte < 0x7f) || byte == '\t' || byte == '\n' || byte == '\r' || byte == 26;
+        return byte >= 0x80 || (byte >= ' ' && byte < 0x7f) || byte == '\t' || byte == '\n' || byte == '\r' ||
+               byte == 26;
     });
 }
 
@@ -59,15 +60,17 @@ std::string why_not_bootable(std::span<const std::uint8_t> bytes) {
         return "this is a linked unit; icollect makes a bootable file of it";
     if (begins_with(bytes, std::string_view(library.data(), 4)))
         return "this is a library of object files";
-    if (begins_with(bytes, "\x07" "CFB"))
+    if (begins_with(bytes, "\x07"
+                           "CFB"))
         return "this is the output of a configurer; icollect makes a bootable file of it";
-    if (begins_with(bytes, "MZ") || begins_with(bytes, "\x7f" "ELF"))
+    if (begins_with(bytes, "MZ") || begins_with(bytes, "\x7f"
+                                                       "ELF"))
         return "this is a program for the host computer, not for a transputer";
     if (is_text(bytes))
         return "this is text, not code for a transputer";
     if (bytes[0] >= 2 && bytes.size() <= bytes[0])
-        return fmt::format("the file is cut off: its first byte announces {} bytes of a loader, but only {} follow", bytes[0],
-                           bytes.size() - 1);
+        return fmt::format("the file is cut off: its first byte announces {} bytes of a loader, but only {} follow",
+                           bytes[0], bytes.size() - 1);
     return "";
 }
 

@@ -44,7 +44,7 @@ struct BootedNode::Host {
 
     std::unique_ptr<iserver::Terminal> terminal;
     iserver::Server server;
-    netlist::BootHost end;
+    BootHost end;
 };
 
 BootedNode::BootedNode(MachineParts& parts, std::size_t index)
@@ -66,8 +66,8 @@ void BootedNode::has_link(hardware::Link& link) {
         return connect_host(link, own, !own_is_b);
     auto* partner = dynamic_cast<BootedNode*>(parts().nodes[other.node].get());
     if (partner && own_is_b) // each wire is connected once
-        lanes_.push_back(std::make_unique<transputer::ByteLink>(link, partner->device_.end(other.link),
-                                                                device_.end(own.link)));
+        lanes_.push_back(
+            std::make_unique<transputer::ByteLink>(link, partner->device_.end(other.link), device_.end(own.link)));
 }
 
 /// Connects the host that the netlist names a file for. The edges at other links are left open.

@@ -36,9 +36,9 @@ struct Node {
     std::set<std::string, std::less<>> given = {};        ///< names of the attributes that the netlist gives
     std::map<std::string, Value> other;                   ///< attributes of the INMOS tool, not used by a simulation
     Location declared;
-    std::string boot_file = "";  ///< path of the bootable file that a host sends to the node; "" if none
-    Location boot_stated = {};   ///< place of the `use` that names the file
-    bool runs_own_code = false;  ///< the node is emulated: it executes what it is booted with, and runs no processes
+    std::string boot_file = ""; ///< path of the bootable file that a host sends to the node; "" if none
+    Location boot_stated = {};  ///< place of the `use` that names the file
+    bool runs_own_code = false; ///< the node is emulated: it executes what it is booted with, and runs no processes
 
     /// REQUIRES: the kind has an integer attribute of this name; throws std::logic_error otherwise.
     std::int64_t integer(std::string_view attribute) const;
@@ -209,9 +209,9 @@ struct SetByOption {
 
 /// What the hosts of booted nodes give to their programs.
 struct HostServices {
-    std::string folder = "";              ///< the only folder whose files a program can reach; "": none
-    std::string keys = "";                ///< the keys that are pressed, one after the other
-    std::string command_line = "";        ///< arguments of the program
+    std::string folder = "";       ///< the only folder whose files a program can reach; "": none
+    std::string keys = "";         ///< the keys that are pressed, one after the other
+    std::string command_line = ""; ///< arguments of the program
     std::map<std::string, std::string> environment = {};
     std::uint64_t write_limit_bytes = 64U << 20;
     std::function<void(std::string_view)> screen = {}; ///< receives what a program prints; empty: it is dropped
@@ -229,7 +229,7 @@ struct Network {
     std::vector<std::string> included_paths; ///< paths of the included files
     bool includes_toolset = false; ///< the netlist includes a file of the toolset, or uses its predefined names
     std::vector<SetByOption> set;
-    HostServices host; ///< set by the program that runs the network, not by the netlist
+    HostServices host;      ///< set by the program that runs the network, not by the netlist
     std::uint64_t hash = 0; ///< FNV-1a of its canonical form (netlist/print/print.hpp)
 
     /// Returns the number of connections that are wires.

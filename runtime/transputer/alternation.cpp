@@ -158,7 +158,8 @@ void Core::join_timers(Word time) {
 /// Takes a process that was woken otherwise out of its timer queue, if it is in there, and notes the time.
 void Core::leave_timers(Word workspace, int priority) {
     Word place = reserved::timer_heads + 4 * static_cast<Word>(priority);
-    for (Word next = load(place), left = longest_queue(); next != not_a_process && left > 0; next = load(place), --left) {
+    for (Word next = load(place), left = longest_queue(); next != not_a_process && left > 0;
+         next = load(place), --left) {
         if (next == workspace) {
             store(place, load(workspace - below::timer_link));
             store(workspace - below::timer_link, alternative::time_set);

@@ -35,8 +35,8 @@ protected:
 /// (LinkDirection::give and take). The contents are moved when a count is done.
 class ByteLane final : private hardware::ByteUser {
 public:
-    /// Leads from `source` to `sink`, and becomes a lane of both. REQUIRES: the run has not begun; the arguments outlive
-    /// it. Throws as LinkDirection::move_by_counts.
+    /// Leads from `source` to `sink`, and becomes a lane of both. REQUIRES: the run has not begun; the arguments
+    /// outlive it. Throws as LinkDirection::move_by_counts.
     ByteLane(hardware::LinkDirection&, ByteEnd& source, ByteEnd& sink);
     ByteLane(const ByteLane&) = delete;
     ByteLane& operator=(const ByteLane&) = delete;
@@ -63,7 +63,8 @@ private:
 
 /// A link both of whose ends move bytes by counts.
 struct ByteLink {
-    ByteLink(hardware::Link& link, ByteEnd& a, ByteEnd& b) : there(link.from_a_to_b(), a, b), back(link.from_b_to_a(), b, a) {}
+    ByteLink(hardware::Link& link, ByteEnd& a, ByteEnd& b)
+        : there(link.from_a_to_b(), a, b), back(link.from_b_to_a(), b, a) {}
     ByteLane there, back;
 };
 

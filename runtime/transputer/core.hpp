@@ -68,7 +68,8 @@ public:
     /// Where a run() has ended.
     enum class Pause {
         limit,   ///< local time has reached the limit
-        on_time, ///< the next effect concerns links, queues or clocks; it must happen at its own moment: call run() then
+        on_time, ///< the next effect concerns links, queues or clocks; it must happen at its own moment: call run()
+                 ///< then
         idle,    ///< no process can run before a timer is due or a link wakes one
         stopped  ///< see stopped()
     };
@@ -79,7 +80,9 @@ public:
 
     /// Local time: half cycles since the core was last woken from idleness.
     HalfCycles local() const { return local_; }
-    Time time_at(HalfCycles local) const { return later(origin_, half_cycles_.duration(static_cast<std::int64_t>(local))); }
+    Time time_at(HalfCycles local) const {
+        return later(origin_, half_cycles_.duration(static_cast<std::int64_t>(local)));
+    }
     Time local_time() const { return time_at(local_); }
     /// Returns the first half cycle at or after a time. REQUIRES: time >= time_at(0).
     HalfCycles half_cycle_at(Time) const;
@@ -234,11 +237,11 @@ private:
     bool halts_on_error_ = false;
     bool analysed_ = false, breaks_at_j0_ = false;
     Stopped stopped_ = Stopped::nothing;
-    Word stopped_at_ = 0; ///< the address that was bad
+    Word stopped_at_ = 0;      ///< the address that was bad
     bool other_error_ = false; ///< Error of the interrupted process
     Fpu fpu_, interrupted_fpu_;
-    HalfCycles fpu_free_ = 0; ///< local time at which the floating-point unit has finished
-    std::array<Word, 3> move_{};  ///< rows, stride of the target, stride of the source: move2dinit
+    HalfCycles fpu_free_ = 0;    ///< local time at which the floating-point unit has finished
+    std::array<Word, 3> move_{}; ///< rows, stride of the target, stride of the source: move2dinit
 
     std::array<Word, 2> front_{not_a_process, not_a_process}, back_{not_a_process, not_a_process};
     std::optional<Pending> pending_, interrupted_pending_;

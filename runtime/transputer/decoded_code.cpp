@@ -6,8 +6,8 @@
 namespace placedpar::transputer {
 namespace {
 
-constexpr unsigned longest_block = 48;     // instructions
-constexpr Word most_prefixes = 200;        // of an instruction; ours
+constexpr unsigned longest_block = 48; // instructions
+constexpr Word most_prefixes = 200;    // of an instruction; ours
 constexpr Word longest_reach = (longest_block * (most_prefixes + 1)) / NodeMemory::page_bytes + 1; // pages
 constexpr unsigned most_static_cost = 8000; // half cycles of a block
 
@@ -20,10 +20,8 @@ bool counts_words(Operation operation) {
     case Operation::ldl:
     case Operation::ajw:
     case Operation::stl:
-    case Operation::stnl:
-        return true;
-    default:
-        return false;
+    case Operation::stnl: return true;
+    default: return false;
     }
 }
 
@@ -61,8 +59,7 @@ Read read_instruction(const NodeMemory& memory, Word offset, Model model) {
 } // namespace
 
 DecodedCode::DecodedCode(NodeMemory& memory, const CodeTiming& timing)
-    : memory_(memory), timing_(timing), pages_(memory.size() / NodeMemory::page_bytes),
-      scratch_(longest_block + 1) {}
+    : memory_(memory), timing_(timing), pages_(memory.size() / NodeMemory::page_bytes), scratch_(longest_block + 1) {}
 
 DecodedCode::Page& DecodedCode::page(Word offset) {
     std::unique_ptr<Page>& result = pages_[offset / NodeMemory::page_bytes];

@@ -21,12 +21,12 @@ struct Entry {
 
 /// Decoded instructions that are executed one after the other. The last entry leads out of the block.
 struct Block {
-    Word start = 0;                         ///< address of its first byte
-    Word bytes = 0;                         ///< of its instructions
-    bool is_forgotten = false;              ///< its code was written to
-    Word first_word = 0, last_word = 0;     ///< addresses of the first and last word of code
-    std::uint16_t first_fetch = 0;          ///< half cycles if the first word must be fetched
-    std::uint32_t most = 0;                 ///< upper bound for the half cycles of the block
+    Word start = 0;                     ///< address of its first byte
+    Word bytes = 0;                     ///< of its instructions
+    bool is_forgotten = false;          ///< its code was written to
+    Word first_word = 0, last_word = 0; ///< addresses of the first and last word of code
+    std::uint16_t first_fetch = 0;      ///< half cycles if the first word must be fetched
+    std::uint32_t most = 0;             ///< upper bound for the half cycles of the block
     std::uint32_t instructions = 0;
     std::unique_ptr<Entry[]> entries;
 };

@@ -12,8 +12,8 @@
 
 namespace placedpar::transputer {
 
-// The macros of instructions.inc. `spent` are the half cycles of the blocks before, and those that effects added in this
-// block.
+// The macros of instructions.inc. `spent` are the half cycles of the blocks before, and those that effects added in
+// this block.
 
 #define OPERAND (entry->operand)
 #define NEXT_ADDRESS (entry->operand)
@@ -22,116 +22,116 @@ namespace placedpar::transputer {
 #define ERROR_FLAG (registers_.error)
 #define DOUBLE (fpu_.fa().length == Length::real64)
 
-#define NEXT()                                                                                                              \
-    do {                                                                                                                    \
-        ++entry;                                                                                                            \
-        goto* labels[static_cast<std::size_t>(entry->operation)];                                                           \
+#define NEXT()                                                                                                         \
+    do {                                                                                                               \
+        ++entry;                                                                                                       \
+        goto* labels[static_cast<std::size_t>(entry->operation)];                                                      \
     } while (false)
-#define BRANCH(address)                                                                                                     \
-    do {                                                                                                                    \
-        next = (address);                                                                                                   \
-        goto branch;                                                                                                        \
+#define BRANCH(address)                                                                                                \
+    do {                                                                                                               \
+        next = (address);                                                                                              \
+        goto branch;                                                                                                   \
     } while (false)
-#define BRANCH_OR_GIVE_WAY(address)                                                                                         \
-    do {                                                                                                                    \
-        next = (address);                                                                                                   \
-        goto branch_or_give_way;                                                                                            \
+#define BRANCH_OR_GIVE_WAY(address)                                                                                    \
+    do {                                                                                                               \
+        next = (address);                                                                                              \
+        goto branch_or_give_way;                                                                                       \
     } while (false)
 #define SPEND(cycles) (spent += 2 * static_cast<HalfCycles>(cycles))
-#define PUSH(value_)                                                                                                        \
-    do {                                                                                                                    \
-        const Word pushed = static_cast<Word>(value_);                                                                      \
-        C = B;                                                                                                              \
-        B = A;                                                                                                              \
-        A = pushed;                                                                                                         \
+#define PUSH(value_)                                                                                                   \
+    do {                                                                                                               \
+        const Word pushed = static_cast<Word>(value_);                                                                 \
+        C = B;                                                                                                         \
+        B = A;                                                                                                         \
+        A = pushed;                                                                                                    \
     } while (false)
 #define POP() (A = B, B = C)
-#define CHECK(error_)                                                                                                       \
-    do {                                                                                                                    \
-        if (error_) [[unlikely]] {                                                                                          \
-            registers_.error = true;                                                                                        \
-            if (halts_on_error_)                                                                                            \
-                goto halt;                                                                                                  \
-        }                                                                                                                   \
+#define CHECK(error_)                                                                                                  \
+    do {                                                                                                               \
+        if (error_) [[unlikely]] {                                                                                     \
+            registers_.error = true;                                                                                   \
+            if (halts_on_error_)                                                                                       \
+                goto halt;                                                                                             \
+        }                                                                                                              \
     } while (false)
 
-#define REACH(address, bytes, wraps)                                                                                        \
-    Word offset = NodeMemory::offset_of(address);                                                                           \
-    if ((bytes) > 1)                                                                                                        \
-        offset &= ~Word{3};                                                                                                 \
-    if (offset > size - (bytes)) [[unlikely]] {                                                                             \
-        bad = (address);                                                                                                    \
-        if (!(wraps))                                                                                                       \
-            goto bad_address;                                                                                               \
-        offset %= size;                                                                                                     \
-    }                                                                                                                       \
+#define REACH(address, bytes, wraps)                                                                                   \
+    Word offset = NodeMemory::offset_of(address);                                                                      \
+    if ((bytes) > 1)                                                                                                   \
+        offset &= ~Word{3};                                                                                            \
+    if (offset > size - (bytes)) [[unlikely]] {                                                                        \
+        bad = (address);                                                                                               \
+        if (!(wraps))                                                                                                  \
+            goto bad_address;                                                                                          \
+        offset %= size;                                                                                                \
+    }                                                                                                                  \
     spent += offset >= on_chip ? penalty : 0
-#define NOTE_WRITE(bytes)                                                                                                   \
-    if (code_flags[offset / NodeMemory::page_bytes]) [[unlikely]]                                                           \
+#define NOTE_WRITE(bytes)                                                                                              \
+    if (code_flags[offset / NodeMemory::page_bytes]) [[unlikely]]                                                      \
     code_was_written(*block, *entry, offset, bytes)
-#define LOAD_BY(address, variable, wraps)                                                                                   \
-    do {                                                                                                                    \
-        REACH(address, 4, wraps);                                                                                           \
-        std::memcpy(&variable, memory + offset, 4);                                                                         \
+#define LOAD_BY(address, variable, wraps)                                                                              \
+    do {                                                                                                               \
+        REACH(address, 4, wraps);                                                                                      \
+        std::memcpy(&variable, memory + offset, 4);                                                                    \
     } while (false)
-#define STORE_BY(address, value_, wraps)                                                                                    \
-    do {                                                                                                                    \
-        const Word stored = static_cast<Word>(value_);                                                                      \
-        REACH(address, 4, wraps);                                                                                           \
-        std::memcpy(memory + offset, &stored, 4);                                                                           \
-        NOTE_WRITE(4);                                                                                                      \
+#define STORE_BY(address, value_, wraps)                                                                               \
+    do {                                                                                                               \
+        const Word stored = static_cast<Word>(value_);                                                                 \
+        REACH(address, 4, wraps);                                                                                      \
+        std::memcpy(memory + offset, &stored, 4);                                                                      \
+        NOTE_WRITE(4);                                                                                                 \
     } while (false)
 #define LOAD(address, variable) LOAD_BY(address, variable, false)
 #define LOAD_WRAPPED(address, variable) LOAD_BY(address, variable, timing_.wraps)
 #define STORE(address, value_) STORE_BY(address, value_, false)
 #define STORE_WRAPPED(address, value_) STORE_BY(address, value_, timing_.wraps)
-#define LOAD_BYTE(address, variable)                                                                                        \
-    do {                                                                                                                    \
-        REACH(address, 1, timing_.wraps);                                                                                   \
-        variable = memory[offset];                                                                                          \
+#define LOAD_BYTE(address, variable)                                                                                   \
+    do {                                                                                                               \
+        REACH(address, 1, timing_.wraps);                                                                              \
+        variable = memory[offset];                                                                                     \
     } while (false)
-#define STORE_BYTE(address, value_)                                                                                         \
-    do {                                                                                                                    \
-        REACH(address, 1, timing_.wraps);                                                                                   \
-        memory[offset] = static_cast<std::uint8_t>(value_);                                                                 \
-        NOTE_WRITE(1);                                                                                                      \
+#define STORE_BYTE(address, value_)                                                                                    \
+    do {                                                                                                               \
+        REACH(address, 1, timing_.wraps);                                                                              \
+        memory[offset] = static_cast<std::uint8_t>(value_);                                                            \
+        NOTE_WRITE(1);                                                                                                 \
     } while (false)
-#define LOAD_DOUBLE(address, variable)                                                                                      \
-    do {                                                                                                                    \
-        Word low, high;                                                                                                     \
-        LOAD(address, low);                                                                                                 \
-        LOAD((address) + 4, high);                                                                                          \
-        variable = std::uint64_t{high} << 32 | low;                                                                         \
+#define LOAD_DOUBLE(address, variable)                                                                                 \
+    do {                                                                                                               \
+        Word low, high;                                                                                                \
+        LOAD(address, low);                                                                                            \
+        LOAD((address) + 4, high);                                                                                     \
+        variable = std::uint64_t{high} << 32 | low;                                                                    \
     } while (false)
-#define STORE_DOUBLE(address, value_)                                                                                       \
-    do {                                                                                                                    \
-        const std::uint64_t stored_both = (value_);                                                                         \
-        STORE(address, stored_both);                                                                                        \
-        STORE((address) + 4, stored_both >> 32);                                                                            \
+#define STORE_DOUBLE(address, value_)                                                                                  \
+    do {                                                                                                               \
+        const std::uint64_t stored_both = (value_);                                                                    \
+        STORE(address, stored_both);                                                                                   \
+        STORE((address) + 4, stored_both >> 32);                                                                       \
     } while (false)
 
 // Instructions of the floating-point unit. It works while the integer unit goes on after one cycle; the integer unit
 // waits when it comes to the next of them, and RESULT waits until the unit has finished.
-#define AWAIT_REALS(own_cycles)                                                                                             \
-    const HalfCycles begins = local_ + spent + entry->after - 2;                                                            \
-    if (fpu_free_ > begins)                                                                                                 \
-        spent += fpu_free_ - begins;                                                                                        \
+#define AWAIT_REALS(own_cycles)                                                                                        \
+    const HalfCycles begins = local_ + spent + entry->after - 2;                                                       \
+    if (fpu_free_ > begins)                                                                                            \
+        spent += fpu_free_ - begins;                                                                                   \
     fpu_free_ = std::max(fpu_free_, begins) + 2 * static_cast<HalfCycles>(own_cycles)
-#define SINGLE_LENGTH(name)                                                                                                 \
-    do {                                                                                                                    \
-        SingleLength unit{A, B, C, 0};                                                                                      \
-        LOAD(W, unit.workspace);                                                                                            \
-        spent += 2 * unit.name();                                                                                           \
-        std::tie(A, B, C) = std::tuple{unit.a, unit.b, unit.c};                                                             \
+#define SET_REGISTERS(...)                                                                                             \
+    do {                                                                                                               \
+        const SingleLengthRegisters result = __VA_ARGS__;                                                              \
+        A = result.a;                                                                                                  \
+        B = result.b;                                                                                                  \
+        C = result.c;                                                                                                  \
     } while (false)
-#define ENTER(selector)                                                                                                     \
-    do {                                                                                                                    \
-        const Operation entered = selected_by(selector);                                                                    \
-        if (entered == Operation::unknown) {                                                                                \
-            bad = (selector);                                                                                               \
-            goto unknown_selector;                                                                                          \
-        }                                                                                                                   \
-        goto* labels[static_cast<std::size_t>(entered)];                                                                    \
+#define ENTER(selector)                                                                                                \
+    do {                                                                                                               \
+        const Operation entered = selected_by(selector);                                                               \
+        if (entered == Operation::unknown) {                                                                           \
+            bad = (selector);                                                                                          \
+            goto unknown_selector;                                                                                     \
+        }                                                                                                              \
+        goto* labels[static_cast<std::size_t>(entered)];                                                               \
     } while (false)
 
 Core::Left Core::execute(HalfCycles budget) {
@@ -183,30 +183,26 @@ begin_block:
     entry = block->entries.get();
     goto* labels[static_cast<std::size_t>(entry->operation)];
 
-#define FUNCTION(code, name, cycles, extra, accesses, ...)                                                               \
-    at_##name : __VA_ARGS__;                                                                                                     \
+#define FUNCTION(code, name, cycles, extra, accesses, ...)                                                             \
+    at_##name : __VA_ARGS__;                                                                                           \
     NEXT();
-#define OPERATION(code, name, cycles, extra, accesses, models, ...)                                                      \
-    at_##name : __VA_ARGS__;                                                                                                     \
+#define OPERATION(code, name, cycles, extra, accesses, models, ...)                                                    \
+    at_##name : __VA_ARGS__;                                                                                           \
     NEXT();
-#define REAL(code, name, cycles, accesses, ...)                                                                          \
-    at_##name : {                                                                                                           \
-        AWAIT_REALS(cycles);                                                                                                \
-    }                                                                                                                       \
-    __VA_ARGS__;                                                                                                                 \
+#define REAL(code, name, cycles, accesses, ...)                                                                        \
+    at_##name : { AWAIT_REALS(cycles); }                                                                               \
+    __VA_ARGS__;                                                                                                       \
     NEXT();
-#define RESULT(code, name, cycles, accesses, ...)                                                                        \
-    at_##name : {                                                                                                           \
-        AWAIT_REALS(cycles);                                                                                                \
-        spent += 2 * ((cycles) - 1);                                                                                        \
-    }                                                                                                                       \
-    __VA_ARGS__;                                                                                                                 \
+#define RESULT(code, name, cycles, accesses, ...)                                                                      \
+    at_##name : {                                                                                                      \
+        AWAIT_REALS(cycles);                                                                                           \
+        spent += 2 * ((cycles)-1);                                                                                     \
+    }                                                                                                                  \
+    __VA_ARGS__;                                                                                                       \
     NEXT();
-#define SELECTED(code, name, cycles, ...)                                                                                \
-    at_##name : {                                                                                                           \
-        AWAIT_REALS(cycles);                                                                                                \
-    }                                                                                                                       \
-    __VA_ARGS__;                                                                                                                 \
+#define SELECTED(code, name, cycles, ...)                                                                              \
+    at_##name : { AWAIT_REALS(cycles); }                                                                               \
+    __VA_ARGS__;                                                                                                       \
     NEXT();
 #define SCHEDULING(code, name, cycles, models)
 #include "runtime/transputer/instructions.inc"

@@ -13,9 +13,9 @@ constexpr std::string_view without_underscore(std::string_view name) {
 
 constexpr Instruction instruction_table[] = {
 #define NAME(name) without_underscore(#name)
-#define FUNCTION(code, name, cycles, extra, accesses, ...)                                                               \
+#define FUNCTION(code, name, cycles, extra, accesses, ...)                                                             \
     {NAME(name), code, Unit::direct, cycles, extra, accesses, all_models},
-#define OPERATION(code, name, cycles, extra, accesses, models, ...)                                                      \
+#define OPERATION(code, name, cycles, extra, accesses, models, ...)                                                    \
     {NAME(name), code, Unit::integer, cycles, extra, accesses, models},
 #define REAL(code, name, cycles, accesses, ...) {NAME(name), code, Unit::reals, 1, 200, accesses, with_reals},
 #define RESULT(code, name, cycles, accesses, ...) {NAME(name), code, Unit::reals, 1, 200, accesses, with_reals},
@@ -89,10 +89,8 @@ bool ends_block(Operation operation) {
     case Operation::gcall:
     case Operation::lend:
     case Operation::altend:
-    case Operation::unknown:
-        return true;
-    default:
-        return description_of(operation).unit == Unit::scheduler;
+    case Operation::unknown: return true;
+    default: return description_of(operation).unit == Unit::scheduler;
     }
 }
 

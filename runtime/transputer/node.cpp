@@ -47,9 +47,7 @@ void Node::run() {
     const bool link_in_use = core_.waits_for_links();
     switch (core_.run(limit(link_in_use), link_in_use)) {
     case Core::Pause::idle: return be_idle();
-    case Core::Pause::stopped:
-        activity_ = Activity::stopped;
-        return when_stopped_();
+    case Core::Pause::stopped: activity_ = Activity::stopped; return when_stopped_();
     case Core::Pause::limit:
     case Core::Pause::on_time: break;
     }

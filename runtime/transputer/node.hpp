@@ -18,8 +18,8 @@ class Kernel;
 
 namespace placedpar::transputer {
 
-/// An emulated transputer as a device of a simulation. After reset it listens to its links. The first link that brings a
-/// byte boots it, reads its memory (peek) or writes it (poke), as the first byte says. Then the core executes.
+/// An emulated transputer as a device of a simulation. After reset it listens to its links. The first link that brings
+/// a byte boots it, reads its memory (peek) or writes it (poke), as the first byte says. Then the core executes.
 ///
 /// The core runs ahead of virtual time as far as nothing can act on it: up to a link instruction; up to a change of its
 /// queues while a link may wake a process; up to the next event of any other device while a process of high priority
@@ -42,7 +42,8 @@ public:
     void has_link(hardware::Link&);
     /// Sets a function to call when the core stops by an error.
     void when_stopped(std::function<void()> f) { when_stopped_ = std::move(f); }
-    /// Executes one instruction at an event. Tests compare such a run with a usual one. REQUIRES: the run has not begun.
+    /// Executes one instruction at an event. Tests compare such a run with a usual one. REQUIRES: the run has not
+    /// begun.
     void run_instruction_by_instruction() { most_ahead_ = Time{0}; }
 
     const std::string& name() const { return name_; }

@@ -40,10 +40,8 @@ bool can_be_interrupted(Operation operation) {
     case Operation::out:
     case Operation::move2dall:
     case Operation::move2dnonzero:
-    case Operation::move2dzero:
-        return true;
-    default:
-        return false;
+    case Operation::move2dzero: return true;
+    default: return false;
     }
 }
 
@@ -66,7 +64,8 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
             return Pause::stopped;
         if (local_ >= due_)
             attend();
-        if (priority_ == 1 && running_ && front_[0] != not_a_process && (!pending_ || can_be_interrupted(pending_->operation)))
+        if (priority_ == 1 && running_ && front_[0] != not_a_process &&
+            (!pending_ || can_be_interrupted(pending_->operation)))
             interrupt();
         if (!running_ && !dispatch())
             return Pause::idle;
@@ -115,20 +114,15 @@ bool Core::must_be_on_time(Operation operation, bool punctual) const {
     case Operation::move:
     case Operation::move2dall:
     case Operation::move2dnonzero:
-    case Operation::move2dzero:
-        return false;
+    case Operation::move2dzero: return false;
     case Operation::in:
     case Operation::out:
     case Operation::outbyte:
     case Operation::outword:
-    case Operation::enbc:
-        return punctual || hard_channel(registers_.b) >= 0;
-    case Operation::disc:
-        return punctual || hard_channel(registers_.c) >= 0;
-    case Operation::resetch:
-        return punctual || hard_channel(registers_.a) >= 0;
-    default:
-        return punctual;
+    case Operation::enbc: return punctual || hard_channel(registers_.b) >= 0;
+    case Operation::disc: return punctual || hard_channel(registers_.c) >= 0;
+    case Operation::resetch: return punctual || hard_channel(registers_.a) >= 0;
+    default: return punctual;
     }
 }
 
@@ -398,29 +392,21 @@ HalfCycles Core::cost_of(Operation operation) {
     const HalfCycles cycles = 2 * static_cast<HalfCycles>(cycles_of(operation, model_));
     switch (operation) {
     case Operation::in:
-    case Operation::out:
-        return cost_of_communication(r.b, r.c, r.a);
+    case Operation::out: return cost_of_communication(r.b, r.c, r.a);
     case Operation::outbyte:
-    case Operation::outword:
-        return cycles - (hard_channel(r.b) < 0 && load(r.b) == not_a_process ? 4 : 0);
+    case Operation::outword: return cycles - (hard_channel(r.b) < 0 && load(r.b) == not_a_process ? 4 : 0);
     case Operation::move:
         return cycles + 4 * words_touched(r.c, r.a) + outside_words(r.c, r.a) + outside_words(r.b, r.a);
     case Operation::move2dall:
     case Operation::move2dnonzero:
     case Operation::move2dzero:
         return move_[0] * (cycles + 4 * words_touched(r.c, r.a) + outside_words(r.c, r.a) + outside_words(r.b, r.a));
-    case Operation::enbc:
-        return cycles + (r.a != 0 && is_ready(r.b) ? 4 : 0);
-    case Operation::altwt:
-        return load(r.workspace - below::state) == alternative::ready ? cycles : 2 * 17;
-    case Operation::taltwt:
-        return time_has_come() ? cycles : 2 * 48;
-    case Operation::tin:
-        return signed_of(clock(priority_) - r.a) > 0 ? cycles : 2 * 30;
-    case Operation::go_on:
-        return 0;
-    default:
-        return cycles;
+    case Operation::enbc: return cycles + (r.a != 0 && is_ready(r.b) ? 4 : 0);
+    case Operation::altwt: return load(r.workspace - below::state) == alternative::ready ? cycles : 2 * 17;
+    case Operation::taltwt: return time_has_come() ? cycles : 2 * 48;
+    case Operation::tin: return signed_of(clock(priority_) - r.a) > 0 ? cycles : 2 * 30;
+    case Operation::go_on: return 0;
+    default: return cycles;
     }
 }
 
@@ -450,7 +436,10 @@ void Core::perform(Operation operation) {
         r.a = r.b = r.c;
         break;
     case Operation::endp: end_process(); break;
-    case Operation::runp: enqueue(r.a); pop(); break;
+    case Operation::runp:
+        enqueue(r.a);
+        pop();
+        break;
     case Operation::stopp: leave_processor(); break;
     case Operation::stoperr:
         if (r.error)
@@ -465,14 +454,38 @@ void Core::perform(Operation operation) {
         pop();
         break;
     }
-    case Operation::sthf: front_[0] = r.a; pop(); break;
-    case Operation::sthb: back_[0] = r.a; pop(); break;
-    case Operation::stlf: front_[1] = r.a; pop(); break;
-    case Operation::stlb: back_[1] = r.a; pop(); break;
-    case Operation::timerdisableh: timers_disabled_[0] = true; find_next_timer(); break;
-    case Operation::timerdisablel: timers_disabled_[1] = true; find_next_timer(); break;
-    case Operation::timerenableh: timers_disabled_[0] = false; find_next_timer(); break;
-    case Operation::timerenablel: timers_disabled_[1] = false; find_next_timer(); break;
+    case Operation::sthf:
+        front_[0] = r.a;
+        pop();
+        break;
+    case Operation::sthb:
+        back_[0] = r.a;
+        pop();
+        break;
+    case Operation::stlf:
+        front_[1] = r.a;
+        pop();
+        break;
+    case Operation::stlb:
+        back_[1] = r.a;
+        pop();
+        break;
+    case Operation::timerdisableh:
+        timers_disabled_[0] = true;
+        find_next_timer();
+        break;
+    case Operation::timerdisablel:
+        timers_disabled_[1] = true;
+        find_next_timer();
+        break;
+    case Operation::timerenableh:
+        timers_disabled_[0] = false;
+        find_next_timer();
+        break;
+    case Operation::timerenablel:
+        timers_disabled_[1] = false;
+        find_next_timer();
+        break;
     case Operation::break_: fault(Stopped::by_break, r.instruction); break;
     case Operation::move: move_block(r.c, r.b, r.a); break;
     default: move_in_two_dimensions(operation); break;
@@ -582,8 +595,9 @@ std::string Core::why_stopped() const {
     case Stopped::by_unknown_instruction:
         return fmt::format("the bytes at #{:08X} are no instruction of a {}", at, traits_.name);
     case Stopped::by_bad_address:
-        return fmt::format("the instruction at #{:08X} uses the address #{:08X}, but memory is from #80000000 to #{:08X}", at,
-                           stopped_at_, most_negative + memory_.size() - 1);
+        return fmt::format(
+            "the instruction at #{:08X} uses the address #{:08X}, but memory is from #80000000 to #{:08X}", at,
+            stopped_at_, most_negative + memory_.size() - 1);
     case Stopped::by_break: return fmt::format("the instruction before #{:08X} is a breakpoint", at);
     }
     return "";

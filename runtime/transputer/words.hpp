@@ -59,7 +59,7 @@ inline constexpr Word none_selected = ~Word{0};
 namespace reserved {
 inline constexpr Word outputs = most_negative, inputs = most_negative + 0x10, event = most_negative + 0x20;
 inline constexpr Word timer_heads = most_negative + 0x24; ///< of the high priority, then of the low
-inline constexpr Word saved = most_negative + 0x2C;       ///< Wdesc, Iptr, A, B, C, Status, E of the interrupted process
+inline constexpr Word saved = most_negative + 0x2C; ///< Wdesc, Iptr, A, B, C, Status, E of the interrupted process
 } // namespace reserved
 
 } // namespace placedpar::transputer

@@ -209,7 +209,7 @@ void TransputerNode::report(MachineUse& use) const {
     use.processors.push_back(std::move(row));
 }
 
-DeviceKind transputer() {
+DeviceKind transputers() {
     return {.name = "processor",
             .noun = "a processor",
             .about = "A transputer, bare or on a module; B403_T414 is a B403 with a T414.",
