@@ -7,7 +7,7 @@
 #include <chrono>
 #include <utility>
 
-namespace placedpar::netlist {
+namespace placedpar {
 
 BootHost::BootHost(std::vector<std::uint8_t> file, iserver::Server& server, Time request_time)
     : file_(std::move(file)), server_(server), request_time_(request_time) {}
@@ -35,7 +35,7 @@ void BootHost::serve() {
 void BootHost::send(std::span<const std::uint8_t> bytes) {
     to_send_ = bytes;
     out->give(static_cast<std::uint32_t>(bytes.size()));
-    process_->wait_for(placedpar::Activity::outputting, nullptr, {});
+    process_->wait_for(Activity::outputting, nullptr, {});
 }
 
 /// Returns the next request; an empty one after a packet that cannot be read.
@@ -44,7 +44,7 @@ iserver::ByteView BootHost::receive() {
     while (request.empty() && reader_.wanted() > 0) {
         received_.clear();
         in->take(static_cast<std::uint32_t>(reader_.wanted()));
-        process_->wait_for(placedpar::Activity::inputting, nullptr, {});
+        process_->wait_for(Activity::inputting, nullptr, {});
         iserver::ByteView bytes = received_;
         request = reader_.take(bytes);
     }
@@ -62,4 +62,4 @@ void BootHost::write(std::span<const std::uint8_t> bytes) {
     received_.insert(received_.end(), bytes.begin(), bytes.end());
 }
 
-} // namespace placedpar::netlist
+} // namespace placedpar

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace placedpar::netlist {
+namespace placedpar {
 
 /// The host at the link of an emulated transputer. It sends a bootable file down the link, then serves the program's
 /// requests until the program exits.
@@ -57,4 +57,4 @@ private:
     bool booted_ = false;
 };
 
-} // namespace placedpar::netlist
+} // namespace placedpar

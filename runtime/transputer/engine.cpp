@@ -117,12 +117,12 @@ namespace placedpar::transputer {
     if (fpu_free_ > begins)                                                                                            \
         spent += fpu_free_ - begins;                                                                                   \
     fpu_free_ = std::max(fpu_free_, begins) + 2 * static_cast<HalfCycles>(own_cycles)
-#define SINGLE_LENGTH(name)                                                                                            \
+#define SET_REGISTERS(...)                                                                                             \
     do {                                                                                                               \
-        SingleLength unit{A, B, C, 0};                                                                                 \
-        LOAD(W, unit.workspace);                                                                                       \
-        spent += 2 * unit.name();                                                                                      \
-        std::tie(A, B, C) = std::tuple{unit.a, unit.b, unit.c};                                                        \
+        const SingleLengthRegisters result = __VA_ARGS__;                                                              \
+        A = result.a;                                                                                                  \
+        B = result.b;                                                                                                  \
+        C = result.c;                                                                                                  \
     } while (false)
 #define ENTER(selector)                                                                                                \
     do {                                                                                                               \

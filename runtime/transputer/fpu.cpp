@@ -9,9 +9,10 @@ namespace placedpar::transputer {
 
 namespace {
 
-/// The NaNs that operations make: REAL32s, which a REAL64 extends by zeros. The values are those of INMOS's compiler
-/// writer's guide, from the public emulator pahihu/t4 (fparithmetic.c), whose results were compared with those of a
-/// T801 by the validation suite TVS1F.
+/// The NaNs that operations make, as REAL32s; a REAL64 extends the fraction by zeros. INMOS's table was not at hand.
+/// The values are those of the public emulator pahihu/t4 (fparithmetic.c), whose results a validation suite (TVS1F)
+/// compared with those of a T801. INMOS's library for the T414 makes equal ones for 0/0, 0 * infinity and infinity -
+/// infinity.
 enum class MadeNan : std::uint32_t {
     zero_by_zero = 0x7FC00000,
     infinity_by_infinity = 0x7FA00000,
@@ -131,7 +132,7 @@ RealResult<T> root(RealPattern<T> of, Rounding mode) {
     return rounded<T>(mode, of.value(), of.value(), [](T each, T) { return std::sqrt(each); });
 }
 
-/// Returns the remainder of left by right, rounded to nothing since it is exact.
+/// Returns the remainder of left by right, which is exact.
 template <typename T>
 RealResult<T> remainder(RealPattern<T> left, RealPattern<T> right) {
     if (left.nan() || right.nan())
@@ -140,7 +141,9 @@ RealResult<T> remainder(RealPattern<T> left, RealPattern<T> right) {
         return made<T>(MadeNan::remainder_of_infinity);
     if (right.zero())
         return made<T>(MadeNan::remainder_by_zero);
-    return {RealPattern<T>::of(std::remainder(left.value(), right.value())), right.infinite()};
+    const auto exact = RealPattern<T>::of(std::remainder(left.value(), right.value()));
+    // GNU's library gives a zero of the wrong sign if the divisor is the least denormal
+    return {exact.zero() ? exact.with_sign(left.negative()) : exact, right.infinite()};
 }
 
 /// Returns the quotient that belongs to a remainder. In double its error is below half of an integer, within the limits

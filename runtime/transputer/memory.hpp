@@ -23,10 +23,10 @@ public:
     /// Code is forgotten by pages of this size when it is written to.
     static constexpr Word page_bytes = 256;
 
-    /// Throws std::invalid_argument unless 4096 <= bytes < 4 GB and bytes is a multiple of 256; std::bad_alloc.
+    /// Throws std::invalid_argument unless 2048 <= bytes < 4 GB and bytes is a multiple of 256; std::bad_alloc.
     explicit NodeMemory(std::uint64_t bytes) : size_(static_cast<Word>(bytes)) {
-        if (bytes < 4096 || bytes > 0xffff'ff00 || bytes % page_bytes != 0)
-            throw std::invalid_argument("a transputer's memory has 4096 bytes to 4 Gbyte, in steps of 256");
+        if (bytes < 2048 || bytes > 0xffff'ff00 || bytes % page_bytes != 0)
+            throw std::invalid_argument("a transputer's memory has 2048 bytes to 4 Gbyte, in steps of 256");
         bytes_.reset(static_cast<std::uint8_t*>(std::calloc(bytes + 8, 1))); // 8: reals are read as a whole
         pages_.reset(static_cast<std::uint8_t*>(std::calloc(bytes / page_bytes + 1, 1)));
         if (!bytes_ || !pages_)

@@ -18,7 +18,8 @@ Word word_of(std::span<const std::uint8_t, 4> bytes) {
 } // namespace
 
 Node::Node(Kernel& kernel, std::string name, Model model, std::uint64_t memory_bytes, const CoreTiming& timing)
-    : kernel_(kernel), name_(std::move(name)), core_(model, memory_bytes, timing, *this) {
+    : kernel_(kernel), name_(std::move(name)), core_(model, memory_bytes, timing, *this),
+      access_(duration_of(timing.memory_cycles, timing.clock_hz)) {
     for (int i = 0; i < links; ++i)
         ports_[static_cast<std::size_t>(i)].belong_to(*this, i);
 }
@@ -26,7 +27,8 @@ Node::Node(Kernel& kernel, std::string name, Model model, std::uint64_t memory_b
 void Node::has_link(hardware::Link& link) {
     link.from_a_to_b().move_messages_of(engines_);
     link.from_b_to_a().move_messages_of(engines_);
-    wires_.push_back(&link);
+    if (std::ranges::find(wires_, &link) == wires_.end())
+        wires_.push_back(&link);
 }
 
 // Running
@@ -100,6 +102,8 @@ void Node::wake() {
     if (is_idle_ && activity_ == Activity::booted && core_.is_active())
         kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
 }
+
+Time Node::memory_taken_by_links() { return times(static_cast<std::int64_t>(words_moved()), access_); }
 
 // Links
 

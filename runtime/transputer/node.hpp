@@ -52,6 +52,8 @@ public:
     const Core& core() const { return core_; }
     /// Returns how long instructions were executed, with waits for the memory.
     Time time_busy() const { return busy_ + core_.local_time() - core_.time_at(0); }
+    /// Returns how long the memory has served link engines so far.
+    Time memory_taken_by_links();
     /// Returns whether no process can run, no timer is due, and no transfer is complete: only a link could wake it.
     bool is_idle() const { return is_idle_; }
 
@@ -102,6 +104,7 @@ private:
     Kernel& kernel_;
     std::string name_;
     Core core_;
+    Time access_; ///< time of an access to a word of the memory
     std::array<Port, links> ports_;
     std::vector<hardware::Link*> wires_;
     hardware::LinkEngineMemory engines_;
