@@ -76,6 +76,8 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
         }
         if (local_ >= limit)
             return Pause::limit;
+        if (local_ >= due_)
+            continue; // an interrupt or return took the time until a timer
         switch (execute(std::min(limit, due_) - local_)) {
         case Left::budget: break;
         case Left::scheduling: begin(begun_); break;
@@ -145,6 +147,8 @@ void Core::pass_idle_time(Time now) {
     local_ = 0;
     origin_ = now;
     find_due();
+    if (next_timer_ <= now)
+        due_ = local_;
 }
 
 void Core::lose_accesses(std::uint64_t words) {
@@ -394,7 +398,10 @@ HalfCycles Core::cost_of(Operation operation) {
     case Operation::in:
     case Operation::out: return cost_of_communication(r.b, r.c, r.a);
     case Operation::outbyte:
-    case Operation::outword: return cycles - (hard_channel(r.b) < 0 && load(r.b) == not_a_process ? 4 : 0);
+    case Operation::outword: {
+        const bool second = hard_channel(r.b) >= 0 || cost_of_communication(r.b, r.workspace, 4) > 2 * 19;
+        return cycles - (second ? 0 : 4);
+    }
     case Operation::move:
         return cycles + 4 * words_touched(r.c, r.a) + outside_words(r.c, r.a) + outside_words(r.b, r.a);
     case Operation::move2dall:

@@ -280,8 +280,8 @@ std::string Assembly::listing() const {
         std::string bytes_of_line;
         for (const auto byte : line.bytes)
             bytes_of_line += fmt::format("{:02X} ", byte);
-        text += line.bytes.empty() ? fmt::format("{:26}{}\n", "", line.source)
-                                   : fmt::format("{:08X}  {:16}{}\n", line.address, bytes_of_line, line.source);
+        text += line.bytes.empty() ? fmt::format("{:36}{}\n", "", line.source)
+                                   : fmt::format("{:08X}  {:26}{}\n", line.address, bytes_of_line, line.source);
     }
     return text;
 }

@@ -91,6 +91,7 @@ public:
     std::string first_difference() {
         while (plain.stopped.empty()) {
             const Word at = plain.iptr;
+            if (getenv("DBG")) printf("%08x %llu engine %llu at %08x w %08x pri %d idle %d front %08x %08x\n", at, (unsigned long long)plain.now, (unsigned long long)core_time(), core.registers().instruction, plain.wptr, plain.priority, plain.idle, plain.front[0], plain.front[1]);
             plain.step();
             run_core(plain.now);
             std::string difference = memory_difference();
@@ -115,16 +116,16 @@ private:
     void run_core(std::uint64_t until) {
         for (;;) {
             const auto base = core_time() - core.local();
-            if (core.local() + base >= until)
+            if (until < base)
                 return;
             switch (core.run(until - base, false)) {
             case Core::Pause::limit:
             case Core::Pause::stopped: return;
             case Core::Pause::on_time: break;
             case Core::Pause::idle:
-                if (core.next_timer() == Time::max())
+                if (core.next_timer() == Time::max() || core_time() >= until)
                     return;
-                if(getenv("DBG")) printf("idle now %lld next %lld\n",(long long)core.local_time().count(),(long long)core.next_timer().count());
+
                 core.pass_idle_time(std::max(core.next_timer(), core.local_time()));
             }
         }

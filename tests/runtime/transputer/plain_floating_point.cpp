@@ -219,10 +219,9 @@ bool PlainTransputer::execute_floating_point(unsigned code) {
         const std::uint64_t start = now + 2 * cycles + extra, wait = fpu_free > start ? fpu_free - start : 0;
         const auto row_cycles = f[0].is_double ? row.double_cycles : row.single_cycles;
         extra += wait;
-        const auto before = extra;
         row.effect(*this);
         cycles += row.waits ? row_cycles : 1;
-        fpu_free = start + wait + 2 * row_cycles + (extra - before);
+        fpu_free = start + wait + 2 * row_cycles;
         const bool sets_rounding = code == entry + 0x22 || (code >= entry + 4 && code <= entry + 6);
         rounding = sets_rounding ? rounding : 0;
         return true;

@@ -277,7 +277,7 @@ void PlainTransputer::remove_timer(Word process) {
 
 /// Ends `disc`, `diss` and `dist`: selects the guard if it is ready, true, and no other one is selected.
 bool PlainTransputer::selects(bool is_ready) {
-    if (!is_ready || !b || local(0) != none_selected)
+    if (local(0) != none_selected || !is_ready || !b)
         return false;
     store_local(0, a);
     return true;

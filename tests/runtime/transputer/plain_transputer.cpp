@@ -49,7 +49,7 @@ std::size_t PlainTransputer::offset(Word address, bool wraps) {
             stop(fmt::format("access outside memory: #{:08X}", address));
         place %= static_cast<Word>(memory.size());
     }
-    if (place >= on_chip())
+    if (place >= on_chip() && !pending_.operation)
         extra += 2 * (settings.memorycycles - 1);
     return place;
 }

@@ -29,7 +29,7 @@ constexpr std::string_view newer_only[] = {"crcword", "crcbyte", "bitcnt", "bitr
 constexpr std::string_view t8_only[] = {"dup", "wsubdb"};
 constexpr std::string_view real_operations[] = {"fpadd", "fpsub", "fpmul", "fpdiv"};
 constexpr std::string_view real_entries[] = {"fpuabs",    "fpuexpinc32", "fpuexpdec32",
-                                             "fpumulby2", "fpudivby2",   "fpusqrtfirst"};
+                                             "fpumulby2", "fpudivby2"};
 constexpr std::string_view roundings[] = {"fpurn", "fpurz", "fpurp", "fpurm"};
 
 /// Writes a program, piece by piece.
@@ -276,19 +276,23 @@ private:
     void use_reals() {
         const bool is_double = one_in(2);
         const std::string_view length = is_double ? "db" : "sn";
-        const auto operand = [&] {
-            line("ldc reals_{} + {}", length, below(12) * (is_double ? 8 : 4));
+        // No operation makes a NaN: its bits are those of the machine.
+        const auto operand = [&](int first) {
+            line("ldc reals_{} + {}", length, (first + below(12 - first)) * (is_double ? 8 : 4));
             line("fpldnl{}", length);
         };
-        operand();
-        operand();
+        operand(0);
+        operand(2);
         if (one_in(3))
             line("{}", any(roundings));
         if (one_in(3)) {
             line("{}", any(std::array{"fpgt", "fpeq", "fpordered", "fpnan", "fpnotfinite", "fptesterror"}));
             line("stl {}", 1 + below(8));
         } else {
-            line("{}", one_in(4) ? any(real_entries) : any(real_operations));
+            if (one_in(6))
+                text_ += "    fpuabs\n    fpusqrtfirst\n    fpusqrtstep\n    fpusqrtstep\n    fpusqrtlast\n";
+            else
+                line("{}", one_in(3) ? any(real_entries) : any(real_operations));
             for (int i = below(4); i > 0; --i)
                 load();
             constant(place(1, 12) & ~3U);
