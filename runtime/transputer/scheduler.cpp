@@ -53,6 +53,7 @@ Core::Core(Model model, std::uint64_t memory_bytes, const CoreTiming& timing, Li
       penalty_(2 * static_cast<HalfCycles>(timing.memory_cycles - 1)) {
     for (Word address = most_negative; address < most_negative + traits_.memory_start; address += 4)
         store(address, not_a_process);
+    begin_slice();
     find_due();
 }
 
@@ -146,9 +147,8 @@ void Core::pass_idle_time(Time now) {
     fpu_free_ = fpu_free_ > local_ ? fpu_free_ - local_ : 0;
     local_ = 0;
     origin_ = now;
+    begin_slice();
     find_due();
-    if (next_timer_ <= now)
-        due_ = local_;
 }
 
 void Core::lose_accesses(std::uint64_t words) {
@@ -158,24 +158,24 @@ void Core::lose_accesses(std::uint64_t words) {
 /// Attends to timers that are due and to the end of a timeslice period.
 void Core::attend() {
     const Time now = local_time();
+    if (now >= slice_ends_) {
+        ++slices_seen_;
+        begin_slice();
+    }
     if (next_timer_ <= now) {
         wake_timers(0);
         wake_timers(1);
         find_next_timer();
     }
-    if (now >= slice_ends_) {
-        ++slices_seen_;
-        slice_ends_ = now - now % hardware::Processor::timeslice + hardware::Processor::timeslice;
-    }
     find_due();
 }
 
-void Core::find_due() {
+void Core::begin_slice() {
     const Time now = local_time();
-    if (slice_ends_ <= now)
-        slice_ends_ = now - now % hardware::Processor::timeslice + hardware::Processor::timeslice;
-    due_ = std::max(half_cycle_at(std::min(next_timer_, slice_ends_)), local_ + 1);
+    slice_ends_ = now - now % hardware::Processor::timeslice + hardware::Processor::timeslice;
 }
+
+void Core::find_due() { due_ = half_cycle_at(std::min(next_timer_, slice_ends_)); }
 
 bool Core::waits_for_links() const {
     for (Word channel = 0; channel < hard_channels - 1; ++channel)
