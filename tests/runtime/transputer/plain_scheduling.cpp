@@ -324,7 +324,7 @@ void PlainTransputer::go_on_with_pending() {
         if (operation.when == When::at_end_unless_interrupted && priority == 1 && front[0] != not_process)
             return interrupt();
         const std::uint64_t due = next_timer();
-        if (pending_.left <= due - now)
+        if (pending_.left < due - now)
             break;
         pending_.left -= due - now;
         now = due;
@@ -409,7 +409,7 @@ void PlainTransputer::interrupt() {
         store(place, word);
         place += 4;
     }
-    saved_f = f;
+    interrupted_unit = unit;
     saved_undefined = undefined;
     interrupted_pending_ = std::exchange(pending_, {});
     slices_before = slice() - slice_began;
@@ -429,7 +429,7 @@ void PlainTransputer::resume() {
     c = load(saved + 16);
     error[1] = load(saved + 20) >> 31;
     store(saved, not_process);
-    f = saved_f;
+    unit = interrupted_unit;
     undefined = saved_undefined;
     pending_ = std::exchange(interrupted_pending_, {});
     slice_began = slice() - slices_before;

@@ -96,9 +96,12 @@ struct PlainTransputer {
         std::uint64_t bits = 0;
         bool is_double = false;
     };
-    std::array<Real, 3> f{}, saved_f{};
-    bool fp_error = false;
-    int rounding = 0;           ///< 0 nearest, 1 up, 2 down, 3 to zero
+    struct Unit {
+        std::array<Real, 3> f{};
+        bool error = false;
+        int rounding = 0; ///< 0 nearest, 1 up, 2 down, 3 to zero
+    };
+    Unit unit, interrupted_unit;
     std::uint64_t fpu_free = 0; ///< when its operation ends
 
     // The rest is for the tables. Instructions add to `cycles`, and memory to `extra`, in half cycles.

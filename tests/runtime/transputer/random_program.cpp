@@ -28,8 +28,7 @@ constexpr std::string_view everywhere[] = {
 constexpr std::string_view newer_only[] = {"crcword", "crcbyte", "bitcnt", "bitrevword"};
 constexpr std::string_view t8_only[] = {"dup", "wsubdb"};
 constexpr std::string_view real_operations[] = {"fpadd", "fpsub", "fpmul", "fpdiv"};
-constexpr std::string_view real_entries[] = {"fpuabs",    "fpuexpinc32", "fpuexpdec32",
-                                             "fpumulby2", "fpudivby2"};
+constexpr std::string_view real_entries[] = {"fpuabs", "fpuexpinc32", "fpuexpdec32", "fpumulby2", "fpudivby2"};
 constexpr std::string_view roundings[] = {"fpurn", "fpurz", "fpurp", "fpurm"};
 
 /// Writes a program, piece by piece.
@@ -273,21 +272,23 @@ private:
         defined_ = 0;
     }
 
+    /// Computes with reals. No operation makes a NaN: its bits are those of the machine.
     void use_reals() {
         const bool is_double = one_in(2);
         const std::string_view length = is_double ? "db" : "sn";
-        // No operation makes a NaN: its bits are those of the machine.
-        const auto operand = [&](int first) {
-            line("ldc reals_{} + {}", length, (first + below(12 - first)) * (is_double ? 8 : 4));
-            line("fpldnl{}", length);
-        };
-        operand(0);
-        operand(2);
+        load_real(length, 0);
+        if (one_in(4)) {
+            line("ldc reals_{} + {}", length, 8 * below(6));
+            line("fpldnl{}{}", any(std::array{"add", "mul"}), length);
+        }
+        load_real(length, 2);
         if (one_in(3))
             line("{}", any(roundings));
         if (one_in(3)) {
             line("{}", any(std::array{"fpgt", "fpeq", "fpordered", "fpnan", "fpnotfinite", "fptesterror"}));
             line("stl {}", 1 + below(8));
+        } else if (one_in(4)) {
+            convert(is_double);
         } else {
             if (one_in(6))
                 text_ += "    fpuabs\n    fpusqrtfirst\n    fpusqrtstep\n    fpusqrtstep\n    fpusqrtlast\n";
@@ -297,6 +298,69 @@ private:
                 load();
             constant(place(1, 12) & ~3U);
             line("fpstnl{}", length);
+        }
+        if (one_in(5))
+            line("fpchkerror");
+        defined_ = 0;
+    }
+
+    void load_real(std::string_view length, int first) {
+        const int number = first + below(12 - first);
+        if (one_in(4)) {
+            line("ldc {}", number);
+            line("ldc reals_{}", length);
+            line("fpldnl{}i", length);
+        } else if (one_in(6) && first == 0) {
+            line("fpldzero{}", length);
+        } else {
+            line("ldc reals_{} + {}", length, number * (length == "db" ? 8 : 4));
+            line("fpldnl{}", length);
+        }
+    }
+
+    /// Converts the real on the stack, or an integer.
+    void convert(bool is_double) {
+        bool result_is_double = is_double;
+        switch (below(5)) {
+        case 0: line("{}", any(std::array{"fprev", "fpdup", "fpint", "fpuchki32", "fpuchki64"})); break;
+        case 1:
+            line("{}", is_double ? "fpur64tor32" : "fpur32tor64");
+            result_is_double = !is_double;
+            break;
+        case 2:
+            constant(place(1, 12) & ~3U);
+            line("{}", any(std::array{"fpi32tor64", "fpb32tor64"}));
+            result_is_double = true;
+            break;
+        case 3:
+            constant(place(1, 12) & ~3U);
+            line("fpi32tor32");
+            result_is_double = false;
+            break;
+        default:
+            line("fprtoi32");
+            constant(place(1, 12) & ~3U);
+            line("fpstnli32");
+            return;
+        }
+        constant(place(1, 12) & ~3U);
+        line("fpstnl{}", result_is_double ? "db" : "sn");
+    }
+
+    /// Uses operations on queues and channels that change nothing for others.
+    void use_queues() {
+        switch (below(4)) {
+        case 0:
+            constant(place(1, 12) & ~3U);
+            line("{}", any(std::array{"saveh", "savel"}));
+            break;
+        case 1:
+            line("ldc {}", channel(process_, process_));
+            line("resetch");
+            line("stl {}", 1 + below(8));
+            break;
+        case 2: text_ += "    testerr\n    stoperr\n"; break;
+        default: line("seterr");
         }
         defined_ = 0;
     }
@@ -327,7 +391,7 @@ private:
         if (choice == 5 && depth == 0)
             return change_code();
         if (choice <= 7 && kind_.processes)
-            return use_clock();
+            return one_in(4) ? use_queues() : use_clock();
         if (choice <= 10 && kind_.model & (t800 | t805))
             return use_reals();
         if (choice <= 13)
