@@ -12,7 +12,7 @@
 
 namespace placedpar::test {
 
-namespace {
+namespace plain_reals {
 
 using P = PlainTransputer;
 using Word = P::Word;
@@ -206,17 +206,17 @@ constexpr PlainRealOperation table[] = {
     {entry + 0x03, "fpusqrtlast", 8, 8, false, [](P&) {}},
 };
 
-} // namespace
+} // namespace plain_reals
 
-const std::span<const PlainRealOperation> plain_real_operations = table;
+const std::span<const PlainRealOperation> plain_real_operations = plain_reals::table;
 
 /// Waits until the unit is free. Then the unit works on its own, unless the integer unit needs the result.
 bool PlainTransputer::execute_floating_point(unsigned code) {
     if (!(settings.model & (t800 | t805)))
         return false;
     if (code == 0xAB)
-        code = entry + std::min(pop(), Word{0xFFF});
-    for (const auto& row : table) {
+        code = plain_reals::entry + std::min(pop(), Word{0xFFF});
+    for (const auto& row : plain_real_operations) {
         if (row.code != code)
             continue;
         const std::uint64_t start = now + 2 * cycles + extra, wait = fpu_free > start ? fpu_free - start : 0;
@@ -225,7 +225,8 @@ bool PlainTransputer::execute_floating_point(unsigned code) {
         row.effect(*this);
         cycles += row.waits ? row_cycles : 1;
         fpu_free = start + wait + 2 * row_cycles;
-        const bool sets_rounding = code == entry + 0x22 || (code >= entry + 4 && code <= entry + 6);
+        const bool sets_rounding =
+            code == plain_reals::entry + 0x22 || (code >= plain_reals::entry + 4 && code <= plain_reals::entry + 6);
         unit.rounding = sets_rounding ? unit.rounding : 0;
         return true;
     }
