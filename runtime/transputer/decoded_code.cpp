@@ -100,6 +100,8 @@ bool DecodedCode::fill(Block& block, Word address, unsigned most_instructions) {
         after += 2 * (read.length - 1);
         if (description.unit != Unit::scheduler)
             after += 2 * cycles_of(read.operation, timing_.model);
+        else
+            ++extra; // it does not begin in the half cycle in which others may act
         extra += 2u * description.extra_cycles + std::uint32_t{description.accesses} * timing_.penalty;
         Word operand = read.operand;
         if (branches_by_operand(read.operation))

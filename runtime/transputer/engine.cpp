@@ -229,6 +229,7 @@ branch_or_give_way:
     goto leave;
 go_on:
     next = entry->operand;
+    last_fetched = (NodeMemory::offset_of(next) - 1) & ~Word{3}; // a block that was written to may end early
     goto branch;
 scheduling:
     next = entry->operand;
