@@ -276,9 +276,11 @@ Word Core::place_of(const Block& block, const Entry& entry) const {
 
 void Core::code_was_written(Block& block, const Entry& entry, Word offset, Word bytes) {
     code_.forget(offset, bytes);
-    if (!block.is_forgotten)
+    const Word begin = NodeMemory::offset_of(block.start);
+    if (offset + bytes <= begin || offset >= begin + block.bytes)
         return;
-    // The rest of this block may have changed: it ends after this instruction.
+    // The rest of this block may have changed: it ends after this instruction. The block may be a copy of the beginning
+    // of the one that was forgotten.
     Entry& rest = const_cast<Entry&>((&entry)[1]);
     rest = {Operation::go_on, 0, entry.after, place_of(block, entry) + entry.length};
 }
