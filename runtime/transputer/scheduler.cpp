@@ -95,7 +95,8 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
 bool Core::finish_pending(HalfCycles limit, bool punctual, Pause& pause) {
     const HalfCycles until = std::min(limit, due_);
     const HalfCycles room = until > local_ ? until - local_ : 0;
-    if (pending_->left > 0 && pending_->left >= room) { // timers that are due at its end come before its effect
+    const bool timer_first = pending_->left > 0 && local_ + pending_->left == due_;
+    if (pending_->left > room || timer_first) {
         local_ += room;
         pending_->left -= room;
         pause = Pause::limit;
