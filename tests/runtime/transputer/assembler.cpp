@@ -10,7 +10,7 @@
 
 namespace placedpar::test {
 
-namespace {
+namespace assembling {
 
 constexpr std::array<std::string_view, 16> functions{"j",   "ldlp", "pfix", "ldnl", "ldc", "ldnlp", "nfix", "ldl",
                                                      "adc", "call", "cj",   "ajw",  "eqc", "stl",   "stnl", "opr"};
@@ -256,7 +256,7 @@ private:
     bool sizes_known_ = false; ///< false while labels do not have addresses yet
 };
 
-} // namespace
+} // namespace assembling
 
 std::vector<std::uint8_t> instruction(unsigned function, std::int32_t operand, std::size_t least) {
     // A prefix shifts what has been loaded by 4 bits. The first prefix of a negative operand is nfix, which
@@ -274,7 +274,7 @@ std::vector<std::uint8_t> instruction(unsigned function, std::int32_t operand, s
     return bytes;
 }
 
-int operation_code(std::string_view mnemonic) { return code_of(operation_codes(), mnemonic); }
+int operation_code(std::string_view mnemonic) { return assembling::code_of(assembling::operation_codes(), mnemonic); }
 
 std::uint32_t Assembly::operator[](std::string_view label) const {
     const auto found = labels.find(label);
@@ -295,6 +295,6 @@ std::string Assembly::listing() const {
     return text;
 }
 
-Assembly assemble(std::string_view source, std::uint32_t origin) { return Assembler(source, origin).run(); }
+Assembly assemble(std::string_view source, std::uint32_t origin) { return assembling::Assembler(source, origin).run(); }
 
 } // namespace placedpar::test

@@ -21,16 +21,14 @@
 
 using namespace placedpar;
 using namespace placedpar::test;
-using placedpar::transputer::Core;
-using placedpar::transputer::Model;
-using placedpar::transputer::Registers;
 
 namespace {
 
 using Word = std::uint32_t;
 
 constexpr PlainModel plain_models[] = {t414, t425, t400, t800, t805};
-constexpr Model models[] = {Model::t414, Model::t425, Model::t400, Model::t800, Model::t805};
+constexpr transputer::Model core_models[] = {transputer::Model::t414, transputer::Model::t425, transputer::Model::t400,
+                                             transputer::Model::t800, transputer::Model::t805};
 constexpr Word workspace_at = 0x80000C00;
 
 /// Links that nothing is connected to.
@@ -46,7 +44,7 @@ public:
     /// `in_pieces`: probability of going on in short pieces of time.
     Both(std::size_t model, Word memory, Word memorycycles, Word clock_mhz, double in_pieces = 0)
         : plain({plain_models[model], memory, memorycycles, clock_mhz}),
-          core(models[model], memory,
+          core(core_models[model], memory,
                {.clock_hz = clock_mhz * 1'000'000, .memory_cycles = static_cast<int>(memorycycles)}, no_links),
           clock_mhz_(clock_mhz), in_pieces_(in_pieces) {
         for (Word address = PlainTransputer::most_neg; address < plain.mem_start(); address += 4)
@@ -58,7 +56,7 @@ public:
         core.copy_to_memory(address - PlainTransputer::most_neg, bytes);
     }
 
-    void set(Registers registers, bool halt_on_error = false) {
+    void set(transputer::Registers registers, bool halt_on_error = false) {
         plain.iptr = registers.instruction;
         plain.wptr = registers.workspace;
         plain.a = registers.a;
@@ -101,6 +99,7 @@ public:
             const Word at = plain.iptr;
             plain.step();
             run_core(plain.now, false);
+            run_core(plain.now, false); // for an effect at this very half cycle
             std::string difference = memory_difference();
             if (core_time() == plain.now && !plain.idle && difference.empty())
                 difference = differences(0, 0);
@@ -117,7 +116,7 @@ public:
 
     PlainTransputer plain;
     NoLinks no_links;
-    Core core;
+    transputer::Core core;
 
 private:
     void run_core(std::uint64_t until, bool punctual) {
@@ -126,10 +125,10 @@ private:
             if (until < base)
                 return;
             switch (core.run(until - base, punctual)) {
-            case Core::Pause::limit:
-            case Core::Pause::stopped: return;
-            case Core::Pause::on_time: break;
-            case Core::Pause::idle:
+            case transputer::Core::Pause::limit:
+            case transputer::Core::Pause::stopped: return;
+            case transputer::Core::Pause::on_time: break;
+            case transputer::Core::Pause::idle:
                 if (core.next_timer() == Time::max() || core_time() >= until)
                     return;
 
@@ -139,7 +138,7 @@ private:
     }
 
     std::string differences(std::uint64_t expected, std::uint64_t half_cycles) const {
-        const Registers& r = core.registers();
+        const transputer::Registers& r = core.registers();
         std::string result;
         const auto compare = [&](std::string_view what, std::uint64_t value, std::uint64_t right) {
             if (value != right)
@@ -195,7 +194,7 @@ bool is_defined(std::string_view name, Word a, Word b) {
 
 TEST_CASE("the engine executes each operation as the plain transputer does, at the edges of operands") {
     const auto values = edges();
-    for (std::size_t model = 0; model < std::size(models); ++model) {
+    for (std::size_t model = 0; model < std::size(core_models); ++model) {
         Both both(model, 8192, 3, 20);
         std::vector<std::uint8_t> code;
         for (const auto name : register_operations(both.plain)) {
@@ -256,7 +255,7 @@ namespace {
 
 void compare_random_programs(std::size_t count) {
     for (const auto seed : seeds(count)) {
-        const auto model = seed % std::size(models);
+        const auto model = seed % std::size(core_models);
         const RandomCodeKind kind{
             .model = plain_models[model], .processes = seed % 3 != 0, .data_first = seed % 2 == 0};
         const auto code = random_code(seed, kind);
