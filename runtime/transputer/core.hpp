@@ -69,7 +69,7 @@ public:
     enum class Pause {
         limit,   ///< local time has reached the limit
         on_time, ///< the next effect concerns links, queues or clocks; it must happen at its own moment: call run()
-                 ///< then
+                 ///< then. Also after an effect on a link, since now others may act on the core.
         idle,    ///< no process can run before a timer is due or a link wakes one
         stopped  ///< see stopped()
     };
@@ -77,6 +77,14 @@ public:
     /// must happen at its own moment, since a link may wake a process meanwhile. REQUIRES: the caller's time is
     /// local_time(), or later if the core is idle; then call pass_idle_time() first.
     Pause run(HalfCycles limit, bool punctual);
+    /// States that link engines may take accesses at any time. What depends on local time then happens at its own
+    /// moment, after lose_accesses().
+    void share_memory() { memory_is_shared_ = true; }
+    /// Attends to timers that are due and to the end of a timeslice period.
+    void attend_if_due() {
+        if (local_ >= due_ && stopped_ == Stopped::nothing)
+            attend();
+    }
 
     /// Local time: half cycles since the core was last woken from idleness.
     HalfCycles local() const { return local_; }
@@ -99,11 +107,12 @@ public:
     void boot(Word code_bytes, int input_channel);
     /// Makes the process that waits at a link's channel ready: its transfer is done.
     void transfer_ended(int channel);
-    /// A byte has come that no transfer has asked for: makes an ALT that waits for it ready.
-    void byte_has_come(int channel);
+    /// A byte has come at a time that no transfer has asked for: makes an ALT that waits for it ready.
+    void byte_has_come(int channel, Time);
     /// Returns whether a process waits for a link.
     bool waits_for_links() const;
-    /// Returns whether a process of high priority waits for a link. It may interrupt one of low priority.
+    /// Returns whether a link may change at any moment what the core executes: a process of high priority waits for
+    /// one, or the running process has used up its timeslice and goes on only because no other is ready.
     bool may_be_interrupted() const;
     /// Copy bytes for a link or a boot. Offsets outside of the memory stop the core.
     void copy_from_memory(Word offset, std::span<std::uint8_t>);
@@ -125,7 +134,8 @@ public:
     /// Returns the front of a queue of ready processes: an address of a workspace, or not_a_process.
     Word front(int priority) const { return front_[static_cast<std::size_t>(priority)]; }
     Word back(int priority) const { return back_[static_cast<std::size_t>(priority)]; }
-    Word clock(int priority) const;
+    Word clock(int priority) const { return clock_at(local_time(), priority); }
+    Word clock_at(Time, int priority) const;
     /// Returns for how long instructions were executed.
     HalfCycles busy() const { return busy_before_ + local_; }
     std::uint64_t instructions() const { return instructions_; }
@@ -151,6 +161,7 @@ private:
     struct Pending {
         Operation operation;
         HalfCycles left;
+        bool begun = true; ///< false if its cycles are not known yet, since they depend on the moment
     };
 
     // engine.cpp
@@ -160,8 +171,11 @@ private:
 
     // scheduler.cpp: processes, channels, moves
     bool finish_pending(HalfCycles limit, bool punctual, Pause&);
+    bool must_begin_on_time(Operation, bool punctual) const;
     bool must_be_on_time(Operation, bool punctual) const;
+    bool concerns_link(Operation) const;
     void attend();
+    void begin_slice(Time now);
     void find_due();
     bool dispatch();
     void take_front(int priority);
@@ -176,9 +190,8 @@ private:
     void wait_at(Word channel, Word address);
     void communicate(Word channel, Word address, Word bytes, bool output);
     void meet(Word channel, Word partner, Word address, Word bytes, bool output);
-    void wake_alternative(Word partner);
+    void wake_alternative(Word partner, Time);
     void reset_channel();
-    void begin(Operation);
     HalfCycles cost_of(Operation);
     HalfCycles cost_of_communication(Word channel, Word address, Word bytes);
     void perform(Operation);
@@ -207,7 +220,7 @@ private:
     Time when_after(Word time, int priority) const;
     void wait_for_time();
     void join_timers(Word time);
-    void leave_timers(Word workspace, int priority);
+    void leave_timers(Word workspace, int priority, Time);
     void wake_timers(int priority);
     void find_next_timer();
 
@@ -234,6 +247,7 @@ private:
     Registers registers_;
     int priority_ = 1;
     bool running_ = false;
+    bool memory_is_shared_ = false;
     bool halts_on_error_ = false;
     bool analysed_ = false, breaks_at_j0_ = false;
     Stopped stopped_ = Stopped::nothing;

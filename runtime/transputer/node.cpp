@@ -19,7 +19,8 @@ Word word_of(std::span<const std::uint8_t, 4> bytes) {
 
 Node::Node(Kernel& kernel, std::string name, Model model, std::uint64_t memory_bytes, const CoreTiming& timing)
     : kernel_(kernel), name_(std::move(name)), core_(model, memory_bytes, timing, *this),
-      access_(duration_of(timing.memory_cycles, timing.clock_hz)) {
+      access_(duration_of(timing.memory_cycles, timing.clock_hz)),
+      access_half_cycles_(2 * static_cast<HalfCycles>(timing.memory_cycles)) {
     for (int i = 0; i < links; ++i)
         ports_[static_cast<std::size_t>(i)].belong_to(*this, i);
 }
@@ -27,8 +28,8 @@ Node::Node(Kernel& kernel, std::string name, Model model, std::uint64_t memory_b
 void Node::has_link(hardware::Link& link) {
     link.from_a_to_b().move_messages_of(engines_);
     link.from_b_to_a().move_messages_of(engines_);
-    if (std::ranges::find(wires_, &link) == wires_.end())
-        wires_.push_back(&link);
+    wires_.push_back(&link);
+    core_.share_memory();
 }
 
 // Running
@@ -44,28 +45,39 @@ void Node::happen() noexcept {
 }
 
 void Node::run() {
-    const bool link_in_use = core_.waits_for_links();
-    switch (core_.run(limit(link_in_use), link_in_use)) {
-    case Core::Pause::idle: return be_idle();
-    case Core::Pause::stopped: activity_ = Activity::stopped; return when_stopped_();
-    case Core::Pause::limit:
-    case Core::Pause::on_time: break;
+    Core::Pause pause{};
+    do {
+        tell_core();
+        const bool punctual = core_.waits_for_links();
+        pause = core_.run(limit(), punctual);
+    } while (pause == Core::Pause::on_time && core_.local_time() == kernel_.now());
+    if (pause == Core::Pause::idle)
+        return be_idle();
+    if (pause == Core::Pause::stopped && core_.local_time() <= kernel_.now()) {
+        activity_ = Activity::stopped;
+        return when_stopped_();
     }
     kernel_.future().schedule(*this, core_.local_time(), EventQueue::turn);
 }
 
-/// Returns the local time up to which nothing else can act on the core. While link engines take accesses, local time
-/// passes faster than instructions do: then only half of the way is gone at once.
-HalfCycles Node::limit(bool link_in_use) const {
+/// Returns the local time up to which nothing else can act on the core.
+///
+/// While link engines take accesses, local time passes faster than instructions do, so only a part of the way is gone
+/// at once. It is exact unless the engines take more than three quarters of the time of the memory.
+HalfCycles Node::limit() const {
+    const EventQueue& future = kernel_.future();
+    const Time next_event = future.empty() ? Time::max() : future.next_time();
     Time until = later(kernel_.now(), most_ahead_);
-    if (core_.may_be_interrupted() && !kernel_.future().empty())
-        until = std::min(until, kernel_.future().next_time());
-    HalfCycles result = std::max(core_.half_cycle_at(until), core_.local() + 1);
-    if (link_in_use) {
-        const HalfCycles way = std::min(result, core_.next_attention()) - core_.local();
-        result = core_.local() + std::max<HalfCycles>(1, way / 2);
-    }
-    return result;
+    if (core_.may_be_interrupted())
+        until = std::min(until, next_event);
+    const HalfCycles next = core_.local() + 1, end = std::max(core_.half_cycle_at(until), next);
+    if (wires_.empty())
+        return end;
+    const HalfCycles way = std::min(end, core_.next_attention()) - core_.local();
+    if (engines_.parts_under_way == 0 && core_.time_at(core_.local() + way) <= next_event)
+        return core_.local() + way;
+    const HalfCycles at_once = 2 * wires_.size() * access_half_cycles_;
+    return way > at_once + 4 ? core_.local() + (way - at_once) / 4 : next;
 }
 
 /// Adds the accesses that link engines took since the last call. Returns false if local time is now in the future; the
@@ -87,6 +99,30 @@ std::uint64_t Node::words_moved() {
     return words;
 }
 
+/// Notes what a link has done, for the next turn of the core. An idle core has its turn at once, after all links.
+void Node::note(const Wake& wake) {
+    if (activity_ != Activity::booted)
+        return;
+    wakes_.push_back(wake);
+    if (is_idle_)
+        kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
+}
+
+/// Tells the core what links have done since its last turn, and lets it attend to its timers, in the order of time.
+void Node::tell_core() {
+    std::ranges::sort(wakes_, std::less<>{});
+    for (const Wake& each : wakes_) {
+        if (each.at > core_.time_at(core_.next_attention()))
+            core_.attend_if_due();
+        if (each.transfer_ended)
+            core_.transfer_ended(each.channel);
+        else
+            core_.byte_has_come(each.channel, each.at);
+    }
+    wakes_.clear();
+    core_.attend_if_due();
+}
+
 void Node::be_idle() {
     if (core_.local_time() > kernel_.now()) { // another process may become ready until then
         kernel_.future().schedule(*this, core_.local_time(), EventQueue::turn);
@@ -95,12 +131,6 @@ void Node::be_idle() {
     is_idle_ = true;
     if (core_.next_timer() != Time::max())
         kernel_.future().schedule(*this, core_.next_timer(), EventQueue::turn);
-}
-
-/// Lets an idle core run at once. A core that is busy sees the process in its queue.
-void Node::wake() {
-    if (is_idle_ && activity_ == Activity::booted && core_.is_active())
-        kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
 }
 
 Time Node::memory_taken_by_links() { return times(static_cast<std::int64_t>(words_moved()), access_); }
@@ -147,8 +177,7 @@ void Node::transfer_ended(int channel) {
         listen(channel % links);
         return;
     }
-    core_.transfer_ended(channel);
-    wake();
+    note({kernel_.now(), channel, true});
 }
 
 void Node::taken(int link) {
@@ -163,8 +192,7 @@ void Node::byte_has_come(int link) {
         listen(link);
         return;
     }
-    core_.byte_has_come(links + link);
-    wake();
+    note({kernel_.now(), links + link, false});
 }
 
 // Reset and boot
@@ -206,7 +234,7 @@ void Node::obey(int link) {
         activity_ = Activity::booted;
         core_.copy_to_memory(traits_of(core_.model()).memory_start, heard);
         core_.boot(static_cast<Word>(heard.size()), links + link);
-        return wake();
+        return kernel_.future().schedule(*this, kernel_.now(), EventQueue::turn);
     case Listening::answering: return;
     }
     for (int each = 0; each < links && !heard_link_; ++each)

@@ -23,7 +23,11 @@ namespace placedpar::transputer {
 ///
 /// The core runs ahead of virtual time as far as nothing can act on it: up to a link instruction; up to a change of its
 /// queues while a link may wake a process; up to the next event of any other device while a process of high priority
-/// waits for a link; at most 100 us. So the results do not depend on how far it runs ahead.
+/// waits for a link; up to the time at which a timer or a timeslice ends, or a clock is read; at most 100 us. So the
+/// results do not depend on how far it runs ahead, nor on the order of devices. They would if a program read bytes that
+/// a link is about to store, or changed bytes, or a channel word, that a link is about to read.
+///
+/// Processes that links wake at the same time become ready in the order of their channels.
 ///
 /// Source: IMS T800 data sheet, "reset, bootstrap and analyse".
 class Node final : private Event, private LinkEngines {
@@ -79,12 +83,21 @@ private:
     /// What a node that listens does with the bytes of a link.
     enum class Listening : std::uint8_t { for_command, for_poke, for_peek, for_code, answering };
 
+    /// What a link has done to a channel.
+    struct Wake {
+        Time at;
+        int channel;
+        bool transfer_ended; ///< otherwise a byte has come
+        bool operator<(const Wake& other) const { return at != other.at ? at < other.at : channel < other.channel; }
+    };
+
     void happen() noexcept override;
     void run();
-    HalfCycles limit(bool link_in_use) const;
+    HalfCycles limit() const;
     bool settle();
     std::uint64_t words_moved();
-    void wake();
+    void note(const Wake&);
+    void tell_core();
     void be_idle();
 
     // LinkEngines
@@ -105,12 +118,14 @@ private:
     std::string name_;
     Core core_;
     Time access_; ///< time of an access to a word of the memory
+    HalfCycles access_half_cycles_;
     std::array<Port, links> ports_;
     std::vector<hardware::Link*> wires_;
     hardware::LinkEngineMemory engines_;
     std::uint64_t words_settled_ = 0;
     Time busy_{};
     Time most_ahead_ = std::chrono::microseconds{100};
+    std::vector<Wake> wakes_; ///< since the last turn of the core
     bool is_idle_ = true;
     Activity activity_ = Activity::listening;
     std::optional<int> heard_link_; ///< the link whose command is being obeyed
