@@ -167,6 +167,7 @@ private:
     // engine.cpp
     Left execute(HalfCycles budget);
     Word place_of(const Block&, const Entry&) const;
+    static std::uint64_t instructions_after(const Block&, const Entry&);
     void code_was_written(Block&, const Entry&, Word offset, Word bytes);
 
     // scheduler.cpp: processes, channels, moves

@@ -240,6 +240,7 @@ scheduling:
 halt:
     next = place_of(*block, *entry) + entry->length;
     spent += entry->after;
+    instructions_ -= instructions_after(*block, *entry);
     left = Left::halt;
     goto leave;
 unknown:
@@ -249,11 +250,13 @@ unknown:
     goto leave;
 unknown_selector:
     next = place_of(*block, *entry);
+    instructions_ -= instructions_after(*block, *entry);
     left = Left::unknown_selector;
     goto leave;
 bad_address:
     next = place_of(*block, *entry);
     spent += entry->after;
+    instructions_ -= instructions_after(*block, *entry);
     left = Left::bad_address;
 leave:
     registers_.a = A;
@@ -265,6 +268,10 @@ leave:
     stopped_at_ = bad;
     local_ += spent;
     return left;
+}
+
+std::uint64_t Core::instructions_after(const Block& block, const Entry& entry) {
+    return block.instructions - static_cast<std::uint64_t>(&entry - block.entries.get()) - 1;
 }
 
 Word Core::place_of(const Block& block, const Entry& entry) const {
@@ -279,6 +286,7 @@ void Core::code_was_written(Block& block, const Entry& entry, Word offset, Word 
     if (!block.is_forgotten)
         return;
     // The rest of this block may have changed: it ends after this instruction.
+    instructions_ -= instructions_after(block, entry);
     Entry& rest = const_cast<Entry&>((&entry)[1]);
     rest = {Operation::go_on, 0, entry.after, place_of(block, entry) + entry.length};
 }

@@ -118,10 +118,11 @@ bool Core::finish_pending(HalfCycles limit, bool punctual, Pause& pause) {
     }
     const Operation operation = pending_->operation;
     const bool link = concerns_link(operation);
+    const HalfCycles due = due_;
     pending_.reset();
     perform(operation);
-    pause = Pause::on_time;
-    return !link;
+    pause = Pause::on_time; // if the caller's limit may be too late now
+    return !link && (due_ >= due || !memory_is_shared_);
 }
 
 /// Returns whether the cycles of an instruction depend on what links do, or on clocks.

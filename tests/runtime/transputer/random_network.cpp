@@ -81,7 +81,9 @@ public:
         for (std::uint32_t i = 0; i < processes_; ++i)
             main += fmt::format("ldc p{}\nldc #{:X}\nstnl -1\nldc #{:X}\nrunp\n", i, workspace(i),
                                 workspace(i) + !random_.chance(0.3));
-        return main + "stopp\n" + text_;
+        // Hardly any node sends bytes to one that its host has not booted yet.
+        const bool waits = random_.chance(0.95);
+        return (waits ? "ldc 0\nsttimer\nldc 3\ntin\n" : "") + main + "stopp\n" + text_;
     }
     std::uint32_t main_workspace() const { return workspace(15); }
 
