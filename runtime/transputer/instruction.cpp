@@ -17,12 +17,15 @@ constexpr Instruction instruction_table[] = {
     {NAME(name), code, Unit::direct, cycles, extra, accesses, all_models},
 #define OPERATION(code, name, cycles, extra, accesses, models, ...)                                                    \
     {NAME(name), code, Unit::integer, cycles, extra, accesses, models},
-#define REAL(code, name, cycles, accesses, ...) {NAME(name), code, Unit::reals, 1, 200, accesses, with_reals},
-#define RESULT(code, name, cycles, accesses, ...) {NAME(name), code, Unit::reals, 1, 200, accesses, with_reals},
-#define SELECTED(code, name, cycles, ...) {NAME(name), code, Unit::selected, 1, 200, 0, with_reals},
+// The integer unit waits for an operation on reals at most for the operations before it: each adds its own cycles.
+#define DOUBLE true
+#define REAL(code, name, cycles, accesses, ...) {NAME(name), code, Unit::reals, 1, cycles, accesses, with_reals},
+#define RESULT(code, name, cycles, accesses, ...) {NAME(name), code, Unit::reals, 1, 2 * (cycles), accesses, with_reals},
+#define SELECTED(code, name, cycles, ...) {NAME(name), code, Unit::selected, 1, cycles, 0, with_reals},
 #define SCHEDULING(code, name, cycles, models) {NAME(name), code, Unit::scheduler, cycles, 0, 0, models},
 #include "runtime/transputer/instructions.inc"
 #undef NAME
+#undef DOUBLE
 #undef FUNCTION
 #undef OPERATION
 #undef REAL

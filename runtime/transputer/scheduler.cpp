@@ -53,7 +53,7 @@ Core::Core(Model model, std::uint64_t memory_bytes, const CoreTiming& timing, Li
       penalty_(2 * static_cast<HalfCycles>(timing.memory_cycles - 1)) {
     for (Word address = most_negative; address < most_negative + traits_.memory_start; address += 4)
         store(address, not_a_process);
-    begin_slice(Time{});
+    begin_slice();
     find_due();
 }
 
@@ -69,7 +69,7 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
             attend();
         }
         if (priority_ == 1 && running_ && front_[0] != not_a_process &&
-            (!pending_ || !pending_->begun || can_be_interrupted(pending_->operation)))
+            (!pending_ || can_be_interrupted(pending_->operation)))
             interrupt();
         if (!running_ && !dispatch())
             return Pause::idle;
@@ -80,6 +80,8 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
         }
         if (local_ >= limit)
             return Pause::limit;
+        if (local_ >= due_)
+            continue; // an interrupt or return took the time until a timer
         switch (execute(std::min(limit, due_) - local_)) {
         case Left::budget: break;
         case Left::scheduling: pending_ = Pending{begun_, 0, false}; break;
@@ -103,15 +105,14 @@ bool Core::finish_pending(HalfCycles limit, bool punctual, Pause& pause) {
     }
     const HalfCycles until = std::min(limit, due_);
     const HalfCycles room = until > local_ ? until - local_ : 0;
-    if (pending_->left > room) {
+    const bool timer_first = pending_->left > 0 && local_ + pending_->left == due_;
+    if (pending_->left > room || timer_first) {
         local_ += room;
         pending_->left -= room;
         pause = Pause::limit;
         return local_ < limit;
     }
     local_ += std::exchange(pending_->left, 0);
-    if (local_ >= due_)
-        return true; // timers come first
     if (local_ != on_time_at_ && must_be_on_time(pending_->operation, punctual)) {
         pause = Pause::on_time;
         return false;
@@ -186,8 +187,7 @@ void Core::pass_idle_time(Time now) {
     fpu_free_ = fpu_free_ > passed ? fpu_free_ - passed : 0;
     local_ = 0;
     origin_ = now;
-    if (slice_ends_ <= now)
-        begin_slice(now);
+    begin_slice();
     find_due();
 }
 
@@ -200,20 +200,21 @@ void Core::lose_accesses(std::uint64_t words) {
 /// Attends to timers that are due and to the end of a timeslice period.
 void Core::attend() {
     const Time now = local_time();
+    if (now >= slice_ends_) {
+        ++slices_seen_;
+        begin_slice();
+    }
     if (next_timer_ <= now) {
         wake_timers(0);
         wake_timers(1);
         find_next_timer();
     }
-    if (now >= slice_ends_) {
-        ++slices_seen_;
-        begin_slice(now);
-    }
     find_due();
     due_ = std::max(due_, local_ + 1);
 }
 
-void Core::begin_slice(Time now) {
+void Core::begin_slice() {
+    const Time now = local_time();
     slice_ends_ = now - now % hardware::Processor::timeslice + hardware::Processor::timeslice;
 }
 
@@ -442,7 +443,10 @@ HalfCycles Core::cost_of(Operation operation) {
     case Operation::in:
     case Operation::out: return cost_of_communication(r.b, r.c, r.a);
     case Operation::outbyte:
-    case Operation::outword: return cycles - (hard_channel(r.b) < 0 && load(r.b) == not_a_process ? 4 : 0);
+    case Operation::outword: {
+        const bool second = hard_channel(r.b) >= 0 || cost_of_communication(r.b, r.workspace, 4) > 2 * 19;
+        return cycles - (second ? 0 : 4);
+    }
     case Operation::move:
         return cycles + 4 * words_touched(r.c, r.a) + outside_words(r.c, r.a) + outside_words(r.b, r.a);
     case Operation::move2dall:
