@@ -51,7 +51,7 @@ struct Registers {
 };
 
 /// Why a core no longer executes. `nothing`: it does.
-enum class Stopped : std::uint8_t { nothing, by_error, by_unknown_instruction, by_bad_address, by_break };
+enum class Stopped : std::uint8_t { nothing, by_error, by_unknown_instruction, by_bad_address, by_break, by_analyse };
 
 /// The processor core of an emulated transputer: registers, memory, both queues of processes, both timer queues. It
 /// executes instructions with the cycles of the published table, and knows neither the kernel nor the wires.
@@ -120,6 +120,12 @@ public:
     /// Returns whether a process runs or is ready.
     bool is_active() const { return running_ || front_[0] != not_a_process || front_[1] != not_a_process; }
 
+    /// Lets the core stop at the next j, lend or wait, as the analyse pin does.
+    void stop_for_analyse() { is_analysed_ = true; }
+    /// Makes a core that has stopped ready for another boot, after which `testpranal` pushes TRUE. Saves the registers
+    /// of a process of low priority below MemStart. Keeps memory and queues, and stops the clocks.
+    void reset_after_analyse();
+
     Stopped stopped() const { return stopped_; }
     /// Describes why the core stopped, with the instruction and its address: "instruction #1F2 at #80000104 is unknown
     /// to a T800".
@@ -127,6 +133,7 @@ public:
 
     Model model() const { return model_; }
     NodeMemory& memory() { return memory_; }
+    const NodeMemory& memory() const { return memory_; }
     const Registers& registers() const { return registers_; }
     bool high_priority() const { return priority_ == 0; }
     bool halts_on_error() const { return halts_on_error_; }
@@ -182,6 +189,7 @@ private:
     void take_front(int priority);
     void continue_at(Word workspace, int priority);
     void set_priority(int priority);
+    void save_process();
     void interrupt();
     void resume_interrupted();
     void leave_processor();
@@ -247,10 +255,11 @@ private:
 
     Registers registers_;
     int priority_ = 1;
-    bool running_ = false;
+    bool running_ = false, was_running_ = false; ///< the latter: when the core stopped
     bool memory_is_shared_ = false;
     bool halts_on_error_ = false;
     bool analysed_ = false, breaks_at_j0_ = false;
+    bool is_analysed_ = false; ///< the analyse pin is set
     Stopped stopped_ = Stopped::nothing;
     Word stopped_at_ = 0;      ///< the address that was bad
     bool other_error_ = false; ///< Error of the interrupted process

@@ -155,7 +155,7 @@ Core::Left Core::execute(HalfCycles budget) {
     const std::uint8_t* const code_flags = memory_.code_flags();
     const Word size = memory_.size(), on_chip = traits_.bytes_on_chip;
     const HalfCycles penalty = penalty_;
-    const bool slice_is_over = priority_ == 1 && slices_seen_ >= 2 && front_[1] != not_a_process;
+    const bool slice_is_over = is_analysed_ || (priority_ == 1 && slices_seen_ >= 2 && front_[1] != not_a_process);
     Word A = registers_.a, B = registers_.b, C = registers_.c, W = registers_.workspace;
     Word next = registers_.instruction, value = 0, bad = 0, last_fetched = last_fetched_;
     std::uint64_t wide = 0;

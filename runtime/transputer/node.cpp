@@ -35,6 +35,10 @@ void Node::has_link(hardware::Link& link) {
 // Running
 
 void Node::happen() noexcept {
+    if (activity_ == Activity::listening)
+        return listen();
+    if (is_halted())
+        return;
     if (std::exchange(is_idle_, false)) {
         busy_ += core_.local_time() - core_.time_at(0);
         core_.pass_idle_time(kernel_.now());
@@ -54,6 +58,8 @@ void Node::run() {
     if (pause == Core::Pause::idle)
         return be_idle();
     if (pause == Core::Pause::stopped && core_.local_time() <= kernel_.now()) {
+        if (core_.stopped() == Stopped::by_analyse)
+            return end_analysis();
         activity_ = Activity::stopped;
         return when_stopped_();
     }
@@ -67,7 +73,7 @@ void Node::run() {
 HalfCycles Node::limit() const {
     const EventQueue& future = kernel_.future();
     const Time next_event = future.empty() ? Time::max() : future.next_time();
-    Time until = later(kernel_.now(), most_ahead_);
+    Time until = std::min({later(kernel_.now(), most_ahead_), halts_at_, analysed_at_});
     if (core_.may_be_interrupted())
         until = std::min(until, next_event);
     const HalfCycles next = core_.local() + 1, end = std::max(core_.half_cycle_at(until), next);
@@ -101,7 +107,7 @@ std::uint64_t Node::words_moved() {
 
 /// Notes what a link has done, for the next turn of the core. An idle core has its turn at once, after all links.
 void Node::note(const Wake& wake) {
-    if (activity_ != Activity::booted)
+    if (activity_ != Activity::booted || is_halted())
         return;
     wakes_.push_back(wake);
     if (is_idle_)
@@ -153,14 +159,12 @@ void Node::begin_transfer(int channel, Word address, Word bytes) {
     if (channel >= 2 * links)
         return; // the event channel: nothing is connected to its pin
     Port& port = ports_[static_cast<std::size_t>(channel % links)];
-    if (channel < links) {
+    if (channel < links && port.out && !port.out->is_giving()) {
         port.read_from = NodeMemory::offset_of(address);
-        if (port.out && !port.out->is_giving())
-            port.out->give(bytes);
-    } else {
+        port.out->give(bytes);
+    } else if (channel >= links && port.in && !port.in->is_taking()) {
         port.write_to = NodeMemory::offset_of(address);
-        if (port.in && !port.in->is_taking())
-            port.in->take(bytes);
+        port.in->take(bytes);
     }
 }
 
@@ -169,15 +173,19 @@ bool Node::byte_waits(int channel) {
     return port.in && port.in->has_byte();
 }
 
-void Node::reset(int) {}
+void Node::reset(int channel) {
+    const Port& port = ports_[static_cast<std::size_t>(channel % links)];
+    if (channel < links && port.out)
+        port.out->reset_giving();
+    else if (channel >= links && channel < 2 * links && port.in)
+        port.in->reset_taking();
+}
 
 void Node::transfer_ended(int channel) {
-    if (activity_ == Activity::listening) {
-        listening_ = Listening::for_command;
-        listen(channel % links);
-        return;
-    }
-    note({kernel_.now(), channel, true});
+    if (activity_ == Activity::listening)
+        obey_next();
+    else
+        note({kernel_.now(), channel, true});
 }
 
 void Node::taken(int link) {
@@ -188,28 +196,42 @@ void Node::taken(int link) {
 }
 
 void Node::byte_has_come(int link) {
-    if (activity_ == Activity::listening) {
-        listen(link);
-        return;
-    }
-    note({kernel_.now(), links + link, false});
+    if (activity_ == Activity::listening)
+        kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
+    else
+        note({kernel_.now(), links + link, false});
 }
 
 // Reset and boot
 
-/// Reads a command from a link, unless the command of another link is being obeyed.
-void Node::listen(int link) {
-    if (heard_link_ && *heard_link_ != link)
-        return;
-    heard_link_ = link;
-    heard_.clear();
-    ports_[static_cast<std::size_t>(link)].in->take(1);
+/// Reads a command from the first link at which a byte waits, unless another command is being obeyed.
+void Node::listen() {
+    for (int link = 0; link < links && !heard_link_ && !is_halted(); ++link)
+        if (byte_waits(links + link)) {
+            heard_link_ = link;
+            heard_.clear();
+            listening_ = Listening::for_command;
+            ports_[static_cast<std::size_t>(link)].in->take(1);
+        }
+}
+
+/// A command has been obeyed: listens again, after all that happens at this time.
+void Node::obey_next() {
+    heard_link_.reset();
+    kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
 }
 
 void Node::hear(std::span<const std::uint8_t> bytes) { heard_.insert(heard_.end(), bytes.begin(), bytes.end()); }
 
+/// Returns the offset of a word. Addresses outside of the memory reach it again, as on most boards.
+Word Node::wrapped(Word address) const {
+    return NodeMemory::offset_of(address) % core_.memory().size() & ~Word{3};
+}
+
 /// Acts on a command, or on the bytes that belong to it.
 void Node::obey(int link) {
+    if (is_halted())
+        return;
     Port& port = ports_[static_cast<std::size_t>(link)];
     const std::vector<std::uint8_t> heard = std::exchange(heard_, {});
     switch (listening_) {
@@ -220,26 +242,54 @@ void Node::obey(int link) {
         return;
     }
     case Listening::for_poke:
-        core_.copy_to_memory(NodeMemory::offset_of(word_of(std::span(heard).subspan<0, 4>())),
-                             std::span(heard).subspan<4, 4>());
-        listening_ = Listening::for_command;
-        heard_link_.reset();
-        break;
+        core_.copy_to_memory(wrapped(word_of(std::span(heard).subspan<0, 4>())), std::span(heard).subspan<4, 4>());
+        return obey_next();
     case Listening::for_peek:
         listening_ = Listening::answering;
-        port.read_from = NodeMemory::offset_of(word_of(std::span(heard).subspan<0, 4>()));
+        port.read_from = wrapped(word_of(std::span(heard).subspan<0, 4>()));
         port.out->give(4);
         return;
     case Listening::for_code:
         activity_ = Activity::booted;
+        heard_link_.reset();
         core_.copy_to_memory(traits_of(core_.model()).memory_start, heard);
         core_.boot(static_cast<Word>(heard.size()), links + link);
-        return kernel_.future().schedule(*this, kernel_.now(), EventQueue::turn);
+        kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
+        return;
     case Listening::answering: return;
     }
-    for (int each = 0; each < links && !heard_link_; ++each)
-        if (byte_waits(each))
-            listen(each);
+}
+
+// Halt and analyse
+
+Node::Activity Node::activity() const { return is_halted() ? Activity::halted : activity_; }
+
+bool Node::is_halted() const { return kernel_.now() >= halts_at_; }
+
+void Node::analyse_at(Time moment) {
+    analysed_at_ = moment;
+    kernel_.future().reschedule(analysis_, moment, EventQueue::timer);
+}
+
+void Node::begin_analysis() {
+    analysed_at_ = Time::max();
+    if (is_halted() || activity_ == Activity::listening)
+        return;
+    core_.stop_for_analyse();
+    if (activity_ == Activity::stopped)
+        end_analysis();
+    else if (activity_ == Activity::booted && is_idle_)
+        kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
+}
+
+/// Resets the links, and listens to them.
+void Node::end_analysis() {
+    core_.reset_after_analyse();
+    for (int channel = 0; channel < 2 * links; ++channel)
+        reset(channel);
+    wakes_.clear();
+    activity_ = Activity::listening;
+    is_idle_ = true;
 }
 
 } // namespace placedpar::transputer

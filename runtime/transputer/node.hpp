@@ -35,7 +35,7 @@ public:
     static constexpr int links = 4;
 
     /// The activity of a node. A node that was never booted is `listening` at the end of the run.
-    enum class Activity : std::uint8_t { listening, booted, stopped };
+    enum class Activity : std::uint8_t { listening, booted, stopped, halted };
 
     /// Throws as the constructor of NodeMemory.
     Node(Kernel&, std::string name, Model, std::uint64_t memory_bytes, const CoreTiming&);
@@ -50,8 +50,17 @@ public:
     /// begun.
     void run_instruction_by_instruction() { most_ahead_ = Time{0}; }
 
+    /// Stops the node at a time. It executes nothing more, and takes no commands of a boot. Its link engines finish the
+    /// transfers that are under way. REQUIRES: the run has not begun.
+    void halt_at(Time moment) { halts_at_ = std::min(halts_at_, moment); }
+    /// Sets the pin analyse at a time, and then the pin reset: the core stops at its next j, lend or wait. Then the links
+    /// are reset, and the node listens to them as after reset. The memory stays as it is, except for the registers of
+    /// the process, which are saved below MemStart (Core::reset_after_analyse). Source: IMS T800 data sheet, "analyse".
+    /// REQUIRES: the run has not begun.
+    void analyse_at(Time);
+
     const std::string& name() const { return name_; }
-    Activity activity() const { return activity_; }
+    Activity activity() const;
     Core& core() { return core_; }
     const Core& core() const { return core_; }
     /// Returns how long instructions were executed, with waits for the memory.
@@ -91,7 +100,17 @@ private:
         bool operator<(const Wake& other) const { return at != other.at ? at < other.at : channel < other.channel; }
     };
 
+    /// The moment at which the pin analyse is set.
+    struct Analysis final : Event {
+        explicit Analysis(Node& n) : node(n) {}
+        void happen() noexcept override { node.begin_analysis(); }
+        Node& node;
+    };
+
     void happen() noexcept override;
+    void begin_analysis();
+    void end_analysis();
+    bool is_halted() const;
     void run();
     HalfCycles limit() const;
     bool settle();
@@ -110,7 +129,9 @@ private:
     void byte_has_come(int link);
 
     // Reset and boot
-    void listen(int link);
+    void listen();
+    void obey_next();
+    Word wrapped(Word address) const;
     void hear(std::span<const std::uint8_t>);
     void obey(int link);
 
@@ -125,6 +146,8 @@ private:
     std::uint64_t words_settled_ = 0;
     Time busy_{};
     Time most_ahead_ = std::chrono::microseconds{100};
+    Time halts_at_ = Time::max(), analysed_at_ = Time::max();
+    Analysis analysis_{*this};
     std::vector<Wake> wakes_; ///< since the last turn of the core
     bool is_idle_ = true;
     Activity activity_ = Activity::listening;

@@ -68,6 +68,10 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
                 return Pause::limit;
             attend();
         }
+        if (is_analysed_ && !running_) {
+            fault(Stopped::by_analyse, 0);
+            return Pause::stopped;
+        }
         if (priority_ == 1 && running_ && front_[0] != not_a_process &&
             (!pending_ || can_be_interrupted(pending_->operation)))
             interrupt();
@@ -85,7 +89,12 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
         switch (execute(std::min(limit, due_) - local_)) {
         case Left::budget: break;
         case Left::scheduling: pending_ = Pending{begun_, 0, false}; break;
-        case Left::timeslice: pending_ = Pending{Operation::go_on, 0}; break;
+        case Left::timeslice:
+            if (is_analysed_)
+                fault(Stopped::by_analyse, 0);
+            else
+                pending_ = Pending{Operation::go_on, 0};
+            break;
         case Left::halt: fault(Stopped::by_error, registers_.instruction); break;
         case Left::unknown:
         case Left::unknown_selector: fault(Stopped::by_unknown_instruction, stopped_at_); break;
@@ -278,11 +287,15 @@ void Core::set_priority(int priority) {
 }
 
 /// Saves the running process of low priority below MemStart.
-void Core::interrupt() {
+void Core::save_process() {
     const Registers& r = registers_;
     const Word saved[] = {descriptor(), r.instruction, r.a, r.b, r.c, r.error ? sign_bit : 0, 0};
     for (Word i = 0; i < std::size(saved); ++i)
         store(reserved::saved + 4 * i, saved[i]);
+}
+
+void Core::interrupt() {
+    save_process();
     interrupted_fpu_ = fpu_;
     interrupted_pending_ = std::exchange(pending_, std::nullopt);
     interrupted_slices_ = slices_seen_;
@@ -335,6 +348,17 @@ void Core::boot(Word code_bytes, int input_channel) {
     set_priority(1);
     running_ = true;
     slices_seen_ = 0;
+}
+
+void Core::reset_after_analyse() {
+    const bool waited = stopped_ == Stopped::by_analyse && !was_running_;
+    stopped_ = Stopped::nothing;
+    if (priority_ == 1 && !waited)
+        save_process();
+    is_analysed_ = running_ = clocks_run_ = false;
+    analysed_ = true;
+    pending_.reset();
+    find_next_timer();
 }
 
 void Core::end_process() {
@@ -635,7 +659,7 @@ void Core::fault(Stopped why, Word address) {
         return;
     stopped_ = why;
     stopped_at_ = address;
-    running_ = false;
+    was_running_ = std::exchange(running_, false);
 }
 
 std::string Core::why_stopped() const {
@@ -650,6 +674,7 @@ std::string Core::why_stopped() const {
         return fmt::format(
             "the instruction at #{:08X} uses the address #{:08X}, but memory is from #80000000 to #{:08X}", at,
             stopped_at_, most_negative + memory_.size() - 1);
+    case Stopped::by_analyse: return fmt::format("analyse has stopped it before #{:08X}", at);
     case Stopped::by_break: return fmt::format("the instruction before #{:08X} is a breakpoint", at);
     }
     return "";

@@ -86,7 +86,7 @@ public:
 
 /// Returns the word at this offset from the beginning of the memory.
 inline std::uint32_t word_at(const transputer::Node& node, std::uint32_t offset) {
-    return const_cast<transputer::Node&>(node).core().memory().word(offset);
+    return node.core().memory().word(offset);
 }
 
 } // namespace placedpar::test
