@@ -39,8 +39,8 @@ private:
 
     std::function<bool()> interrupted_;
     int input_, output_;
-    bool is_terminal_;
     termios found_{}; ///< the terminal's settings at the start
+    bool is_terminal_;
     Mode mode_ = Mode::as_found;
     bool ended_ = false;
     std::string read_; ///< bytes that were read, and not yet used
