@@ -131,6 +131,7 @@ Block* DecodedCode::single(Word address) {
         return nullptr;
     std::copy_n(scratch_.begin(), 2, front_.entries.get());
     front_.most = 0;
+    front_.whole = nullptr;
     return &front_;
 }
 
@@ -143,6 +144,7 @@ Block* DecodedCode::front_of(const Block& block, std::uint64_t half_cycles) {
         bytes += block.entries[i].length;
     std::copy_n(block.entries.get(), count, front_.entries.get());
     front_.entries[count] = {Operation::go_on, 0, block.entries[count - 1].after, block.start + bytes};
+    front_.whole = &block;
     front_.start = block.start;
     front_.bytes = bytes;
     front_.first_word = block.first_word;
@@ -178,6 +180,7 @@ void DecodedCode::forget_page(Word index) {
     if (!page)
         return;
     for (std::unique_ptr<Block>& block : page->starting) {
+        block->is_forgotten = true;
         bytes_used_ -= bytes_of(*block);
         forgotten_.push_back(std::move(block));
     }

@@ -68,7 +68,10 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
         if (priority_ == 1 && running_ && front_[0] != not_a_process &&
             (!pending_ || can_be_interrupted(pending_->operation)))
             interrupt();
-        if (!running_ && !dispatch())
+        const bool has_process = running_ || dispatch();
+        if (stopped_ != Stopped::nothing)
+            return Pause::stopped;
+        if (!has_process)
             return Pause::idle;
         if (pending_) {
             if (!finish_pending(limit, punctual, pause))
