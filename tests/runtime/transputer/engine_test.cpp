@@ -110,15 +110,7 @@ public:
         return plain.stopped;
     }
 
-    std::uint64_t core_time() const {
-        return static_cast<std::uint64_t>(core.local_time().count()) * clock_mhz_ / 500'000;
-    }
-
-    PlainTransputer plain;
-    NoLinks no_links;
-    transputer::Core core;
-
-private:
+    /// Runs the core alone. Time passes while it is idle.
     void run_core(std::uint64_t until, bool punctual) {
         for (;;) {
             const auto base = core_time() - core.local();
@@ -137,6 +129,15 @@ private:
         }
     }
 
+    std::uint64_t core_time() const {
+        return static_cast<std::uint64_t>(core.local_time().count()) * clock_mhz_ / 500'000;
+    }
+
+    PlainTransputer plain;
+    NoLinks no_links;
+    transputer::Core core;
+
+private:
     std::string differences(std::uint64_t expected, std::uint64_t half_cycles) const {
         const transputer::Registers& r = core.registers();
         std::string result;
@@ -274,6 +275,33 @@ void compare_random_programs(std::size_t count) {
 }
 
 } // namespace
+
+TEST_CASE("damaged programs do the same however far the core runs ahead") {
+    for (const auto seed : seeds(getenv("MANY") ? atoi(getenv("MANY")) : 150)) {
+        INFO(replay(seed));
+        RandomStream random(seed, "damage");
+        const auto code = random_code(seed, {.model = plain_models[seed % 5], .data_first = seed % 2 == 0});
+        auto bytes = assemble(code.source, code.origin).bytes;
+        for (std::uint32_t i = random.below(6); i > 0; --i)
+            bytes[random.below(static_cast<std::uint32_t>(bytes.size()))] = static_cast<std::uint8_t>(random());
+        Both at_once(seed % 5, 65536, 3, 1), in_pieces(seed % 5, 65536, 3, 1);
+        for (Both* each : {&at_once, &in_pieces}) {
+            each->poke(code.origin, bytes);
+            each->set({code.origin, code.workspace, 0, 0, 0, false});
+        }
+        const std::uint64_t end = 60'000;
+        while (in_pieces.core.stopped() == transputer::Stopped::nothing && in_pieces.core_time() < end &&
+               random.below(500))
+            in_pieces.run_core(std::min<std::uint64_t>(in_pieces.core_time() + random.below(300), end),
+                               random.below(2));
+        for (Both* each : {&at_once, &in_pieces})
+            each->run_core(end, false);
+        CHECK(at_once.core_time() == in_pieces.core_time());
+        CHECK(at_once.core.why_stopped() == in_pieces.core.why_stopped());
+        CHECK(std::equal(at_once.core.memory().data(), at_once.core.memory().data() + 65536,
+                         in_pieces.core.memory().data()));
+    }
+}
 
 // 120,000 instructions.
 TEST_CASE("random programs run on the engine as on the plain transputer") { compare_random_programs(200); }
