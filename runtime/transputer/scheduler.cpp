@@ -114,6 +114,8 @@ bool Core::finish_pending(HalfCycles limit, bool punctual, Pause& pause) {
             return false;
         }
         *pending_ = {pending_->operation, cost_of(pending_->operation)};
+        if (stopped_ != Stopped::nothing)
+            return true;
     }
     const HalfCycles until = std::min(limit, due_);
     const HalfCycles room = until > local_ ? until - local_ : 0;
