@@ -80,6 +80,8 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
             return Pause::stopped;
         if (!has_process)
             return Pause::idle;
+        if (local_ >= due_)
+            continue; // an interrupt or return took the time until a timer
         if (pending_) {
             if (!finish_pending(limit, punctual, pause))
                 return pause;
@@ -87,8 +89,6 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
         }
         if (local_ >= limit)
             return Pause::limit;
-        if (local_ >= due_)
-            continue; // an interrupt or return took the time until a timer
         switch (execute(std::min(limit, due_) - local_)) {
         case Left::budget: break;
         case Left::scheduling: pending_ = Pending{begun_, 0, false}; break;
