@@ -131,7 +131,7 @@ Block* DecodedCode::single(Word address) {
         return nullptr;
     std::copy_n(scratch_.begin(), 2, front_.entries.get());
     front_.most = 0;
-    front_.is_forgotten = false;
+    front_.whole = nullptr;
     return &front_;
 }
 
@@ -144,13 +144,13 @@ Block* DecodedCode::front_of(const Block& block, std::uint64_t half_cycles) {
         bytes += block.entries[i].length;
     std::copy_n(block.entries.get(), count, front_.entries.get());
     front_.entries[count] = {Operation::go_on, 0, block.entries[count - 1].after, block.start + bytes};
+    front_.whole = &block;
     front_.start = block.start;
     front_.bytes = bytes;
     front_.first_word = block.first_word;
     front_.first_fetch = block.first_fetch;
     front_.last_word = NodeMemory::offset_of(block.start + bytes - 1) & ~Word{3};
     front_.instructions = static_cast<std::uint32_t>(count);
-    front_.is_forgotten = false;
     return &front_;
 }
 

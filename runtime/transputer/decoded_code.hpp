@@ -28,6 +28,7 @@ struct Block {
     std::uint32_t instructions = 0;
     std::uint16_t first_fetch = 0; ///< half cycles if the first word must be fetched
     bool is_forgotten = false;     ///< its code was written to
+    const Block* whole = nullptr;  ///< the block of which this one is the front
     Word start = 0;                ///< address of its first byte
     Word bytes = 0;                ///< of its instructions
     std::unique_ptr<std::uint32_t[]> bounds; ///< for each instruction: the most half cycles up to its end

@@ -250,6 +250,7 @@ unknown:
     goto leave;
 unknown_selector:
     next = place_of(*block, *entry);
+    spent += entry->after;
     instructions_ -= instructions_after(*block, *entry);
     left = Left::unknown_selector;
     goto leave;
@@ -283,11 +284,9 @@ Word Core::place_of(const Block& block, const Entry& entry) const {
 
 void Core::code_was_written(Block& block, const Entry& entry, Word offset, Word bytes) {
     code_.forget(offset, bytes);
-    const Word begin = NodeMemory::offset_of(block.start);
-    if (offset + bytes <= begin || offset >= begin + block.bytes)
+    if (!(block.whole ? block.whole : &block)->is_forgotten)
         return;
-    // The rest of this block may have changed: it ends after this instruction. The block may be a copy of the beginning
-    // of the one that was forgotten.
+    // The rest of this block may have changed: it ends after this instruction.
     instructions_ -= instructions_after(block, entry);
     Entry& rest = const_cast<Entry&>((&entry)[1]);
     rest = {Operation::go_on, 0, entry.after, place_of(block, entry) + entry.length};

@@ -75,8 +75,13 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
         if (priority_ == 1 && running_ && front_[0] != not_a_process &&
             (!pending_ || can_be_interrupted(pending_->operation)))
             interrupt();
-        if (!running_ && !dispatch())
+        const bool has_process = running_ || dispatch();
+        if (stopped_ != Stopped::nothing)
+            return Pause::stopped;
+        if (!has_process)
             return Pause::idle;
+        if (local_ >= due_)
+            continue; // an interrupt or return took the time until a timer
         if (pending_) {
             if (!finish_pending(limit, punctual, pause))
                 return pause;
@@ -84,8 +89,6 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
         }
         if (local_ >= limit)
             return Pause::limit;
-        if (local_ >= due_)
-            continue; // an interrupt or return took the time until a timer
         switch (execute(std::min(limit, due_) - local_)) {
         case Left::budget: break;
         case Left::scheduling: pending_ = Pending{begun_, 0, false}; break;
@@ -111,6 +114,8 @@ bool Core::finish_pending(HalfCycles limit, bool punctual, Pause& pause) {
             return false;
         }
         *pending_ = {pending_->operation, cost_of(pending_->operation)};
+        if (stopped_ != Stopped::nothing)
+            return true;
     }
     const HalfCycles until = std::min(limit, due_);
     const HalfCycles room = until > local_ ? until - local_ : 0;

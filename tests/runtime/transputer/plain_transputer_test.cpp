@@ -108,6 +108,14 @@ TEST_CASE("the assembler makes the shortest code for each operand") {
         }
 }
 
+TEST_CASE("a listing has the address and bytes of each line") {
+    const auto program = assemble("-- counts down\nstart: ldl 1; adc -1\n  j start", 0x80000070);
+    CHECK(program["start"] == 0x80000070);
+    CHECK(program.listing() == "                                    -- counts down\n"
+                               "80000070  71 60 8F                  start: ldl 1; adc -1\n"
+                               "80000073  60 0B                       j start\n");
+}
+
 TEST_CASE("the assembler names the line of an error") {
     const auto message = [](const char* source) -> std::string {
         try {
