@@ -133,15 +133,20 @@ public:
     /// Sets the registers of the running process, for tests and debuggers.
     void set_registers(const Registers&, int priority);
     void set_halts_on_error(bool halts) { halts_on_error_ = halts; }
-    /// Executes one instruction at a time, and calls this after each: for listings and debuggers.
+    /// Watches the instructions, for listings and debuggers. REQUIRES: it only reads the core.
     class Watcher {
     public:
-        /// `at`: address of the first byte with its prefixes. `spent`: half cycles.
+        /// An instruction will be executed: registers and memory are as it finds them. `at`: address of its first byte
+        /// with its prefixes.
+        virtual void begins(Word at) = 0;
+        /// The instruction that began last was executed, and did not stop the core. An instruction of the scheduler has
+        /// its effect only now. `spent`: half cycles, without those in which its process waits or is interrupted.
         virtual void executed(Word at, HalfCycles spent) = 0;
 
     protected:
         ~Watcher() = default;
     };
+    /// Executes one instruction at a time from now on, with the same results. REQUIRES: `watcher` outlives the run.
     void watch(Watcher* watcher) { watcher_ = watcher; }
 
 private:
@@ -159,6 +164,8 @@ private:
     void code_was_written(Block&, const Entry&, Word offset, Word bytes);
 
     // scheduler.cpp: processes, channels, moves
+    void execute_until(HalfCycles);
+    void act_on(Left);
     bool finish_pending(HalfCycles limit, bool punctual, Pause&);
     bool must_be_on_time(Operation, bool punctual) const;
     void attend();

@@ -7,54 +7,8 @@ namespace placedpar::transputer {
 namespace {
 
 constexpr unsigned longest_block = 48; // instructions
-constexpr Word most_prefixes = 200;    // of an instruction; ours
 constexpr Word longest_reach = (longest_block * (most_prefixes + 1)) / NodeMemory::page_bytes + 1; // pages
 constexpr unsigned most_static_cost = 8000; // half cycles of a block
-
-/// Returns whether the operand of a direct function counts words.
-bool counts_words(Operation operation) {
-    switch (operation) {
-    case Operation::ldlp:
-    case Operation::ldnl:
-    case Operation::ldnlp:
-    case Operation::ldl:
-    case Operation::ajw:
-    case Operation::stl:
-    case Operation::stnl: return true;
-    default: return false;
-    }
-}
-
-bool branches_by_operand(Operation operation) {
-    return operation == Operation::j || operation == Operation::call || operation == Operation::cj;
-}
-
-/// An instruction as it stands in memory.
-struct Read {
-    Operation operation = Operation::unknown;
-    Word operand = 0;
-    Word length = 0; ///< 0: it does not end within the memory
-};
-
-Read read_instruction(const NodeMemory& memory, Word offset, Model model) {
-    Read result;
-    for (Word at = offset; at < memory.size() && at - offset <= most_prefixes; ++at) {
-        const std::uint8_t byte = memory.byte(at);
-        const Word function = byte >> 4;
-        result.operand |= byte & 15;
-        if (function == 2) {
-            result.operand <<= 4;
-        } else if (function == 6) {
-            result.operand = ~result.operand << 4;
-        } else {
-            result.length = at + 1 - offset;
-            // Bits above the tenth of the code of an operation are ignored: compilers pad with prefixes.
-            result.operation = function == 15 ? operation_of(result.operand & 0x3ff, model) : function_of(function);
-            return result;
-        }
-    }
-    return result;
-}
 
 } // namespace
 
@@ -83,7 +37,7 @@ bool DecodedCode::fill(Block& block, Word address, unsigned most_instructions) {
     std::size_t count = 0;
     bool ended = false;
     while (!ended && count < most_instructions && after < most_static_cost) {
-        const Read read = read_instruction(memory_, at, timing_.model);
+        const CodedInstruction read = read_instruction(memory_.bytes(at, memory_.size() - at), timing_.model);
         if (read.length == 0)
             break;
         const Word next = at + read.length;

@@ -167,7 +167,7 @@ Core::Left Core::execute(HalfCycles budget) {
 begin_block:
     if (spent >= budget)
         goto leave;
-    block = watcher_ ? nullptr : code_.at(next);
+    block = code_.at(next);
     if (!block || spent + block->most > budget) {
         block = code_.single(next);
         if (!block) {
@@ -215,15 +215,11 @@ begin_block:
 
 branch:
     spent += entry->after;
-    if (watcher_)
-        watcher_->executed(block->start, spent);
     if (code_.must_sweep())
         code_.sweep();
     goto begin_block;
 branch_or_give_way:
     spent += entry->after;
-    if (watcher_)
-        watcher_->executed(block->start, spent);
     if (!slice_is_over)
         goto begin_block;
     left = Left::timeslice;
@@ -282,5 +278,7 @@ void Core::code_was_written(Block& block, const Entry& entry, Word offset, Word 
     Entry& rest = const_cast<Entry&>((&entry)[1]);
     rest = {Operation::go_on, 0, entry.after, place_of(block, entry) + entry.length};
 }
+
+#undef DOUBLE // instruction.cpp gives it another value
 
 } // namespace placedpar::transputer

@@ -17,12 +17,16 @@ constexpr Instruction instruction_table[] = {
     {NAME(name), code, Unit::direct, cycles, extra, accesses, all_models},
 #define OPERATION(code, name, cycles, extra, accesses, models, ...)                                                    \
     {NAME(name), code, Unit::integer, cycles, extra, accesses, models},
-#define REAL(code, name, cycles, accesses, ...) {NAME(name), code, Unit::reals, 1, 200, accesses, with_reals},
-#define RESULT(code, name, cycles, accesses, ...) {NAME(name), code, Unit::reals, 1, 200, accesses, with_reals},
-#define SELECTED(code, name, cycles, ...) {NAME(name), code, Unit::selected, 1, 200, 0, with_reals},
+#define DOUBLE false
+#define REAL(code, name, cycles, accesses, ...)                                                                        \
+    {NAME(name), code, Unit::reals, 1, 200, accesses, with_reals, cycles},
+#define RESULT(code, name, cycles, accesses, ...)                                                                      \
+    {NAME(name), code, Unit::reals, 1, 200, accesses, with_reals, cycles},
+#define SELECTED(code, name, cycles, ...) {NAME(name), code, Unit::selected, 1, 200, 0, with_reals, cycles},
 #define SCHEDULING(code, name, cycles, models) {NAME(name), code, Unit::scheduler, cycles, 0, 0, models},
 #include "runtime/transputer/instructions.inc"
 #undef NAME
+#undef DOUBLE
 #undef FUNCTION
 #undef OPERATION
 #undef REAL
@@ -92,6 +96,42 @@ bool ends_block(Operation operation) {
     case Operation::unknown: return true;
     default: return description_of(operation).unit == Unit::scheduler;
     }
+}
+
+bool counts_words(Operation operation) {
+    switch (operation) {
+    case Operation::ldlp:
+    case Operation::ldnl:
+    case Operation::ldnlp:
+    case Operation::ldl:
+    case Operation::ajw:
+    case Operation::stl:
+    case Operation::stnl: return true;
+    default: return false;
+    }
+}
+
+bool branches_by_operand(Operation operation) {
+    return operation == Operation::j || operation == Operation::call || operation == Operation::cj;
+}
+
+CodedInstruction read_instruction(std::span<const std::uint8_t> bytes, Model model) {
+    CodedInstruction result;
+    for (Word at = 0; at < bytes.size() && at <= most_prefixes; ++at) {
+        const Word function = bytes[at] >> 4u;
+        result.operand |= bytes[at] & 15;
+        if (function == 2) {
+            result.operand <<= 4;
+        } else if (function == 6) {
+            result.operand = ~result.operand << 4;
+        } else {
+            result.length = at + 1;
+            // Bits above the tenth of the code of an operation are ignored: compilers pad with prefixes.
+            result.operation = function == 15 ? operation_of(result.operand & 0x3ff, model) : function_of(function);
+            return result;
+        }
+    }
+    return result;
 }
 
 } // namespace placedpar::transputer

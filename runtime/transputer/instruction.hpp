@@ -3,6 +3,7 @@
 #include "runtime/transputer/model.hpp"
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace placedpar::transputer {
@@ -40,6 +41,7 @@ struct Instruction {
     std::uint16_t extra_cycles; ///< upper bound for what its effect adds
     std::uint8_t accesses;      ///< upper bound for the words of data
     Models models;
+    std::uint16_t real_cycles = 0; ///< cycles of the floating-point unit, of single length where it depends on that
 };
 
 /// Returns the description of an instruction; of `go_on` and `unknown` one without cycles.
@@ -56,5 +58,22 @@ unsigned cycles_of(Operation, Model);
 /// Returns whether execution never goes on with the next instruction of the block: a branch, or an instruction of the
 /// scheduler.
 bool ends_block(Operation);
+/// Returns whether the operand of a direct function counts words.
+bool counts_words(Operation);
+/// Returns whether the operand is the distance of a branch: j, cj and call.
+bool branches_by_operand(Operation);
+
+/// An instruction has at most so many prefixes. Ours: code needs 7, and compilers pad with some more.
+inline constexpr Word most_prefixes = 200;
+
+/// An instruction as it stands in memory.
+struct CodedInstruction {
+    Operation operation = Operation::unknown;
+    Word operand = 0; ///< with all prefixes; for an operation its code
+    Word length = 0;  ///< bytes with prefixes; 0: it does not end within the bytes
+};
+
+/// Returns the instruction that begins with the first of these bytes.
+CodedInstruction read_instruction(std::span<const std::uint8_t>, Model);
 
 } // namespace placedpar::transputer

@@ -76,15 +76,32 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
         }
         if (local_ >= limit)
             return Pause::limit;
-        switch (execute(std::min(limit, due_) - local_)) {
-        case Left::budget: break;
-        case Left::scheduling: begin(begun_); break;
-        case Left::timeslice: begin(Operation::go_on); break;
-        case Left::halt: fault(Stopped::by_error, registers_.instruction); break;
-        case Left::unknown:
-        case Left::unknown_selector: fault(Stopped::by_unknown_instruction, stopped_at_); break;
-        case Left::bad_address: fault(Stopped::by_bad_address, stopped_at_); break;
-        }
+        execute_until(std::min(limit, due_));
+    }
+}
+
+/// Executes up to a local time, or one instruction if they are watched.
+void Core::execute_until(HalfCycles until) {
+    if (!watcher_)
+        return act_on(execute(until - local_));
+    const Word at = registers_.instruction;
+    const HalfCycles began = local_;
+    watcher_->begins(at);
+    const Left left = execute(1);
+    act_on(left);
+    if (stopped_ == Stopped::nothing || left == Left::halt)
+        watcher_->executed(at, local_ - began + (pending_ ? pending_->left : 0));
+}
+
+void Core::act_on(Left left) {
+    switch (left) {
+    case Left::budget: break;
+    case Left::scheduling: begin(begun_); break;
+    case Left::timeslice: begin(Operation::go_on); break;
+    case Left::halt: fault(Stopped::by_error, registers_.instruction); break;
+    case Left::unknown:
+    case Left::unknown_selector: fault(Stopped::by_unknown_instruction, stopped_at_); break;
+    case Left::bad_address: fault(Stopped::by_bad_address, stopped_at_); break;
     }
 }
 
