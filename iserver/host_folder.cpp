@@ -28,7 +28,7 @@ struct Entry {
 bool is_control_character(char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }
 
 bool is_good(std::string_view name) {
-    if (name.empty() || name.size() > HostFolder::longest_name || name.front() == '/' || name.back() == '/')
+    if (name.empty() || name.size() > HostFolder::longest_name || name.front() == '/')
         return false;
     const bool has_drive = name.size() > 1 && name[1] == ':' && std::isalpha(static_cast<unsigned char>(name[0])) != 0;
     return !has_drive && std::ranges::none_of(name, is_control_character);

@@ -16,7 +16,7 @@ void BootHost::serve() {
     process_ = &Kernel::here().running();
     send(file_);
     booted_ = true;
-    while (state_ == iserver::ServerState::running) {
+    while (state_ == iserver::ServerState::running && !abandoned_) {
         const iserver::ByteView request = receive();
         if (request.empty())
             return;
@@ -35,23 +35,38 @@ void BootHost::serve() {
 void BootHost::send(std::span<const std::uint8_t> bytes) {
     to_send_ = bytes;
     out->give(static_cast<std::uint32_t>(bytes.size()));
-    process_->wait_for(Activity::outputting, nullptr, {});
+    wait_for_link(Activity::outputting);
 }
 
 /// Returns the next request; an empty one after a packet that cannot be read.
 iserver::ByteView BootHost::receive() {
     iserver::ByteView request;
-    while (request.empty() && reader_.wanted() > 0) {
+    while (request.empty() && reader_.wanted() > 0 && !abandoned_) {
         received_.clear();
         in->take(static_cast<std::uint32_t>(reader_.wanted()));
-        process_->wait_for(Activity::inputting, nullptr, {});
+        wait_for_link(Activity::inputting);
         iserver::ByteView bytes = received_;
         request = reader_.take(bytes);
     }
     return request;
 }
 
-void BootHost::go_on() { process_->kernel().make_ready(*process_); }
+void BootHost::wait_for_link(Activity why) {
+    waits_ = true;
+    process_->wait_for(why, nullptr, {});
+    waits_ = false;
+}
+
+void BootHost::go_on() {
+    if (waits_)
+        process_->kernel().make_ready(*process_);
+    waits_ = false;
+}
+
+void BootHost::abandon() {
+    abandoned_ = true;
+    go_on();
+}
 
 void BootHost::read(std::span<std::uint8_t> to) {
     std::ranges::copy(to_send_.first(to.size()), to.begin());

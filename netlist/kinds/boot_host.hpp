@@ -24,6 +24,9 @@ public:
     /// it, or when it sends a packet that cannot be read.
     void serve();
 
+    /// Ends serve(): a transputer has stopped.
+    void abandon();
+
     /// The results of serve().
     iserver::ServerState state() const { return state_; }
     std::int32_t exit_status() const { return exit_status_; }
@@ -40,6 +43,7 @@ private:
     void taken() override { go_on(); }
     void byte_waits() override {}
 
+    void wait_for_link(Activity);
     void go_on();
     void send(std::span<const std::uint8_t>);
     iserver::ByteView receive();
@@ -54,7 +58,7 @@ private:
     iserver::ServerState state_ = iserver::ServerState::running;
     std::int32_t exit_status_ = 0;
     std::uint64_t requests_ = 0;
-    bool booted_ = false;
+    bool booted_ = false, abandoned_ = false, waits_ = false;
 };
 
 } // namespace placedpar

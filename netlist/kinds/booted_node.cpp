@@ -5,6 +5,8 @@
 #include "netlist/kinds/device_kind.hpp"
 #include "netlist/kinds/memory_access.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -51,7 +53,9 @@ BootedNode::BootedNode(MachineParts& parts, std::size_t index)
     : MachineNode(parts, index),
       device_(simulation().add<transputer::Node>(node().name, *transputer::model_named(node().type),
                                                  static_cast<std::uint64_t>(node().integer("memory")),
-                                                 timing_of(node()))) {}
+                                                 timing_of(node()))) {
+    device_.when_stopped([this] { tell_hosts(); });
+}
 
 BootedNode::~BootedNode() = default;
 
@@ -84,7 +88,35 @@ void BootedNode::connect_host(hardware::Link& link, const LinkEnd& own, bool own
     });
 }
 
+/// Ends the work of all hosts: a transputer has set its error pin, which every host of the network sees.
+void BootedNode::tell_hosts() {
+    for (const auto& each : parts().nodes)
+        if (auto* booted = dynamic_cast<BootedNode*>(each.get()); booted && booted->host_)
+            booted->host_->end.abandon();
+}
+
+std::string BootedNode::state() const {
+    if (device_.activity() == transputer::Node::Activity::listening)
+        return "was never booted";
+    if (device_.activity() == transputer::Node::Activity::stopped)
+        return "stopped: " + device_.core().why_stopped();
+    if (host_ && !host_->end.refusal().empty())
+        return "sent what is no request: " + host_->end.refusal();
+    if (host_ && host_->end.state() == iserver::ServerState::waits_for_input)
+        return "waits for a key, and no more are given";
+    if (host_ && host_->end.state() == iserver::ServerState::exited)
+        return host_->end.exit_status() == 0   ? "exited with success"
+               : host_->end.exit_status() == 1 ? "exited with failure"
+                                               : fmt::format("exited with status {}", host_->end.exit_status());
+    return device_.is_idle() ? "waits" : "runs";
+}
+
 void BootedNode::report(MachineUse& use) const {
+    const bool exited_badly =
+        host_ && host_->end.state() == iserver::ServerState::exited && host_->end.exit_status() == 1;
+    const bool stopped = device_.activity() == transputer::Node::Activity::stopped;
+    use.programs.push_back({node().name, device_.core().instructions(), host_ ? host_->end.requests() : 0, state(),
+                            exited_badly || stopped});
     use.processors.push_back({node().name, node().type, device_.time_busy(), device_.memory_taken_by_links()});
 }
 

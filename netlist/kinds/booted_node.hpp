@@ -23,6 +23,8 @@ public:
 
 private:
     struct Host;
+    void tell_hosts();
+    std::string state() const;
     void connect_host(hardware::Link&, const LinkEnd& own, bool own_is_a);
 
     transputer::Node& device_;

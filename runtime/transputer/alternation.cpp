@@ -123,9 +123,12 @@ void Core::start_clocks(Word value) {
 Time Core::when_after(Word time, int priority) const {
     if (!clocks_run_)
         return Time::max();
-    const std::int32_t ticks = signed_of(time - clock(priority)) + 1;
+    const Word now = clock(priority);
+    if (is_after(now, time))
+        return local_time();
+    const std::int64_t ticks = std::int64_t{time - now} + 1;
     const std::int64_t passed = (local_time() - clocks_since_) / tick_of(priority);
-    return ticks <= 0 ? local_time() : clocks_since_ + (passed + ticks) * tick_of(priority);
+    return clocks_since_ + (passed + ticks) * tick_of(priority);
 }
 
 void Core::wait_for_time() {

@@ -93,7 +93,7 @@ public:
     /// Returns when the first timer is due; Time::max() if none is.
     Time next_timer() const { return next_timer_; }
     /// Returns the local time at which the core attends to its timers and timeslices next.
-    HalfCycles next_attention() const { return due_; }
+    HalfCycles next_attention() const { return due_ > local_ ? due_ : local_; }
 
     /// Begins to run code as the boot does. `old` registers are passed in A and B.
     void boot(Word code_bytes, int input_channel);
@@ -169,6 +169,7 @@ private:
     bool finish_pending(HalfCycles limit, bool punctual, Pause&);
     bool must_be_on_time(Operation, bool punctual) const;
     void attend();
+    void begin_slice();
     void find_due();
     bool dispatch();
     void take_front(int priority);

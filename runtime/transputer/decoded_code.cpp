@@ -8,12 +8,19 @@ namespace {
 
 constexpr unsigned longest_block = 48; // instructions
 constexpr Word longest_reach = (longest_block * (most_prefixes + 1)) / NodeMemory::page_bytes + 1; // pages
+constexpr std::uint32_t longest_wait_for_reals = 2 * 90; // half cycles; at the beginning of a block
 constexpr unsigned most_static_cost = 8000; // half cycles of a block
+
+std::uint64_t bytes_of(const Block& block) {
+    return sizeof(Block) + (block.instructions + 1) * (sizeof(Entry) + sizeof(std::uint32_t));
+}
 
 } // namespace
 
 DecodedCode::DecodedCode(NodeMemory& memory, const CodeTiming& timing)
-    : memory_(memory), timing_(timing), pages_(memory.size() / NodeMemory::page_bytes), scratch_(longest_block + 1) {}
+    : memory_(memory), timing_(timing), pages_(memory.size() / NodeMemory::page_bytes), scratch_(longest_block + 1), scratch_bounds_(longest_block) {
+    front_.entries = std::make_unique<Entry[]>(longest_block + 1);
+}
 
 DecodedCode::Page& DecodedCode::page(Word offset) {
     std::unique_ptr<Page>& result = pages_[offset / NodeMemory::page_bytes];
@@ -25,7 +32,7 @@ DecodedCode::Page& DecodedCode::page(Word offset) {
     return *result;
 }
 
-bool DecodedCode::fill(Block& block, Word address, unsigned most_instructions) {
+bool DecodedCode::fill(Block& block, Word address) {
     const Word begin = NodeMemory::offset_of(address);
     Word at = begin;
     const auto fetch = [this](Word word) { return word >= timing_.bytes_on_chip ? timing_.fetch : HalfCycles16{0}; };
@@ -33,10 +40,10 @@ bool DecodedCode::fill(Block& block, Word address, unsigned most_instructions) {
     block.start = address;
     block.first_word = fetched;
     block.first_fetch = fetch(fetched);
-    std::uint32_t after = 0, extra = block.first_fetch;
+    std::uint32_t after = 0, extra = block.first_fetch + longest_wait_for_reals;
     std::size_t count = 0;
     bool ended = false;
-    while (!ended && count < most_instructions && after < most_static_cost) {
+    while (!ended && count < longest_block && after < most_static_cost) {
         const CodedInstruction read = read_instruction(memory_.bytes(at, memory_.size() - at), timing_.model);
         if (read.length == 0)
             break;
@@ -47,6 +54,8 @@ bool DecodedCode::fill(Block& block, Word address, unsigned most_instructions) {
         after += 2 * (read.length - 1);
         if (description.unit != Unit::scheduler)
             after += 2 * cycles_of(read.operation, timing_.model);
+        else
+            ++extra; // it does not begin in the half cycle in which others may act
         extra += 2u * description.extra_cycles + std::uint32_t{description.accesses} * timing_.penalty;
         Word operand = read.operand;
         if (branches_by_operand(read.operation))
@@ -55,6 +64,7 @@ bool DecodedCode::fill(Block& block, Word address, unsigned most_instructions) {
             operand *= 4;
         else if (description.unit != Unit::direct)
             operand = most_negative + next;
+        scratch_bounds_[count] = after + extra;
         scratch_[count++] = {read.operation, static_cast<std::uint8_t>(read.length), static_cast<std::uint16_t>(after),
                              operand};
         at = next;
@@ -70,26 +80,37 @@ bool DecodedCode::fill(Block& block, Word address, unsigned most_instructions) {
     return true;
 }
 
-Block* DecodedCode::single(Word address) {
-    if (NodeMemory::offset_of(address) >= memory_.size() || !fill(single_, address, 1))
-        return nullptr;
-    if (!single_.entries)
-        single_.entries = std::make_unique<Entry[]>(2);
-    std::copy_n(scratch_.begin(), 2, single_.entries.get());
-    single_.is_forgotten = false;
-    return &single_;
+Block* DecodedCode::front_of(const Block& block, std::uint64_t half_cycles) {
+    const std::uint32_t* const bounds = block.bounds.get();
+    const auto fit = std::upper_bound(bounds, bounds + block.instructions, half_cycles) - bounds;
+    const std::size_t count = static_cast<std::size_t>(std::max<std::ptrdiff_t>(fit, 1));
+    Word bytes = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        bytes += block.entries[i].length;
+    std::copy_n(block.entries.get(), count, front_.entries.get());
+    front_.entries[count] = {Operation::go_on, 0, block.entries[count - 1].after, block.start + bytes};
+    front_.start = block.start;
+    front_.bytes = bytes;
+    front_.first_word = block.first_word;
+    front_.first_fetch = block.first_fetch;
+    front_.last_word = NodeMemory::offset_of(block.start + bytes - 1) & ~Word{3};
+    front_.instructions = static_cast<std::uint32_t>(count);
+    front_.is_forgotten = false;
+    return &front_;
 }
 
 Block* DecodedCode::decode(Word address) {
     auto block = std::make_unique<Block>();
-    if (NodeMemory::offset_of(address) >= memory_.size() || !fill(*block, address, longest_block))
+    if (NodeMemory::offset_of(address) >= memory_.size() || !fill(*block, address))
         return nullptr;
-    const std::uint64_t bytes = sizeof(Block) + (block->instructions + 1) * sizeof(Entry);
+    const std::uint64_t bytes = bytes_of(*block);
     if (bytes_used_ + bytes > std::max<std::uint64_t>(memory_.size(), 65'536))
         forget(0, memory_.size());
     bytes_used_ += bytes;
     block->entries = std::make_unique<Entry[]>(block->instructions + 1);
     std::copy_n(scratch_.begin(), block->instructions + 1, block->entries.get());
+    block->bounds = std::make_unique<std::uint32_t[]>(block->instructions);
+    std::copy_n(scratch_bounds_.begin(), block->instructions, block->bounds.get());
 
     const Word begin = NodeMemory::offset_of(address);
     Page& first = page(begin);
@@ -105,7 +126,7 @@ void DecodedCode::forget_page(Word index) {
         return;
     for (std::unique_ptr<Block>& block : page->starting) {
         block->is_forgotten = true;
-        bytes_used_ -= sizeof(Block) + (block->instructions + 1) * sizeof(Entry);
+        bytes_used_ -= bytes_of(*block);
         forgotten_.push_back(std::move(block));
     }
     bytes_used_ -= sizeof(Page);

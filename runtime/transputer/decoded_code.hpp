@@ -19,16 +19,18 @@ struct Entry {
     Word operand;
 };
 
-/// Decoded instructions that are executed one after the other. The last entry leads out of the block.
+/// Decoded instructions that are executed one after the other. The last entry leads out of the block. The members are in
+/// the order of use.
 struct Block {
-    Word start = 0;                     ///< address of its first byte
-    Word bytes = 0;                     ///< of its instructions
-    bool is_forgotten = false;          ///< its code was written to
-    Word first_word = 0, last_word = 0; ///< addresses of the first and last word of code
-    std::uint16_t first_fetch = 0;      ///< half cycles if the first word must be fetched
-    std::uint32_t most = 0;             ///< upper bound for the half cycles of the block
-    std::uint32_t instructions = 0;
     std::unique_ptr<Entry[]> entries;
+    std::uint32_t most = 0;             ///< upper bound for the half cycles of the block
+    Word first_word = 0, last_word = 0; ///< offsets of the first and last word of code
+    std::uint32_t instructions = 0;
+    std::uint16_t first_fetch = 0; ///< half cycles if the first word must be fetched
+    bool is_forgotten = false;     ///< its code was written to
+    Word start = 0;                ///< address of its first byte
+    Word bytes = 0;                ///< of its instructions
+    std::unique_ptr<std::uint32_t[]> bounds; ///< for each instruction: the most half cycles up to its end
 };
 
 /// What decoding must know of a node.
@@ -54,9 +56,9 @@ public:
                     return block;
         return decode(address);
     }
-    /// Returns a block of the one instruction at an address; null if it is outside of the memory. The block is valid
-    /// until the next call.
-    Block* single(Word address);
+    /// Returns a block of the first instructions of a block, as many as surely end within so many half cycles. Returns
+    /// the first instruction alone if none surely does. The result is valid until the next call.
+    Block* front_of(const Block&, std::uint64_t half_cycles);
     /// Forgets the blocks in the pages of an interval. REQUIRES: the memory holds it.
     void forget(Word offset, Word bytes);
     /// Frees forgotten blocks. Call it when none is being executed.
@@ -70,7 +72,7 @@ private:
         bool reached_from_before = false;             ///< a block of the page before may end in this page
     };
     Block* decode(Word address);
-    bool fill(Block&, Word address, unsigned most_instructions);
+    bool fill(Block&, Word address);
     Page& page(Word offset);
     void forget_page(Word index);
 
@@ -79,8 +81,9 @@ private:
     std::vector<std::unique_ptr<Page>> pages_;
     std::vector<std::unique_ptr<Block>> forgotten_;
     std::uint64_t bytes_used_ = 0;
-    Block single_;
+    Block front_; ///< the result of front_of()
     std::vector<Entry> scratch_;
+    std::vector<std::uint32_t> scratch_bounds_;
 };
 
 } // namespace placedpar::transputer

@@ -168,14 +168,13 @@ begin_block:
     if (spent >= budget)
         goto leave;
     block = code_.at(next);
-    if (!block || spent + block->most > budget) {
-        block = code_.single(next);
-        if (!block) {
-            left = Left::bad_address;
-            bad = next;
-            goto leave;
-        }
+    if (!block) {
+        left = Left::bad_address;
+        bad = next;
+        goto leave;
     }
+    if (spent + block->most > budget)
+        block = code_.front_of(*block, budget - spent);
     if (block->first_word != last_fetched)
         spent += block->first_fetch;
     last_fetched = block->last_word;
@@ -226,6 +225,7 @@ branch_or_give_way:
     goto leave;
 go_on:
     next = entry->operand;
+    last_fetched = (NodeMemory::offset_of(next) - 1) & ~Word{3}; // a block that was written to may end early
     goto branch;
 scheduling:
     next = entry->operand;
@@ -272,13 +272,42 @@ Word Core::place_of(const Block& block, const Entry& entry) const {
 
 void Core::code_was_written(Block& block, const Entry& entry, Word offset, Word bytes) {
     code_.forget(offset, bytes);
-    if (!block.is_forgotten)
+    const Word begin = NodeMemory::offset_of(block.start);
+    if (offset + bytes <= begin || offset >= begin + block.bytes)
         return;
-    // The rest of this block may have changed: it ends after this instruction.
+    // The rest of this block may have changed: it ends after this instruction. The block may be a copy of the beginning
+    // of the one that was forgotten.
     Entry& rest = const_cast<Entry&>((&entry)[1]);
     rest = {Operation::go_on, 0, entry.after, place_of(block, entry) + entry.length};
 }
 
-#undef DOUBLE // instruction.cpp gives it another value
-
 } // namespace placedpar::transputer
+
+#undef OPERAND
+#undef NEXT_ADDRESS
+#undef CALL_RETURNS_TO
+#undef PRIORITY
+#undef ERROR_FLAG
+#undef DOUBLE
+#undef NEXT
+#undef BRANCH
+#undef BRANCH_OR_GIVE_WAY
+#undef SPEND
+#undef PUSH
+#undef POP
+#undef CHECK
+#undef REACH
+#undef NOTE_WRITE
+#undef LOAD_BY
+#undef STORE_BY
+#undef LOAD
+#undef LOAD_WRAPPED
+#undef STORE
+#undef STORE_WRAPPED
+#undef LOAD_BYTE
+#undef STORE_BYTE
+#undef LOAD_DOUBLE
+#undef STORE_DOUBLE
+#undef AWAIT_REALS
+#undef SET_REGISTERS
+#undef ENTER

@@ -17,16 +17,18 @@ constexpr Instruction instruction_table[] = {
     {NAME(name), code, Unit::direct, cycles, extra, accesses, all_models},
 #define OPERATION(code, name, cycles, extra, accesses, models, ...)                                                    \
     {NAME(name), code, Unit::integer, cycles, extra, accesses, models},
-#define DOUBLE false
+// The integer unit waits for an operation on reals at most for the operations before it: each adds its own cycles.
+#define CYCLES(cycles, is_double) [](bool DOUBLE [[maybe_unused]]) -> std::uint16_t { return cycles; }(is_double)
 #define REAL(code, name, cycles, accesses, ...)                                                                        \
-    {NAME(name), code, Unit::reals, 1, 200, accesses, with_reals, cycles},
+    {NAME(name), code, Unit::reals, 1, CYCLES(cycles, true), accesses, with_reals, CYCLES(cycles, false)},
 #define RESULT(code, name, cycles, accesses, ...)                                                                      \
-    {NAME(name), code, Unit::reals, 1, 200, accesses, with_reals, cycles},
-#define SELECTED(code, name, cycles, ...) {NAME(name), code, Unit::selected, 1, 200, 0, with_reals, cycles},
+    {NAME(name), code, Unit::reals, 1, 2 * CYCLES(cycles, true), accesses, with_reals, CYCLES(cycles, false)},
+#define SELECTED(code, name, cycles, ...)                                                                              \
+    {NAME(name), code, Unit::selected, 1, CYCLES(cycles, true), 0, with_reals, CYCLES(cycles, false)},
 #define SCHEDULING(code, name, cycles, models) {NAME(name), code, Unit::scheduler, cycles, 0, 0, models},
 #include "runtime/transputer/instructions.inc"
 #undef NAME
-#undef DOUBLE
+#undef CYCLES
 #undef FUNCTION
 #undef OPERATION
 #undef REAL

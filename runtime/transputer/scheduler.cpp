@@ -53,6 +53,7 @@ Core::Core(Model model, std::uint64_t memory_bytes, const CoreTiming& timing, Li
       penalty_(2 * static_cast<HalfCycles>(timing.memory_cycles - 1)) {
     for (Word address = most_negative; address < most_negative + traits_.memory_start; address += 4)
         store(address, not_a_process);
+    begin_slice();
     find_due();
 }
 
@@ -76,6 +77,8 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
         }
         if (local_ >= limit)
             return Pause::limit;
+        if (local_ >= due_)
+            continue; // an interrupt or return took the time until a timer
         execute_until(std::min(limit, due_));
     }
 }
@@ -109,7 +112,8 @@ void Core::act_on(Left left) {
 bool Core::finish_pending(HalfCycles limit, bool punctual, Pause& pause) {
     const HalfCycles until = std::min(limit, due_);
     const HalfCycles room = until > local_ ? until - local_ : 0;
-    if (pending_->left > room) {
+    const bool timer_first = pending_->left > 0 && local_ + pending_->left == due_;
+    if (pending_->left > room || timer_first) {
         local_ += room;
         pending_->left -= room;
         pause = Pause::limit;
@@ -161,6 +165,7 @@ void Core::pass_idle_time(Time now) {
     fpu_free_ = fpu_free_ > local_ ? fpu_free_ - local_ : 0;
     local_ = 0;
     origin_ = now;
+    begin_slice();
     find_due();
 }
 
@@ -171,24 +176,24 @@ void Core::lose_accesses(std::uint64_t words) {
 /// Attends to timers that are due and to the end of a timeslice period.
 void Core::attend() {
     const Time now = local_time();
+    if (now >= slice_ends_) {
+        ++slices_seen_;
+        begin_slice();
+    }
     if (next_timer_ <= now) {
         wake_timers(0);
         wake_timers(1);
         find_next_timer();
     }
-    if (now >= slice_ends_) {
-        ++slices_seen_;
-        slice_ends_ = now - now % hardware::Processor::timeslice + hardware::Processor::timeslice;
-    }
     find_due();
 }
 
-void Core::find_due() {
+void Core::begin_slice() {
     const Time now = local_time();
-    if (slice_ends_ <= now)
-        slice_ends_ = now - now % hardware::Processor::timeslice + hardware::Processor::timeslice;
-    due_ = std::max(half_cycle_at(std::min(next_timer_, slice_ends_)), local_ + 1);
+    slice_ends_ = now - now % hardware::Processor::timeslice + hardware::Processor::timeslice;
 }
+
+void Core::find_due() { due_ = half_cycle_at(std::min(next_timer_, slice_ends_)); }
 
 bool Core::waits_for_links() const {
     for (Word channel = 0; channel < hard_channels - 1; ++channel)
@@ -411,7 +416,10 @@ HalfCycles Core::cost_of(Operation operation) {
     case Operation::in:
     case Operation::out: return cost_of_communication(r.b, r.c, r.a);
     case Operation::outbyte:
-    case Operation::outword: return cycles - (hard_channel(r.b) < 0 && load(r.b) == not_a_process ? 4 : 0);
+    case Operation::outword: {
+        const bool second = hard_channel(r.b) >= 0 || cost_of_communication(r.b, r.workspace, 4) > 2 * 19;
+        return cycles - (second ? 0 : 4);
+    }
     case Operation::move:
         return cycles + 4 * words_touched(r.c, r.a) + outside_words(r.c, r.a) + outside_words(r.b, r.a);
     case Operation::move2dall:

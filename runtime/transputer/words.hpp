@@ -32,7 +32,7 @@ constexpr std::tuple<Word, Word, Word> crc(Word data, Word sum, Word generator, 
         if (out)
             sum ^= generator;
     }
-    return {sum, generator, data};
+    return {sum, generator, sum};
 }
 
 /// Returns the bits of a word in the opposite order.

@@ -77,8 +77,10 @@ inline std::string text_of(const iserver::Bytes& reply) {
 /// Returns the number at a byte of a reply.
 inline std::int64_t word_of(const iserver::Bytes& reply, std::size_t at = 3) {
     REQUIRE(reply.size() >= at + 4);
-    return static_cast<std::int32_t>(reply[at] | reply[at + 1] << 8 | reply[at + 2] << 16 |
-                                     static_cast<std::uint32_t>(reply[at + 3]) << 24);
+    std::uint32_t bits = 0;
+    for (std::size_t byte = 4; byte-- > 0;)
+        bits = bits << 8 | reply[at + byte];
+    return static_cast<std::int32_t>(bits);
 }
 
 /// A program whose requests are made by a test, with its server.

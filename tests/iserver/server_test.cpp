@@ -87,6 +87,10 @@ TEST_CASE("an append goes to the end, wherever the program sought") {
     CHECK(program.succeeds(Request(17).word(stream).word(0).word(1)));
     CHECK(program.write(stream, "new") == 3);
     CHECK(folder.content("file") == "oldnew");
+    ServedProgram limited({.host_folder = folder.path(), .write_limit_bytes = 100});
+    const std::int64_t other = limited.open("file", 3);
+    CHECK(limited.succeeds(Request(17).word(other).word(1000).word(1)));
+    CHECK(limited.write(other, "more") == 4); // no gap is filled
 }
 
 TEST_CASE("seek and tell count from the start, here and the end") {
@@ -200,7 +204,8 @@ TEST_CASE("streams 0, 1 and 2 are the terminal") {
     }
     CHECK(program.read(1, 100) == "");
     CHECK(program.write(0, "x") == 0);
-    CHECK(program.write(1, "still open") == 10);
+    CHECK(program.write(1, "still ") == 6);
+    CHECK(program.write(2, "open") == 4);
     program.server().finish();
     CHECK(program.screen() == "out^A\x1b[1mcolourline\nstill open\x1b[0m");
 }
@@ -288,6 +293,10 @@ TEST_CASE("a program ends with success, with failure or with its own status") {
         CHECK(answer.exit == expected);
         CHECK(program.answer(Request(42)).reply.empty());
     }
+    ServedProgram program;
+    program.write(1, "\x1b[31");
+    program.reply(Request(35).word(0));
+    CHECK(program.screen() == "^[[31");
 }
 
 TEST_CASE("the command line comes without and with the server's own options") {

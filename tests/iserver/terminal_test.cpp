@@ -37,7 +37,7 @@ TEST_CASE("other control characters and bytes become visible") {
 TEST_CASE("sequences that answer, change a title or set modes become visible") {
     CHECK(visible("\x1b]0;title\a") == "^[]0;title\a");
     CHECK(visible("\x1b[6n\x1b[c") == "^[[6n^[[c");
-    CHECK(visible("\x1b[?1049h") == "^[[?1049h");
+    CHECK(visible("\x1b[?1049h\x1b[?5K\x1b[>4;2m") == "^[[?1049h^[[?5K^[[>4;2m");
     CHECK(visible("\x1b"
                   "c\x1bP0\x1b\\") == "^[c^[P0^[\\");
     CHECK(visible("\x1b[1\x1b[2J") == "^[[1\x1b[2J");

@@ -10,7 +10,7 @@
 
 namespace placedpar::test {
 
-namespace {
+namespace assembling {
 
 constexpr std::array<std::string_view, 16> functions{"j",   "ldlp", "pfix", "ldnl", "ldc", "ldnlp", "nfix", "ldl",
                                                      "adc", "call", "cj",   "ajw",  "eqc", "stl",   "stnl", "opr"};
@@ -107,48 +107,57 @@ public:
         sizes_known_ = true;
         while (pass())
             ;
-        for (const auto& line : program_.lines)
-            program_.bytes.insert(program_.bytes.end(), line.bytes.begin(), line.bytes.end());
+        for (const Statement& each : statements_) {
+            auto& line = program_.lines[each.line - 1];
+            if (line.bytes.empty())
+                line.address = each.address;
+            line.bytes.insert(line.bytes.end(), each.bytes.begin(), each.bytes.end());
+            program_.bytes.insert(program_.bytes.end(), each.bytes.begin(), each.bytes.end());
+        }
         return std::move(program_);
     }
 
 private:
     struct Statement {
+        std::size_t line;
         std::string label, mnemonic, operand;
+        std::uint32_t address = 0;
+        std::vector<std::uint8_t> bytes{};
     };
 
     void add_line(std::string_view text) {
-        number_ = program_.lines.size() + 1;
         program_.lines.push_back({0, {}, std::string(text)});
+        line_ = program_.lines.size();
         std::string_view rest = text.substr(0, text.find("--"));
         std::string_view label;
-        if (rest.find(':') != rest.npos)
+        if (rest.find(':') != rest.npos) {
             label = cut(rest, ":");
-        rest = trimmed(rest);
-        const auto mnemonic = cut(rest, " \t");
-        statements_.push_back({std::string(label), std::string(mnemonic), std::string(rest)});
-        if (rest.size() + mnemonic.size() + label.size() == 0)
-            return;
-        if (!label.empty() && (!is_name(label) || !program_.labels.emplace(label, program_.origin).second))
-            fail(fmt::format("\"{}\" is no name, or a name that another line has: choose another label", label));
+            if (!is_name(label) || !program_.labels.emplace(label, program_.origin).second)
+                fail(fmt::format("\"{}\" is no name, or a name that another line has: choose another label", label));
+        }
+        do {
+            std::string_view statement = cut(rest, ";");
+            const auto mnemonic = cut(statement, " \t");
+            statements_.push_back({line_, std::string(label), std::string(mnemonic), std::string(statement)});
+            label = "";
+        } while (!rest.empty());
     }
 
-    /// Assembles all lines with the addresses of the previous pass. Returns whether any address has changed.
+    /// Assembles all statements with the addresses of the previous pass. Returns whether any address has changed.
     bool pass() {
-        for (number_ = 1; number_ <= program_.lines.size(); ++number_) {
-            auto& line = program_.lines[number_ - 1];
-            line.bytes = bytes(statements_[number_ - 1], line.address, line.bytes.size());
+        for (Statement& each : statements_) {
+            line_ = each.line;
+            each.bytes = bytes(each, each.address, each.bytes.size());
         }
         bool changed = false;
         std::uint32_t address = program_.origin;
-        for (std::size_t i = 0; i < statements_.size(); ++i) {
-            auto& line = program_.lines[i];
-            if (statements_[i].mnemonic == ".align")
-                line.bytes.resize(-address % 4);
-            if (!statements_[i].label.empty())
-                program_.labels.find(statements_[i].label)->second = address;
-            changed |= std::exchange(line.address, address) != address;
-            address += static_cast<std::uint32_t>(line.bytes.size());
+        for (Statement& each : statements_) {
+            if (each.mnemonic == ".align")
+                each.bytes.resize(-address % 4);
+            if (!each.label.empty())
+                program_.labels.find(each.label)->second = address;
+            changed |= std::exchange(each.address, address) != address;
+            address += static_cast<std::uint32_t>(each.bytes.size());
         }
         return changed;
     }
@@ -238,16 +247,16 @@ private:
     }
 
     [[noreturn]] void fail(const std::string& what) const {
-        throw AssemblyError(fmt::format("line {}: {}", number_, what));
+        throw AssemblyError(fmt::format("line {}: {}", line_, what));
     }
 
     Assembly program_;
     std::vector<Statement> statements_;
-    std::size_t number_ = 0;   ///< the line under way
+    std::size_t line_ = 0;     ///< the number of the line under way
     bool sizes_known_ = false; ///< false while labels do not have addresses yet
 };
 
-} // namespace
+} // namespace assembling
 
 std::vector<std::uint8_t> instruction(unsigned function, std::int32_t operand, std::size_t least) {
     // A prefix shifts what has been loaded by 4 bits. The first prefix of a negative operand is nfix, which
@@ -265,7 +274,7 @@ std::vector<std::uint8_t> instruction(unsigned function, std::int32_t operand, s
     return bytes;
 }
 
-int operation_code(std::string_view mnemonic) { return code_of(operation_codes(), mnemonic); }
+int operation_code(std::string_view mnemonic) { return assembling::code_of(assembling::operation_codes(), mnemonic); }
 
 std::uint32_t Assembly::operator[](std::string_view label) const {
     const auto found = labels.find(label);
@@ -280,12 +289,12 @@ std::string Assembly::listing() const {
         std::string bytes_of_line;
         for (const auto byte : line.bytes)
             bytes_of_line += fmt::format("{:02X} ", byte);
-        text += line.bytes.empty() ? fmt::format("{:26}{}\n", "", line.source)
-                                   : fmt::format("{:08X}  {:16}{}\n", line.address, bytes_of_line, line.source);
+        text += line.bytes.empty() ? fmt::format("{:36}{}\n", "", line.source)
+                                   : fmt::format("{:08X}  {:26}{}\n", line.address, bytes_of_line, line.source);
     }
     return text;
 }
 
-Assembly assemble(std::string_view source, std::uint32_t origin) { return Assembler(source, origin).run(); }
+Assembly assemble(std::string_view source, std::uint32_t origin) { return assembling::Assembler(source, origin).run(); }
 
 } // namespace placedpar::test

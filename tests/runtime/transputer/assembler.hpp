@@ -34,9 +34,9 @@ struct AssemblyError : std::runtime_error {
 
 /// Assembles a program for the transputer, to be loaded at `origin`. Each line has the form
 ///
-///     label: mnemonic operand     -- a comment
+///     label: mnemonic operand; mnemonic operand     -- a comment
 ///
-/// and each of the three parts may be missing. Mnemonics are in lower case.
+/// with any number of instructions; label and comment may be missing. Mnemonics are in lower case.
 ///
 /// - A direct function (`ldc`, `stl`, ...) has an operand: a sum of numbers and labels such as `table - start + 4`.
 ///   Numbers are decimal, or hexadecimal after `#`. Prefixes are added as needed; they make the shortest code.

@@ -12,7 +12,7 @@
 
 namespace placedpar::test {
 
-namespace {
+namespace plain_reals {
 
 using P = PlainTransputer;
 using Word = P::Word;
@@ -29,15 +29,15 @@ P::Real real(double number) { return {std::bit_cast<std::uint64_t>(number), true
 P::Real real(float number) { return {std::bit_cast<Word>(number), false}; }
 
 void push_real(P& p, P::Real number) {
-    p.f[2] = p.f[1];
-    p.f[1] = p.f[0];
-    p.f[0] = number;
+    p.unit.f[2] = p.unit.f[1];
+    p.unit.f[1] = p.unit.f[0];
+    p.unit.f[0] = number;
 }
 
 P::Real pop_real(P& p) {
-    const auto number = p.f[0];
-    p.f[0] = p.f[1];
-    p.f[1] = p.f[2];
+    const auto number = p.unit.f[0];
+    p.unit.f[0] = p.unit.f[1];
+    p.unit.f[1] = p.unit.f[2];
     return number;
 }
 
@@ -62,15 +62,15 @@ void store_and_pop(P& p, bool is_double) {
 /// Computes in the unit's rounding mode, and sets FPError if the host overflows, divides by zero, or finds no answer.
 template <class Formula>
 auto rounded(P& p, const Formula& formula) {
-    std::fesetround(host_modes[p.rounding]);
+    std::fesetround(host_modes[p.unit.rounding]);
     std::feclearexcept(FE_ALL_EXCEPT);
     const volatile auto result = formula();
-    p.fp_error |= std::fetestexcept(FE_OVERFLOW | FE_DIVBYZERO | FE_INVALID) != 0;
+    p.unit.error |= std::fetestexcept(FE_OVERFLOW | FE_DIVBYZERO | FE_INVALID) != 0;
     std::fesetround(FE_TONEAREST);
     return P::Real{real(+result)};
 }
 
-void check_operand(P& p, const P::Real& number) { p.fp_error |= !std::isfinite(value(number)); }
+void check_operand(P& p, const P::Real& number) { p.unit.error |= !std::isfinite(value(number)); }
 
 template <class Number>
 P::Real computed(P& p, char sign, P::Real left, P::Real right) {
@@ -92,34 +92,35 @@ P::Real computed(P& p, char sign, P::Real left, P::Real right) {
 
 void compute(P& p, char sign) {
     const auto right = pop_real(p);
-    p.f[0] = computed(p, sign, p.f[0], right);
+    p.unit.f[0] = computed(p, sign, p.unit.f[0], right);
 }
 
 void compute_with_memory(P& p, char sign, bool is_double) {
-    p.f[0] = computed(p, sign, p.f[0], load_real(p, p.pop(), is_double));
+    p.unit.f[0] = computed(p, sign, p.unit.f[0], load_real(p, p.pop(), is_double));
 }
 
 void scale(P& p, char sign, double factor) {
-    p.f[0] = computed(p, sign, p.f[0], p.f[0].is_double ? real(factor) : real(static_cast<float>(factor)));
+    p.unit.f[0] =
+        computed(p, sign, p.unit.f[0], p.unit.f[0].is_double ? real(factor) : real(static_cast<float>(factor)));
 }
 
 /// Rounds a number to a whole one.
 void round_whole(P& p) {
-    check_operand(p, p.f[0]);
-    const volatile double number = value(p.f[0]);
+    check_operand(p, p.unit.f[0]);
+    const volatile double number = value(p.unit.f[0]);
     const auto whole = rounded(p, [&] { return std::nearbyint(number); });
-    p.f[0] = p.f[0].is_double ? whole : real(static_cast<float>(value(whole)));
+    p.unit.f[0] = p.unit.f[0].is_double ? whole : real(static_cast<float>(value(whole)));
 }
 
 void check_range(P& p, double limit) {
-    check_operand(p, p.f[0]);
-    const double number = value(p.f[0]);
-    p.fp_error |= number >= limit || number < -limit;
+    check_operand(p, p.unit.f[0]);
+    const double number = value(p.unit.f[0]);
+    p.unit.error |= number >= limit || number < -limit;
 }
 
 void convert_whole(P& p, bool is_signed, bool is_double) {
     const Word word = p.load(p.pop());
-    const double number = is_signed ? static_cast<std::int32_t>(word) : word;
+    const double number = is_signed ? double(static_cast<std::int32_t>(word)) : double(word);
     const volatile double exact = number;
     push_real(p, is_double ? real(number) : rounded(p, [&] { return static_cast<float>(exact); }));
 }
@@ -137,9 +138,9 @@ void compare(P& p, bool greater) {
 }
 
 void change_length(P& p, bool to_double) {
-    check_operand(p, p.f[0]);
-    const volatile double number = value(p.f[0]);
-    p.f[0] = to_double ? real(number) : rounded(p, [&] { return static_cast<float>(number); });
+    check_operand(p, p.unit.f[0]);
+    const volatile double number = value(p.unit.f[0]);
+    p.unit.f[0] = to_double ? real(number) : rounded(p, [&] { return static_cast<float>(number); });
 }
 
 constexpr Word sign_bit = 0x80000000;
@@ -157,14 +158,14 @@ constexpr PlainRealOperation table[] = {
     {0x88, "fpstnlsn", 2, 2, true, [](P& p) { store_and_pop(p, false); }},
     {0x84, "fpstnldb", 3, 3, true, [](P& p) { store_and_pop(p, true); }},
     {0x9E, "fpstnli32", 4, 4, true, store_whole},
-    {0xA4, "fprev", 1, 1, false, [](P& p) { std::swap(p.f[0], p.f[1]); }},
-    {0xA3, "fpdup", 1, 1, false, [](P& p) { push_real(p, p.f[0]); }},
+    {0xA4, "fprev", 1, 1, false, [](P& p) { std::swap(p.unit.f[0], p.unit.f[1]); }},
+    {0xA3, "fpdup", 1, 1, false, [](P& p) { push_real(p, p.unit.f[0]); }},
     {0x83, "fpchkerror", 1, 1, true,
      [](P& p) {
-         if (p.fp_error)
+         if (p.unit.error)
              p.set_error();
      }},
-    {0x9C, "fptesterror", 2, 2, true, [](P& p) { p.push(!std::exchange(p.fp_error, false)); }},
+    {0x9C, "fptesterror", 2, 2, true, [](P& p) { p.push(!std::exchange(p.unit.error, false)); }},
     {0x87, "fpadd", 6, 6, false, [](P& p) { compute(p, '+'); }},
     {0x89, "fpsub", 6, 6, false, [](P& p) { compute(p, '-'); }},
     {0x8B, "fpmul", 11, 18, false, [](P& p) { compute(p, '*'); }},
@@ -176,55 +177,57 @@ constexpr PlainRealOperation table[] = {
     {0xA1, "fpint", 5, 5, false, round_whole},
     {0x94, "fpgt", 4, 4, true, [](P& p) { compare(p, true); }},
     {0x95, "fpeq", 3, 3, true, [](P& p) { compare(p, false); }},
-    {0x92, "fpordered", 3, 3, true, [](P& p) { p.push(!std::isnan(value(p.f[0])) && !std::isnan(value(p.f[1]))); }},
-    {0x91, "fpnan", 2, 2, true, [](P& p) { p.push(std::isnan(value(p.f[0]))); }},
-    {0x93, "fpnotfinite", 2, 2, true, [](P& p) { p.push(!std::isfinite(value(p.f[0]))); }},
-    {entry + 0x22, "fpurn", 1, 1, false, [](P& p) { p.rounding = 0; }},
-    {entry + 0x04, "fpurp", 1, 1, false, [](P& p) { p.rounding = 1; }},
-    {entry + 0x05, "fpurm", 1, 1, false, [](P& p) { p.rounding = 2; }},
-    {entry + 0x06, "fpurz", 1, 1, false, [](P& p) { p.rounding = 3; }},
-    {entry + 0x23, "fpuseterror", 1, 1, false, [](P& p) { p.fp_error = true; }},
-    {entry + 0x9C, "fpuclearerror", 1, 1, false, [](P& p) { p.fp_error = false; }},
+    {0x92, "fpordered", 3, 3, true,
+     [](P& p) { p.push(!std::isnan(value(p.unit.f[0])) && !std::isnan(value(p.unit.f[1]))); }},
+    {0x91, "fpnan", 2, 2, true, [](P& p) { p.push(std::isnan(value(p.unit.f[0]))); }},
+    {0x93, "fpnotfinite", 2, 2, true, [](P& p) { p.push(!std::isfinite(value(p.unit.f[0]))); }},
+    {entry + 0x22, "fpurn", 1, 1, false, [](P& p) { p.unit.rounding = 0; }},
+    {entry + 0x04, "fpurp", 1, 1, false, [](P& p) { p.unit.rounding = 1; }},
+    {entry + 0x05, "fpurm", 1, 1, false, [](P& p) { p.unit.rounding = 2; }},
+    {entry + 0x06, "fpurz", 1, 1, false, [](P& p) { p.unit.rounding = 3; }},
+    {entry + 0x23, "fpuseterror", 1, 1, false, [](P& p) { p.unit.error = true; }},
+    {entry + 0x9C, "fpuclearerror", 1, 1, false, [](P& p) { p.unit.error = false; }},
     {entry + 0x0E, "fpuchki32", 3, 3, false, [](P& p) { check_range(p, 0x1p31); }},
     {entry + 0x0F, "fpuchki64", 3, 3, false, [](P& p) { check_range(p, 0x1p63); }},
     {entry + 0x07, "fpur32tor64", 3, 3, false, [](P& p) { change_length(p, true); }},
     {entry + 0x08, "fpur64tor32", 6, 6, false, [](P& p) { change_length(p, false); }},
     {entry + 0x0B, "fpuabs", 2, 2, false,
      [](P& p) {
-         check_operand(p, p.f[0]);
-         p.f[0].bits &= ~(std::uint64_t{sign_bit} << (p.f[0].is_double ? 32 : 0));
+         check_operand(p, p.unit.f[0]);
+         p.unit.f[0].bits &= ~(std::uint64_t{sign_bit} << (p.unit.f[0].is_double ? 32 : 0));
      }},
     {entry + 0x0A, "fpuexpinc32", 6, 6, false, [](P& p) { scale(p, '*', 0x1p32); }},
     {entry + 0x09, "fpuexpdec32", 6, 6, false, [](P& p) { scale(p, '/', 0x1p32); }},
     {entry + 0x12, "fpumulby2", 6, 6, false, [](P& p) { scale(p, '*', 2); }},
     {entry + 0x11, "fpudivby2", 6, 6, false, [](P& p) { scale(p, '/', 2); }},
-    {entry + 0x01, "fpusqrtfirst", 27, 27, false, [](P& p) { p.f[0] = computed(p, 's', p.f[0], p.f[0]); }},
+    {entry + 0x01, "fpusqrtfirst", 27, 27, false,
+     [](P& p) { p.unit.f[0] = computed(p, 's', p.unit.f[0], p.unit.f[0]); }},
     {entry + 0x02, "fpusqrtstep", 42, 42, false, [](P&) {}},
     {entry + 0x03, "fpusqrtlast", 8, 8, false, [](P&) {}},
 };
 
-} // namespace
+} // namespace plain_reals
 
-const std::span<const PlainRealOperation> plain_real_operations = table;
+const std::span<const PlainRealOperation> plain_real_operations = plain_reals::table;
 
 /// Waits until the unit is free. Then the unit works on its own, unless the integer unit needs the result.
 bool PlainTransputer::execute_floating_point(unsigned code) {
     if (!(settings.model & (t800 | t805)))
         return false;
     if (code == 0xAB)
-        code = entry + std::min(pop(), Word{0xFFF});
-    for (const auto& row : table) {
+        code = plain_reals::entry + std::min(pop(), Word{0xFFF});
+    for (const auto& row : plain_real_operations) {
         if (row.code != code)
             continue;
         const std::uint64_t start = now + 2 * cycles + extra, wait = fpu_free > start ? fpu_free - start : 0;
-        const auto row_cycles = f[0].is_double ? row.double_cycles : row.single_cycles;
+        const auto row_cycles = unit.f[0].is_double ? row.double_cycles : row.single_cycles;
         extra += wait;
-        const auto before = extra;
         row.effect(*this);
         cycles += row.waits ? row_cycles : 1;
-        fpu_free = start + wait + 2 * row_cycles + (extra - before);
-        const bool sets_rounding = code == entry + 0x22 || (code >= entry + 4 && code <= entry + 6);
-        rounding = sets_rounding ? rounding : 0;
+        fpu_free = start + wait + 2 * row_cycles;
+        const bool sets_rounding =
+            code == plain_reals::entry + 0x22 || (code >= plain_reals::entry + 4 && code <= plain_reals::entry + 6);
+        unit.rounding = sets_rounding ? unit.rounding : 0;
         return true;
     }
     return false;

@@ -8,7 +8,7 @@
 
 namespace placedpar::test {
 
-namespace {
+namespace plain_integers {
 
 using P = PlainTransputer;
 using Word = P::Word;
@@ -354,8 +354,8 @@ constexpr PlainOperation table[] = {
     {0xB4, "testj0break", 2, debugged, [](P& p) { p.push(p.j0_break); }},
 };
 
-} // namespace
+} // namespace plain_integers
 
-const std::span<const PlainOperation> plain_integer_operations = table;
+const std::span<const PlainOperation> plain_integer_operations = plain_integers::table;
 
 } // namespace placedpar::test

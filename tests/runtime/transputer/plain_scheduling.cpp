@@ -10,18 +10,13 @@
 
 namespace placedpar::test {
 
-namespace {
+namespace plain_processes {
 
 using P = PlainTransputer;
 using Word = P::Word;
 
 constexpr unsigned all = t414 | t425 | t400 | t800 | t805, debugged = t425 | t400 | t805;
-constexpr Word iptr_word = 4, link_word = 8, state_word = 12, timer_word = 16, time_word = 20; ///< below W
 constexpr auto at_end = When::at_end, at_end_or_later = When::at_end_unless_interrupted;
-
-bool after(Word time, Word other) { return static_cast<std::int32_t>(time - other) > 0; }
-/// Returns the workspace of a descriptor.
-Word workspace(Word descriptor) { return descriptor & ~3U; }
 
 void count_loop(P& p) {
     const Word count = p.load(p.b + 4) - 1;
@@ -36,8 +31,8 @@ void count_loop(P& p) {
 }
 
 void start_process(P& p) {
-    p.store(workspace(p.a) - iptr_word, p.iptr + p.b);
-    p.enqueue(workspace(p.a) | p.priority);
+    p.store(P::workspace(p.a) - P::iptr_word, p.iptr + p.b);
+    p.enqueue(P::workspace(p.a) | p.priority);
     p.pop_all(2);
 }
 
@@ -49,7 +44,7 @@ void end_process(P& p) {
         p.leaving = true;
         return;
     }
-    p.wptr = workspace(place);
+    p.wptr = P::workspace(place);
     p.iptr = p.load(place);
 }
 
@@ -64,21 +59,12 @@ bool somebody_else_at(P& p, Word channel) {
     return other != P::not_process && other != p.descriptor();
 }
 
-bool is_state(Word told) { return told == P::enabling || told == P::waiting || told == P::ready; }
-
-/// The process that comes second pays for the words. One that outputs to an alternation comes first.
-bool comes_second(P& p, Word channel, bool output) {
-    const Word other = p.load(channel);
-    return other != P::not_process && !(output && is_state(p.told_by(other)));
-}
-
 void pay_for_message(P& p) {
-    const Word other = p.load(p.b);
-    if (other != P::not_process && !is_state(p.told_by(other)))
-        p.pay_for_copy(p.c, p.told_by(other), p.a);
+    if (p.comes_second(p.b, true))
+        p.pay_for_copy(p.c, p.told_by(p.load(p.b)), p.a);
 }
 
-void pay_for_value(P& p) { p.cycles += comes_second(p, p.b, true) ? 2 : 0; }
+void pay_for_value(P& p) { p.cycles += p.comes_second(p.b, true) ? 2 : 0; }
 
 void enable_skip(P& p) {
     if (p.a)
@@ -121,13 +107,13 @@ void enable_timer(P& p) {
     if (p.local(-4) == P::time_not_set) {
         p.store_local(-4, P::time_set);
         p.store_local(-5, time);
-    } else if (after(p.local(-5), time)) {
+    } else if (P::after(p.local(-5), time)) {
         p.store_local(-5, time);
     }
 }
 
 bool time_has_come(P& p) {
-    return p.local(-3) == P::ready || (p.local(-4) == P::time_set && !after(p.local(-5), p.clock(p.priority)));
+    return p.local(-3) == P::ready || (p.local(-4) == P::time_set && !P::after(p.local(-5), p.clock(p.priority)));
 }
 
 void wait_for_channel(P& p) {
@@ -162,13 +148,13 @@ void disable_channel(P& p) {
 }
 
 void disable_timer(P& p) {
-    p.a = p.selects(!after(p.c, p.local(-5)));
+    p.a = p.selects(!P::after(p.c, p.local(-5)));
     p.undefined = 6;
 }
 
 void wait_for_time(P& p) {
     p.undefined = 7;
-    if (after(p.clock(p.priority), p.a))
+    if (P::after(p.clock(p.priority), p.a))
         return;
     p.insert_timer(p.a);
     p.leave();
@@ -211,7 +197,7 @@ constexpr PlainOperation table[] = {
     {0x2F, "disc", 8, all, disable_channel, at_end},
     {0x2E, "dist", 23, all, disable_timer, at_end},
     {0x22, "ldtimer", 2, all, [](P& p) { p.push(p.clock(p.priority)); }, at_end},
-    {0x2B, "tin", 4, all, wait_for_time, at_end, [](P& p) { p.cycles += after(p.clock(p.priority), p.a) ? 0 : 26; }},
+    {0x2B, "tin", 4, all, wait_for_time, at_end, [](P& p) { p.cycles += P::after(p.clock(p.priority), p.a) ? 0 : 26; }},
     {0x54, "sttimer", 1, all, start_clocks, at_end},
     {0x3E, "saveh", 4, all, [](P& p) { save_queue(p, 0); }, at_end},
     {0x3D, "savel", 4, all, [](P& p) { save_queue(p, 1); }, at_end},
@@ -225,9 +211,9 @@ constexpr PlainOperation table[] = {
     {0x7D, "timerenablel", 1, debugged, [](P& p) { p.timer_enabled[1] = true; }, at_end},
 };
 
-} // namespace
+} // namespace plain_processes
 
-const std::span<const PlainOperation> plain_scheduling_operations = table;
+const std::span<const PlainOperation> plain_scheduling_operations = plain_processes::table;
 
 void PlainTransputer::enqueue(Word process) {
     const unsigned queue = process & 1;
@@ -244,7 +230,7 @@ void PlainTransputer::leave() {
     undefined = 7;
 }
 
-Word PlainTransputer::clock(unsigned of_priority) const {
+PlainTransputer::Word PlainTransputer::clock(unsigned of_priority) const {
     return clocks_run && now > clocks_since ? clock_value + static_cast<Word>((now - clocks_since) / tick(of_priority))
                                             : clock_value;
 }
@@ -277,7 +263,7 @@ void PlainTransputer::remove_timer(Word process) {
 
 /// Ends `disc`, `diss` and `dist`: selects the guard if it is ready, true, and no other one is selected.
 bool PlainTransputer::selects(bool is_ready) {
-    if (!is_ready || !b || local(0) != none_selected)
+    if (local(0) != none_selected || !is_ready || !b)
         return false;
     store_local(0, a);
     return true;
@@ -288,13 +274,21 @@ void PlainTransputer::refuse_link(Word channel) const {
         stop(fmt::format("link #{:02X}: links are left out", channel - most_neg));
 }
 
-Word PlainTransputer::told_by(Word process) { return load(workspace(process) - state_word); }
+bool PlainTransputer::comes_second(Word channel, bool output) {
+    const Word other = load(channel);
+    if (other == not_process)
+        return false;
+    const Word told = told_by(other);
+    return !output || (told != enabling && told != waiting && told != ready);
+}
+
+PlainTransputer::Word PlainTransputer::told_by(Word process) { return load(workspace(process) - state_word); }
 
 /// Inputs or outputs a message on a soft channel.
 void PlainTransputer::transfer(bool output, Word channel, Word pointer, Word count) {
     refuse_link(channel);
     const Word other = load(channel);
-    if (!comes_second(*this, channel, output)) {
+    if (!comes_second(channel, output)) {
         const Word told = other == not_process ? 0 : told_by(other);
         store(channel, descriptor());
         store_local(-3, pointer);
@@ -324,7 +318,7 @@ void PlainTransputer::go_on_with_pending() {
         if (operation.when == When::at_end_unless_interrupted && priority == 1 && front[0] != not_process)
             return interrupt();
         const std::uint64_t due = next_timer();
-        if (pending_.left <= due - now)
+        if (pending_.left < due - now)
             break;
         pending_.left -= due - now;
         now = due;
@@ -409,7 +403,7 @@ void PlainTransputer::interrupt() {
         store(place, word);
         place += 4;
     }
-    saved_f = f;
+    interrupted_unit = unit;
     saved_undefined = undefined;
     interrupted_pending_ = std::exchange(pending_, {});
     slices_before = slice() - slice_began;
@@ -429,7 +423,7 @@ void PlainTransputer::resume() {
     c = load(saved + 16);
     error[1] = load(saved + 20) >> 31;
     store(saved, not_process);
-    f = saved_f;
+    unit = interrupted_unit;
     undefined = saved_undefined;
     pending_ = std::exchange(interrupted_pending_, {});
     slice_began = slice() - slices_before;

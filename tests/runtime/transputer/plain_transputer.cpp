@@ -6,8 +6,6 @@
 
 namespace placedpar::test {
 
-using Word = PlainTransputer::Word;
-
 PlainTransputer::PlainTransputer(const PlainSettings& given)
     : settings(given), memory(given.memory), iptr(mem_start()), wptr(mem_start() + 0x400) {}
 
@@ -20,7 +18,7 @@ void PlainTransputer::push(Word value) {
     undefined = undefined << 1 & 7;
 }
 
-Word PlainTransputer::pop() {
+PlainTransputer::Word PlainTransputer::pop() {
     const Word value = a;
     a = b;
     b = c;
@@ -49,7 +47,7 @@ std::size_t PlainTransputer::offset(Word address, bool wraps) {
             stop(fmt::format("access outside memory: #{:08X}", address));
         place %= static_cast<Word>(memory.size());
     }
-    if (place >= on_chip())
+    if (place >= on_chip() && !pending_.operation)
         extra += 2 * (settings.memorycycles - 1);
     return place;
 }
@@ -60,7 +58,7 @@ void PlainTransputer::store_byte(Word address, std::uint8_t value, bool wraps) {
     memory[offset(address, wraps)] = value;
 }
 
-Word PlainTransputer::load(Word address, bool wraps) {
+PlainTransputer::Word PlainTransputer::load(Word address, bool wraps) {
     return peek(most_neg + static_cast<Word>(offset(address & ~3U, wraps)));
 }
 
@@ -68,7 +66,7 @@ void PlainTransputer::store(Word address, Word value, bool wraps) {
     poke(most_neg + static_cast<Word>(offset(address & ~3U, wraps)), value);
 }
 
-Word PlainTransputer::peek(Word address) const {
+PlainTransputer::Word PlainTransputer::peek(Word address) const {
     Word value = 0;
     for (Word i = 4; i-- > 0;)
         value = value << 8 | memory.at(address - most_neg + i);

@@ -50,6 +50,12 @@ struct PlainTransputer {
     static constexpr Word time_set = most_neg + 1, time_not_set = most_neg + 2, none_selected = 0xFFFFFFFF;
     static constexpr Word timer_heads = most_neg + 0x24, saved = most_neg + 0x2C;
 
+    /// Words below the workspace of a process that waits, as offsets in bytes.
+    static constexpr Word iptr_word = 4, link_word = 8, state_word = 12, timer_word = 16, time_word = 20;
+    static Word workspace(Word descriptor) { return descriptor & ~3U; }
+    /// Returns whether a time is after another, on a clock that wraps.
+    static bool after(Word time, Word other) { return static_cast<std::int32_t>(time - other) > 0; }
+
     explicit PlainTransputer(const PlainSettings&);
 
     /// Executes one instruction with its prefixes and what follows it: wake-ups, interrupts, the switch to the next
@@ -96,9 +102,12 @@ struct PlainTransputer {
         std::uint64_t bits = 0;
         bool is_double = false;
     };
-    std::array<Real, 3> f{}, saved_f{};
-    bool fp_error = false;
-    int rounding = 0;           ///< 0 nearest, 1 up, 2 down, 3 to zero
+    struct Unit {
+        std::array<Real, 3> f{};
+        bool error = false;
+        int rounding = 0; ///< 0 nearest, 1 up, 2 down, 3 to zero
+    };
+    Unit unit, interrupted_unit;
     std::uint64_t fpu_free = 0; ///< when its operation ends
 
     // The rest is for the tables. Instructions add to `cycles`, and memory to `extra`, in half cycles.
@@ -132,6 +141,9 @@ struct PlainTransputer {
     void remove_timer(Word descriptor);
     bool selects(bool is_ready);
     void refuse_link(Word channel) const;
+    /// Returns whether a process that inputs or outputs finds its partner, and so pays for the words. One that outputs
+    /// to an alternation comes first.
+    bool comes_second(Word channel, bool output);
     /// Returns what a process that waits at a channel tells: its pointer, or the state of its ALT.
     Word told_by(Word process);
     void transfer(bool output, Word channel, Word pointer, Word count);

@@ -65,79 +65,24 @@ Word low_word(Wide value) { return static_cast<Word>(value); }
 
 /// COMMSTIME as INMOS's compiler makes it.
 const std::string comstime = R"(
-           mint
-           stl 3               -- channel a
-           mint
-           stl 5               -- channel b
-           mint
-           stl 4               -- channel c
-           mint
-           stl 2               -- channel d
-           ldc delta - one
-           ldlp -8
-           startp
-      one: ldc succ - two
-           ldlp -18
-           startp
-      two: ldc consumer - three
-           ldlp -31
-           startp
-    three: ajw -2
-           ldlp 5
-           ldc 0
-           outword
-   prefix: ldlp 1
-           ldlp 7
-           ldc 4
-           in
-           ldlp 5
-           ldl 1
-           outword
+           mint; stl 3; mint; stl 5; mint; stl 4; mint; stl 2      -- channels a, b, c, d
+           ldc delta - one; ldlp -8; startp
+      one: ldc succ - two; ldlp -18; startp
+      two: ldc consumer - three; ldlp -31; startp
+    three: ajw -2; ldlp 5; ldc 0; outword                          -- a ! 0
+   prefix: ldlp 1; ldlp 7; ldc 4; in; ldlp 5; ldl 1; outword       -- b ? x; a ! x
            j prefix
-    delta: ldlp 2
-           ldlp 11
-           ldc 4
-           in
-           ldc 2
-           stl 1
-           ldc joined - next
-           ldpi
-     next: stl 0
-           ldc other - started
-           ldlp -5
-           startp
-  started: ajw -1
-           ldlp 13
-           ldl 3
-           outword
-           ldlp 1
-           endp
-    other: ldlp 15
-           ldl 7
-           outword
-           ldlp 5
-           endp
+    delta: ldlp 2; ldlp 11; ldc 4; in                              -- a ? x
+           ldc 2; stl 1; ldc joined - next; ldpi                   -- PAR
+     next: stl 0; ldc other - started; ldlp -5; startp
+  started: ajw -1; ldlp 13; ldl 3; outword; ldlp 1; endp           -- c ! x
+    other: ldlp 15; ldl 7; outword; ldlp 5; endp                   -- d ! x
    joined: j delta
-     succ: ldlp 1
-           ldlp 22
-           ldc 4
-           in
-           ldlp 23
-           ldl 1
-           adc 1
-           outword
-           j succ
- consumer: ldc 0
-           stl 1
-           ldc 1000
-           stl 2
-     each: ldlp 0
-           ldlp 33
-           ldc 4
-           in
-      got: ldlp 1
-           ldc end - each
-           lend
+     succ: ldlp 1; ldlp 22; ldc 4; in; ldlp 23; ldl 1; adc 1; outword
+           j succ                                                  -- c ? x; b ! x + 1
+ consumer: ldc 0; stl 1; ldc 1000; stl 2
+     each: ldlp 0; ldlp 33; ldc 4; in                              -- d ? x
+      got: ldlp 1; ldc end - each; lend
       end: stopp
 )";
 
@@ -318,56 +263,21 @@ TEST_CASE("four processes of COMMSTIME take the cycles of the table") {
 TEST_CASE("an alternation takes the first ready guard in the order of its disables") {
     // Processes at W - 30 and W - 60 output on the two channels, before the alternation if it gives way.
     const auto chosen = [](const std::string& before) {
-        PlainRun run(R"(
-            mint
-            stl 10
-            mint
-            stl 11
-            )" + before +
-                     R"(
-            alt
-            ldlp 10
-            ldc 1
-            enbc
-            ldlp 11
-            ldc 1
-            enbc
-            altwt
-       woken: ldlp 10
-            ldc 1
-            ldc one - end
-            disc
-            ldlp 11
-            ldc 1
-            ldc two - end
-            disc
-            altend
+        PlainRun run("mint; stl 10; mint; stl 11\n" + before + R"(
+            alt; ldlp 10; ldc 1; enbc; ldlp 11; ldc 1; enbc; altwt
+            ldlp 10; ldc 1; ldc one - end; disc; ldlp 11; ldc 1; ldc two - end; disc; altend
        end: stopp
-       one: ldlp 1
-            ldlp 10
-            ldc 4
-            in
-      read: stopp
-       two: ldlp 1
-            ldlp 11
-            ldc 4
-            in
-            stopp
-       out: ldlp 40
-            ldc 1234
-            outword
-            stopp
-      out2: ldlp 71
-            ldc 5678
-            outword
-            stopp
+       one: ldlp 1; ldlp 10; ldc 4; in; stopp
+       two: ldlp 1; ldlp 11; ldc 4; in; stopp
+       out: ldlp 40; ldc 1234; outword; stopp
+      out2: ldlp 71; ldc 5678; outword; stopp
 )");
         run.to_end();
         CHECK(run.t.stopped.find("deadlock") == 0);
         return run.t.peek(run.t.mem_start() + 0x404);
     };
-    const std::string first = "ldc out - a\nldlp -30\nstartp\na:\n", second = "ldc out2 - b\nldlp -60\nstartp\nb:\n";
-    const std::string give_way = "ldc on - t\nldlp -90\nstartp\nt: stopp\non: ajw 90\n";
+    const std::string first = "ldc out - a; ldlp -30; startp\na:\n", second = "ldc out2 - b; ldlp -60; startp\nb:\n";
+    const std::string give_way = "ldc on - t; ldlp -90; startp\nt: stopp\non: ajw 90\n";
     CHECK(chosen(first) == 1234);
     CHECK(chosen(second) == 5678);
     CHECK(chosen(first + second) == 1234);
@@ -393,21 +303,12 @@ TEST_CASE("tin waits until the clock is after the time") {
 
 TEST_CASE("a high-priority process interrupts within 19 cycles, and the low one goes on unharmed") {
     PlainRun run(R"(
-            ldc 0
-            sttimer
-            ldc high - here     -- a process at W - 50 waits for time 9
-            ldpi
-      here: stl -51
-            ldlp -50
-            runp
-     woken: ldc 7
-            ldc 8
-            ldc 9
+            ldc 0; sttimer; ldc high - here; ldpi   -- a process at W - 50 waits for time 9
+      here: stl -51; ldlp -50; runp
+     woken: ldc 7; ldc 8; ldc 9
       loop: j loop
-      high: ldc 9
-            tin
-        in: seterr
-            stopp
+      high: ldc 9; tin
+        in: seterr; stopp
 )");
     run.cycles_to("woken");
     run.cycles_to("in");

@@ -13,11 +13,11 @@
 
 namespace placedpar::test {
 
-namespace {
+namespace random_codes {
 
 using Word = std::uint32_t;
 
-constexpr Word base = 0x80000000, workspace_bytes = 256, data_bytes = 512;
+constexpr Word memory_begin = 0x80000000, workspace_bytes = 256, data_bytes = 512;
 constexpr int most_processes = 5;
 
 // Operations whose results are defined for all operands.
@@ -28,8 +28,8 @@ constexpr std::string_view everywhere[] = {
 constexpr std::string_view newer_only[] = {"crcword", "crcbyte", "bitcnt", "bitrevword"};
 constexpr std::string_view t8_only[] = {"dup", "wsubdb"};
 constexpr std::string_view real_operations[] = {"fpadd", "fpsub", "fpmul", "fpdiv"};
-constexpr std::string_view real_entries[] = {"fpuabs",    "fpuexpinc32", "fpuexpdec32",
-                                             "fpumulby2", "fpudivby2",   "fpusqrtfirst"};
+constexpr std::string_view real_entries[] = {"fpuabs", "fpuexpinc32", "fpuexpdec32", "fpumulby2", "fpudivby2"};
+constexpr std::string_view real_tests[] = {"fpgt", "fpeq", "fpordered", "fpnan", "fpnotfinite", "fptesterror"};
 constexpr std::string_view roundings[] = {"fpurn", "fpurz", "fpurp", "fpurm"};
 
 /// Writes a program, piece by piece.
@@ -37,7 +37,8 @@ class CodeWriter {
 public:
     CodeWriter(std::uint64_t seed, const RandomCodeKind& kind)
         : random_(seed, "random code"), kind_(kind), edges_(edges()),
-          code_at_(base + (kind.data_first ? 0x2000 : 0x80)), data_at_(base + (kind.data_first ? 0x80 : 0x8000)) {}
+          code_at_(memory_begin + (kind.data_first ? 0x2000 : 0x80)),
+          data_at_(memory_begin + (kind.data_first ? 0x80 : 0x8000)) {}
 
     RandomCode run() && {
         processes_ = kind_.processes ? 1 + below(most_processes) : 1;
@@ -60,16 +61,16 @@ private:
         return list[static_cast<std::size_t>(below(static_cast<int>(std::size(list))))];
     }
     Word constant() { return one_in(3) ? random_() : any(edges_); }
+    bool has_reals() const { return kind_.model & (t800 | t805); }
 
     // Text.
+    /// Writes instructions, with semicolons between them.
     template <class... Values>
-    void line(fmt::format_string<Values...> format, Values&&... values) {
+    void write(fmt::format_string<Values...> format, Values&&... values) {
         text_ += "    " + fmt::format(format, std::forward<Values>(values)...) + '\n';
     }
     void label(std::string_view name) { text_ += fmt::format("{}:\n", name); }
     std::string new_label() { return fmt::format("l{}", ++labels_); }
-    /// Writes `ldc` with a number as the assembler reads it.
-    void constant(Word value) { line("ldc #{:X}", value); }
 
     Word workspace(int process) const { return data_at_ + static_cast<Word>(process) * workspace_bytes + 160; }
     Word data(int process) const {
@@ -77,15 +78,17 @@ private:
     }
     /// Returns an address in the first or second half of the process's data; `size` bytes there are free to use.
     Word place(int half, int size) { return data(process_) + static_cast<Word>(half * 256 + below(257 - size)); }
+    Word word_place(int half) { return place(half, 12) & ~3U; }
+    int variable() { return 1 + below(8); }
 
     // The registers: `defined_` of them have a value that the reference defines.
     void load() {
         if (one_in(3))
-            line("ldl {}", 1 + below(8));
+            write("ldl {}", variable());
         else if (one_in(8))
-            line("ldlp {}", below(30) - 10);
+            write("ldlp {}", below(30) - 10);
         else
-            constant(constant());
+            write("ldc #{:X}", constant());
         defined_ = std::min(defined_ + 1, 3);
     }
     void load_all() {
@@ -94,7 +97,7 @@ private:
     }
     void store_some() {
         for (int i = below(4); i > 0 && defined_ > 0; --i, --defined_)
-            line("stl {}", 1 + below(8));
+            write("stl {}", variable());
     }
 
     // Pieces.
@@ -102,13 +105,13 @@ private:
         load_all();
         for (int i = below(4); i >= 0; --i) {
             if (one_in(5))
-                line("{} {}", any(std::array{"adc", "eqc", "ldnlp"}), static_cast<std::int32_t>(constant()));
+                write("{} #{:X}", any(std::array{"adc", "eqc", "ldnlp"}), constant());
             else if (kind_.model != t414 && one_in(8))
-                line("{}", any(newer_only));
-            else if (kind_.model & (t800 | t805) && one_in(8))
-                line("{}", any(t8_only));
+                write("{}", any(newer_only));
+            else if (has_reals() && one_in(8))
+                write("{}", any(t8_only));
             else
-                line("{}", any(everywhere));
+                write("{}", any(everywhere));
         }
         store_some();
     }
@@ -116,226 +119,198 @@ private:
     /// Writes an operation whose operands are restricted.
     void operate_within_limits() {
         const Word value = constant(), other = std::max(constant() & 0x7FFFFFFF, Word{2});
-        constant(constant());
+        const int bit = 1 + below(29);
         switch (below(kind_.model == t414 ? 4 : 5)) {
-        case 0:
-            constant(value);
-            constant(other);
-            line("{}", any(std::array{"div", "rem", "fmul"}));
-            break;
-        case 1:
-            constant(value % other);
-            constant(constant());
-            constant(other);
-            line("ldiv");
-            break;
-        case 2: {
-            const int bit = 1 + below(29);
-            constant(value & ((2U << bit) - 1));
-            constant(1U << bit);
-            line("xword");
-            break;
+        case 0: write("ldc #{:X}; ldc #{:X}; {}", value, other, any(std::array{"div", "rem", "fmul"})); break;
+        case 1: write("ldc #{:X}; ldc #{:X}; ldc #{:X}; ldiv", value % other, constant(), other); break;
+        case 2: write("ldc #{:X}; ldc #{:X}; xword", value & ((2U << bit) - 1), 1U << bit); break;
+        case 3: write("ldc #{:X}; ldc #{:X}; cword", value, 1U << bit); break;
+        default: write("ldc #{:X}; ldc {}; bitrevnbits", value, below(33));
         }
-        case 3:
-            constant(value);
-            constant(1U << (1 + below(29)));
-            line("cword");
-            break;
-        default:
-            constant(value);
-            constant(static_cast<Word>(below(33)));
-            line("bitrevnbits");
-        }
-        line("stl {}", 1 + below(8));
-        defined_ = 0;
+        write("stl {}", variable());
     }
 
     void use_memory() {
-        const Word word = place(0, 8) & ~3U;
         const int distance = below(40) - 20;
+        const Word base = word_place(0) - 4 * static_cast<Word>(distance);
+        load_all();
         switch (below(4)) {
-        case 0:
-            load_all();
-            constant(word - 4 * static_cast<Word>(distance));
-            line("stnl {}", distance);
-            break;
-        case 1:
-            constant(word - 4 * static_cast<Word>(distance));
-            line("ldnl {}", distance);
-            break;
-        case 2:
-            load_all();
-            constant(place(0, 1));
-            line("sb");
-            break;
-        default: constant(place(0, 1)); line("lb");
+        case 0: write("ldc #{:X}; stnl {}; stl {}", base, distance, variable()); break;
+        case 1: write("ldc #{:X}; ldnl {}; stl {}", base, distance, variable()); break;
+        case 2: write("ldc #{:X}; sb; stl {}", place(0, 1), variable()); break;
+        default: write("ldc #{:X}; lb; stl {}", place(0, 1), variable());
         }
-        line("stl {}", 1 + below(8));
-        defined_ = 0;
     }
 
     void move() {
         const int count = one_in(2) ? below(8) : below(100);
-        constant(place(0, count));
-        constant(place(1, count));
-        constant(static_cast<Word>(count));
-        line("move");
-        defined_ = 0;
+        write("ldc #{:X}; ldc #{:X}; ldc {}; move", place(0, count), place(1, count), count);
     }
 
     void move_block() {
-        const int width = 1 + below(9), rows = below(6), stride = width + below(10), other = width + below(10);
-        constant(static_cast<Word>(stride));
-        constant(static_cast<Word>(other));
-        constant(static_cast<Word>(rows));
-        line("move2dinit");
-        constant(place(0, 6 * stride));
-        constant(place(1, 6 * other));
-        constant(static_cast<Word>(width));
-        line("{}", any(std::array{"move2dall", "move2dnonzero", "move2dzero"}));
-        defined_ = 0;
+        const int width = 1 + below(9), stride = width + below(10), other = width + below(10);
+        write("ldc {}; ldc {}; ldc {}; move2dinit", stride, other, below(6));
+        write("ldc #{:X}; ldc #{:X}; ldc {}; {}", place(0, 6 * stride), place(1, 6 * other), width,
+              any(std::array{"move2dall", "move2dnonzero", "move2dzero"}));
     }
 
     void branch(int depth) {
-        const auto over = new_label();
+        const auto over = new_label(), end = new_label();
         load_all();
-        line("{}", any(std::array{"gt", "eqc 0", "eqc 1", "and", "testerr"}));
-        line("cj {}", over);
-        defined_ = 0;
+        write("{}; cj {}", any(std::array{"gt", "eqc 0", "eqc 1", "and", "testerr"}), over);
         pieces(1 + below(3), depth + 1);
-        if (one_in(2)) {
-            const auto end = new_label();
-            line("j {}", end);
-            label(over);
-            defined_ = 0;
+        const bool has_else = one_in(2);
+        if (has_else)
+            write("j {}", end);
+        label(over);
+        if (has_else)
             pieces(1 + below(2), depth + 1);
-            label(end);
-        } else {
-            label(over);
-        }
-        defined_ = 0;
+        label(end);
     }
 
     void loop(int depth) {
         const auto start = new_label(), end = new_label();
         const int control = 9 + 2 * depth;
-        constant(constant());
-        line("stl {}", control);
-        line("ldc {}", 1 + below(depth ? 3 : 10));
-        line("stl {}", control + 1);
+        write("ldc #{:X}; stl {}; ldc {}; stl {}", constant(), control, 1 + below(depth ? 3 : 10), control + 1);
         label(start);
-        defined_ = 0;
         pieces(1 + below(2), depth + 1);
-        line("ldlp {}", control);
-        line("ldc {} - {}", end, start);
-        line("lend");
+        write("ldlp {}; ldc {} - {}; lend", control, end, start);
         label(end);
-        defined_ = 0;
     }
 
     /// Calls a subroutine that stands just behind the jump over it.
     void call(int depth) {
         const auto routine = new_label(), over = new_label();
         load_all();
-        line("call {}", routine);
-        line("j {}", over);
-        line(".byte {}, {}", below(256), below(256));
+        write("call {}; j {}; .byte {}, {}", routine, over, below(256), below(256));
         label(routine);
-        line("ajw -16");
-        defined_ = 0;
+        write("ajw -16");
         pieces(1 + below(2), std::max(depth + 1, 2));
-        line("ajw 16");
-        line("ret");
+        write("ajw 16; ret");
         label(over);
-        defined_ = 0;
     }
 
     /// Changes an instruction before executing it, sometimes after it has run.
     void change_code() {
         const auto changed = new_label(), again = new_label();
-        const bool twice = one_in(2);
-        line("ldc {}", twice ? 2 : 1);
-        line("stl 15");
+        write("ldc {}; stl 15", 1 + below(2));
         label(again);
-        line("ldl 15");
-        line("adc #40");
-        line("ldc {}", changed);
-        line("sb");
+        write("ldl 15; adc #40; ldc {}; sb", changed);
         label(changed);
-        line("ldc {}", below(16));
-        line("stl {}", 1 + below(8));
-        line("ldl 15");
-        line("adc -1");
-        line("stl 15");
-        line("ldl 15");
-        line("eqc 0");
-        line("cj {}", again);
-        defined_ = 0;
+        write("ldc {}; stl {}", below(16), variable());
+        write("ldl 15; adc -1; stl 15; ldl 15; eqc 0; cj {}", again);
     }
 
+    /// Computes with reals. No operation makes a NaN: its bits are those of the machine.
     void use_reals() {
-        const bool is_double = one_in(2);
-        const std::string_view length = is_double ? "db" : "sn";
-        const auto operand = [&] {
-            line("ldc reals_{} + {}", length, below(12) * (is_double ? 8 : 4));
-            line("fpldnl{}", length);
-        };
-        operand();
-        operand();
+        const std::string_view length = one_in(2) ? "db" : "sn";
+        load_real(length, 0);
+        if (one_in(4))
+            write("ldc reals_{} + {}; fpldnl{}{}", length, 8 * below(6), any(std::array{"add", "mul"}), length);
+        load_real(length, 2);
         if (one_in(3))
-            line("{}", any(roundings));
-        if (one_in(3)) {
-            line("{}", any(std::array{"fpgt", "fpeq", "fpordered", "fpnan", "fpnotfinite", "fptesterror"}));
-            line("stl {}", 1 + below(8));
-        } else {
-            line("{}", one_in(4) ? any(real_entries) : any(real_operations));
-            for (int i = below(4); i > 0; --i)
-                load();
-            constant(place(1, 12) & ~3U);
-            line("fpstnl{}", length);
+            write("{}", any(roundings));
+        if (one_in(3))
+            write("{}; stl {}", any(real_tests), variable());
+        else if (one_in(4))
+            convert(length);
+        else
+            compute(length);
+        if (one_in(5))
+            write("fpchkerror");
+    }
+
+    void load_real(std::string_view length, int first) {
+        const int number = first + below(12 - first);
+        if (one_in(4))
+            write("ldc {}; ldc reals_{}; fpldnl{}i", number, length, length);
+        else if (one_in(6) && first == 0)
+            write("fpldzero{}", length);
+        else
+            write("ldc reals_{} + {}; fpldnl{}", length, number * (length == "db" ? 8 : 4), length);
+    }
+
+    void compute(std::string_view length) {
+        if (one_in(6))
+            write("fpuabs; fpusqrtfirst; fpusqrtstep; fpusqrtstep; fpusqrtlast");
+        else
+            write("{}", one_in(3) ? any(real_entries) : any(real_operations));
+        for (int i = below(4); i > 0; --i)
+            load();
+        write("ldc #{:X}; fpstnl{}", word_place(1), length);
+    }
+
+    /// Converts the real on the stack, or an integer.
+    void convert(std::string_view length) {
+        switch (below(5)) {
+        case 0: write("{}", any(std::array{"fprev", "fpdup", "fpint", "fpuchki32", "fpuchki64"})); break;
+        case 1:
+            write("{}", length == "db" ? "fpur64tor32" : "fpur32tor64");
+            length = length == "db" ? "sn" : "db";
+            break;
+        case 2:
+            write("ldc #{:X}; {}", word_place(1), any(std::array{"fpi32tor64", "fpb32tor64"}));
+            length = "db";
+            break;
+        case 3:
+            write("ldc #{:X}; fpi32tor32", word_place(1));
+            length = "sn";
+            break;
+        default: return write("fprtoi32; ldc #{:X}; fpstnli32", word_place(1));
         }
-        defined_ = 0;
+        write("ldc #{:X}; fpstnl{}", word_place(1), length);
+    }
+
+    /// Uses operations on queues and channels that change nothing for others.
+    void use_queues() {
+        switch (below(4)) {
+        case 0: return write("ldc #{:X}; {}", word_place(1), any(std::array{"saveh", "savel"}));
+        case 1: return write("ldc {}; resetch; stl {}", channel(process_, process_), variable());
+        case 2: return write("testerr; stoperr");
+        default: return write("seterr");
+        }
     }
 
     void use_clock() {
-        line("ldtimer");
-        if (one_in(2)) {
-            line("stl {}", 1 + below(8));
-        } else {
-            line("adc {}", below(6) - 2);
-            line("tin");
-        }
-        defined_ = 0;
+        if (one_in(2))
+            write("ldtimer; stl {}", variable());
+        else
+            write("ldtimer; adc {}; tin", below(6) - 2);
     }
 
     void piece(int depth) {
         const int choice = below(24);
+        if (choice > 16)
+            return operate();
         if (choice == 0 && depth < 3)
-            return branch(depth);
-        if (choice == 1 && depth < 3)
-            return loop(depth);
-        if (choice == 2 && depth < 2)
-            return call(depth);
-        if (choice == 3)
-            return move();
-        if (choice == 4 && kind_.model != t414)
-            return move_block();
-        if (choice == 5 && depth == 0)
-            return change_code();
-        if (choice <= 7 && kind_.processes)
-            return use_clock();
-        if (choice <= 10 && kind_.model & (t800 | t805))
-            return use_reals();
-        if (choice <= 13)
-            return use_memory();
-        if (choice <= 16)
-            return operate_within_limits();
-        operate();
+            branch(depth);
+        else if (choice == 1 && depth < 3)
+            loop(depth);
+        else if (choice == 2 && depth < 2)
+            call(depth);
+        else if (choice == 3)
+            move();
+        else if (choice == 4 && kind_.model != t414)
+            move_block();
+        else if (choice == 5 && depth == 0)
+            change_code();
+        else if (choice <= 7 && kind_.processes)
+            one_in(4) ? use_queues() : use_clock();
+        else if (choice <= 10 && has_reals())
+            use_reals();
+        else if (choice <= 13)
+            use_memory();
+        else
+            operate_within_limits();
+        defined_ = 0;
     }
 
+    /// Writes pieces. None relies on what was in registers before.
     void pieces(int count, int depth) {
+        defined_ = 0;
         for (int i = 0; i < count; ++i)
             piece(depth);
+        defined_ = 0;
     }
 
     // Processes.
@@ -361,41 +336,27 @@ private:
 
     /// Starts the clocks and all processes; the first process goes on. The low ones join at their end.
     void start() {
-        for (const auto* text :
-             {"mint", "sthf", "mint", "stlf", "mint", "ldc #80000024", "stnl 0", "mint", "ldc #80000028", "stnl 0"})
-            line("{}", text);
-        constant(constant());
-        line("sttimer");
-        line("ldc joined");
-        constant(workspace(most_processes));
-        line("stnl 0");
-        line("ldc {}", std::count(high_.begin(), high_.end(), false));
-        constant(workspace(most_processes));
-        line("stnl 1");
+        const Word joint = workspace(most_processes);
+        write("mint; sthf; mint; stlf; mint; ldc #80000024; stnl 0; mint; ldc #80000028; stnl 0");
+        write("ldc #{:X}; sttimer", constant());
+        write("ldc joined; ldc #{:X}; stnl 0", joint);
+        write("ldc {}; ldc #{:X}; stnl 1", std::count(high_.begin(), high_.end(), false), joint);
         for (int i = 1; i < processes_; ++i) {
+            const Word at = workspace(i);
             if (joins(i)) {
                 const auto next = new_label();
-                line("ldc {} - {}", process_label(i), next);
-                constant(workspace(i));
-                line("startp");
+                write("ldc {} - {}; ldc #{:X}; startp", process_label(i), next, at);
                 label(next);
             } else {
-                line("ldc {}", process_label(i));
-                constant(workspace(i));
-                line("stnl -1");
-                constant(workspace(i));
-                line("runp");
+                write("ldc {}; ldc #{:X}; stnl -1; ldc #{:X}; runp", process_label(i), at, at);
             }
         }
     }
 
     void write_process() {
         label(process_label(process_));
-        for (int i = 1; i <= 8; ++i) {
-            constant(constant());
-            line("stl {}", i);
-        }
-        defined_ = 0;
+        for (int i = 1; i <= 8; ++i)
+            write("ldc #{:X}; stl {}", constant(), i);
         pieces(kind_.elements / 2, 0);
         for (const auto& message : messages_) {
             if (message.from == process_)
@@ -404,33 +365,26 @@ private:
                 one_in(3) ? select(message) : receive(message);
             else
                 continue;
-            defined_ = 0;
             pieces(below(3), 0);
         }
         pieces(kind_.elements / 2, 0);
-        if (joins(process_)) {
-            constant(workspace(most_processes));
-            line("endp");
-        } else {
-            line("stopp");
-        }
+        if (joins(process_))
+            write("ldc #{:X}; endp", workspace(most_processes));
+        else
+            write("stopp");
     }
 
     void send(const Message& message) {
         const auto to = channel(message.from, message.to);
-        const bool as_value = (message.bytes == 1 || message.bytes == 4) && one_in(2);
-        if (!as_value)
-            constant(place(0, message.bytes));
-        line("ldc {}", to);
-        constant(as_value ? constant() : static_cast<Word>(message.bytes));
-        line("{}", !as_value ? "out" : message.bytes == 1 ? "outbyte" : "outword");
+        if ((message.bytes == 1 || message.bytes == 4) && one_in(2))
+            write("ldc {}; ldc #{:X}; {}", to, constant(), message.bytes == 1 ? "outbyte" : "outword");
+        else
+            write("ldc #{:X}; ldc {}; ldc {}; out", place(0, message.bytes), to, message.bytes);
     }
 
     void receive(const Message& message) {
-        constant(place(1, message.bytes));
-        line("ldc {}", channel(message.from, message.to));
-        line("ldc {}", message.bytes);
-        line("in");
+        write("ldc #{:X}; ldc {}; ldc {}; in", place(1, message.bytes), channel(message.from, message.to),
+              message.bytes);
     }
 
     /// Waits for any of several channels, a time, or nothing; then receives the message that is its turn.
@@ -439,47 +393,35 @@ private:
             std::string operand, enable, disable;
             bool holds;
         };
-        std::vector<Guard> guards{{fmt::format("ldc {}", channel(message.from, message.to)), "enbc", "disc", true}};
+        std::vector<Guard> guards{{"ldc " + channel(message.from, message.to), "enbc", "disc", true}};
         for (int i = 0; i < processes_; ++i)
             if (i != message.to && i != message.from && one_in(2))
-                guards.push_back({fmt::format("ldc {}", channel(i, message.to)), "enbc", "disc", one_in(2)});
+                guards.push_back({"ldc " + channel(i, message.to), "enbc", "disc", one_in(2)});
         const bool timed = one_in(2);
-        if (timed)
-            guards.push_back({"ldl 15", "enbt", "dist", one_in(2)});
-        if (timed && one_in(3))
-            guards.push_back({"ldl 16", "enbt", "dist", one_in(2)});
+        for (const char* time : {"ldl 15", "ldl 16"})
+            if (timed && one_in(2))
+                guards.push_back({time, "enbt", "dist", one_in(2)});
         if (one_in(5))
             guards.push_back({"", "enbs", "diss", one_in(2)});
         std::rotate(guards.begin(), guards.begin() + below(static_cast<int>(guards.size())), guards.end());
-        for (const int time : {15, 16}) {
-            line("ldtimer");
-            line("adc {}", below(8) - 1);
-            line("stl {}", time);
-        }
-        line("{}", timed ? "talt" : "alt");
-        for (const auto& guard : guards) {
-            line("{}", guard.operand);
-            line("ldc {}", guard.holds ? 1 : 0);
-            line("{}", guard.enable);
-        }
-        line("{}", timed ? "taltwt" : "altwt");
+        for (const int time : {15, 16})
+            write("ldtimer; adc {}; stl {}", below(8) - 1, time);
+        write("{}", timed ? "talt" : "alt");
+        for (const auto& guard : guards)
+            write("{}; ldc {}; {}", guard.operand, guard.holds ? 1 : 0, guard.enable);
+        write("{}", timed ? "taltwt" : "altwt");
         const auto end = new_label(), join = new_label();
         std::vector<std::string> targets;
         for (const auto& guard : guards) {
             targets.push_back(new_label());
-            line("{}", guard.operand);
-            line("ldc {}", guard.holds ? 1 : 0);
-            line("ldc {} - {}", targets.back(), end);
-            line("{}", guard.disable);
-            line("stl {}", 1 + below(8));
+            write("{}; ldc {}; ldc {} - {}; {}; stl {}", guard.operand, guard.holds ? 1 : 0, targets.back(), end,
+                  guard.disable, variable());
         }
-        line("altend");
+        write("altend");
         label(end);
         for (std::size_t i = 0; i < targets.size(); ++i) {
             label(targets[i]);
-            line("ldc {}", i);
-            line("stl {}", 1 + below(8));
-            line("j {}", join);
+            write("ldc {}; stl {}; j {}", i, variable(), join);
         }
         label(join);
         receive(message);
@@ -487,8 +429,7 @@ private:
 
     void finish() {
         label("joined");
-        line("stopp");
-        line(".align");
+        write("stopp; .align");
         for (int from = 0; from < processes_; ++from)
             for (int to = 0; to < processes_; ++to)
                 text_ += fmt::format("{}: .word #80000000\n", channel(from, to));
@@ -509,8 +450,10 @@ private:
     int processes_ = 1, process_ = 0, labels_ = 0, defined_ = 0;
 };
 
-} // namespace
+} // namespace random_codes
 
-RandomCode random_code(std::uint64_t seed, const RandomCodeKind& kind) { return CodeWriter(seed, kind).run(); }
+RandomCode random_code(std::uint64_t seed, const RandomCodeKind& kind) {
+    return random_codes::CodeWriter(seed, kind).run();
+}
 
 } // namespace placedpar::test
