@@ -95,7 +95,6 @@ Block* DecodedCode::front_of(const Block& block, std::uint64_t half_cycles) {
     front_.first_fetch = block.first_fetch;
     front_.last_word = NodeMemory::offset_of(block.start + bytes - 1) & ~Word{3};
     front_.instructions = static_cast<std::uint32_t>(count);
-    front_.is_forgotten = false;
     return &front_;
 }
 
@@ -125,7 +124,6 @@ void DecodedCode::forget_page(Word index) {
     if (!page)
         return;
     for (std::unique_ptr<Block>& block : page->starting) {
-        block->is_forgotten = true;
         bytes_used_ -= bytes_of(*block);
         forgotten_.push_back(std::move(block));
     }

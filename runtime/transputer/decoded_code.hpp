@@ -27,7 +27,6 @@ struct Block {
     Word first_word = 0, last_word = 0; ///< offsets of the first and last word of code
     std::uint32_t instructions = 0;
     std::uint16_t first_fetch = 0; ///< half cycles if the first word must be fetched
-    bool is_forgotten = false;     ///< its code was written to
     Word start = 0;                ///< address of its first byte
     Word bytes = 0;                ///< of its instructions
     std::unique_ptr<std::uint32_t[]> bounds; ///< for each instruction: the most half cycles up to its end

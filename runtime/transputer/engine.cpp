@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstring>
 #include <tuple>
+#include <utility>
 
 // Execution leads from one instruction to the next by the addresses of labels, which GCC and Clang know.
 #pragma GCC diagnostic ignored "-Wpedantic"
@@ -277,6 +278,8 @@ void Core::code_was_written(Block& block, const Entry& entry, Word offset, Word 
         return;
     // The rest of this block may have changed: it ends after this instruction. The block may be a copy of the beginning
     // of the one that was forgotten.
+    const auto executed = static_cast<std::uint32_t>(&entry - block.entries.get()) + 1;
+    instructions_ -= std::exchange(block.instructions, executed) - executed;
     Entry& rest = const_cast<Entry&>((&entry)[1]);
     rest = {Operation::go_on, 0, entry.after, place_of(block, entry) + entry.length};
 }

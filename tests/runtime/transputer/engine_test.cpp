@@ -275,8 +275,8 @@ void compare_random_programs(std::size_t count) {
 
 } // namespace
 
-// 60,000 instructions.
-TEST_CASE("random programs run on the engine as on the plain transputer") { compare_random_programs(100); }
+// 120,000 instructions.
+TEST_CASE("random programs run on the engine as on the plain transputer") { compare_random_programs(200); }
 
 // 12 million instructions.
 TEST_CASE("millions of random instructions run on the engine as on the plain transputer" * doctest::skip()) {

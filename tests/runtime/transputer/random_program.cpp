@@ -143,7 +143,7 @@ private:
     }
 
     void move() {
-        const int count = one_in(2) ? below(8) : below(100);
+        const int count = one_in(2) ? below(8) : below(250);
         write("ldc #{:X}; ldc #{:X}; ldc {}; move", place(0, count), place(1, count), count);
     }
 
@@ -272,14 +272,15 @@ private:
     }
 
     void use_clock() {
-        if (one_in(2))
+        if (one_in(3))
             write("ldtimer; stl {}", variable());
         else
-            write("ldtimer; adc {}; tin", below(6) - 2);
+            write("ldtimer; adc {}; tin", below(high_[static_cast<std::size_t>(process_)] ? 60 : 6) - 2);
     }
 
     void piece(int depth) {
-        const int choice = below(24);
+        const bool interrupts = high_[static_cast<std::size_t>(process_)] && one_in(2);
+        const int choice = interrupts ? 6 : below(24);
         if (choice > 16)
             return operate();
         if (choice == 0 && depth < 3)
@@ -288,7 +289,7 @@ private:
             loop(depth);
         else if (choice == 2 && depth < 2)
             call(depth);
-        else if (choice == 3)
+        else if (choice == 3 || choice == 12)
             move();
         else if (choice == 4 && kind_.model != t414)
             move_block();
