@@ -272,5 +272,24 @@ TEST_CASE("a listing is printed with its hot blocks first") {
                  .word 0
         done:    stopp
     )");
-    CHECK(print_listing(run.listing) == R"()");
+    CHECK(print_listing(run.listing) == R"(605 instructions of a T800, 1,321 cycles, without waits
+
+  share             cycles            times  block
+ 68.1 %                900              100  #80000105 to #8000010A
+ 30.7 %                406              101  #80000103 to #80000104
+  0.9 %                 12                1  #8000010F to #80000110
+  0.2 %                  3                1  #80000100 to #80000102
+
+address    bytes              instruction                    times             cycles    share    cycles of block    share
+#80000100  26 44              ldc     100                        1                  2    0.2 %                  3    0.2 %
+#80000102  D1                 stl     1                          1                  1    0.1 %
+#80000103  71                 ldl     1                        101                202   15.3 %                406   30.7 %
+#80000104  AA                 cj      #8000010F                101                204   15.4 %
+#80000105  71                 ldl     1                        100                200   15.1 %                900   68.1 %
+#80000106  60 8F              adc     -1                       100                200   15.1 %
+#80000108  D1                 stl     1                        100                100    7.6 %
+#80000109  60 08              j       #80000103                100                400   30.3 %
+
+#8000010F  21 F5              stopp                              1                 12    0.9 %                 12    0.9 %
+)");
 }
