@@ -1,7 +1,7 @@
 #include "app/command.hpp"
 #include "app/options/common_options.hpp"
 #include "netlist/kinds/bootable_file.hpp"
-#include "runtime/transputer/disassembler.hpp"
+#include "runtime/transputer/code_text.hpp"
 #include "text/counted.hpp"
 #include "text/number.hpp"
 #include "text/output_file.hpp"

@@ -6,10 +6,10 @@
 namespace placedpar::transputer {
 namespace {
 
-constexpr unsigned longest_block = 48; // instructions
+constexpr unsigned longest_block = 48;                                                             // instructions
 constexpr Word longest_reach = (longest_block * (most_prefixes + 1)) / NodeMemory::page_bytes + 1; // pages
 constexpr std::uint32_t longest_wait_for_reals = 2 * 90; // half cycles; at the beginning of a block
-constexpr unsigned most_static_cost = 8000; // half cycles of a block
+constexpr unsigned most_static_cost = 8000;              // half cycles of a block
 
 std::uint64_t bytes_of(const Block& block) {
     return sizeof(Block) + (block.instructions + 1) * (sizeof(Entry) + sizeof(std::uint32_t));
@@ -18,7 +18,8 @@ std::uint64_t bytes_of(const Block& block) {
 } // namespace
 
 DecodedCode::DecodedCode(NodeMemory& memory, const CodeTiming& timing)
-    : memory_(memory), timing_(timing), pages_(memory.size() / NodeMemory::page_bytes), scratch_(longest_block + 1), scratch_bounds_(longest_block) {
+    : memory_(memory), timing_(timing), pages_(memory.size() / NodeMemory::page_bytes), scratch_(longest_block + 1),
+      scratch_bounds_(longest_block) {
     front_.entries = std::make_unique<Entry[]>(longest_block + 1);
 }
 

@@ -19,16 +19,16 @@ struct Entry {
     Word operand;
 };
 
-/// Decoded instructions that are executed one after the other. The last entry leads out of the block. The members are in
-/// the order of use.
+/// Decoded instructions that are executed one after the other. The last entry leads out of the block. The members are
+/// in the order of use.
 struct Block {
     std::unique_ptr<Entry[]> entries;
     std::uint32_t most = 0;             ///< upper bound for the half cycles of the block
     Word first_word = 0, last_word = 0; ///< offsets of the first and last word of code
     std::uint32_t instructions = 0;
-    std::uint16_t first_fetch = 0; ///< half cycles if the first word must be fetched
-    Word start = 0;                ///< address of its first byte
-    Word bytes = 0;                ///< of its instructions
+    std::uint16_t first_fetch = 0;           ///< half cycles if the first word must be fetched
+    Word start = 0;                          ///< address of its first byte
+    Word bytes = 0;                          ///< of its instructions
     std::unique_ptr<std::uint32_t[]> bounds; ///< for each instruction: the most half cycles up to its end
 };
 

@@ -37,9 +37,10 @@ struct Instruction {
     std::string_view name; ///< as INMOS writes it
     Word code;             ///< of a direct function, of an operation, or the selector of fpentry
     Unit unit;
-    std::uint16_t cycles;       ///< with code and data on the chip, without prefixes; of an operation on reals 1
-    std::uint16_t extra_cycles; ///< upper bound for what its effect adds; of an operation on reals what it adds to waits
-    std::uint8_t accesses;      ///< upper bound for the words of data
+    std::uint16_t cycles; ///< with code and data on the chip, without prefixes; of an operation on reals 1
+    std::uint16_t
+        extra_cycles;      ///< upper bound for what its effect adds; of an operation on reals what it adds to waits
+    std::uint8_t accesses; ///< upper bound for the words of data
     Models models;
     std::uint16_t real_cycles = 0; ///< cycles of the floating-point unit, of single length where it depends on that
 };

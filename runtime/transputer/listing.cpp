@@ -1,5 +1,6 @@
 #include "runtime/transputer/listing.hpp"
 
+#include "runtime/transputer/code_text.hpp"
 #include "runtime/transputer/disassembler.hpp"
 
 #include <fmt/format.h>
@@ -34,8 +35,8 @@ std::vector<ListedBlock> blocks_of(std::span<const Listing::Line> lines) {
     for (std::size_t i = 0, begin = 0; i < lines.size(); ++i) {
         const auto& line = lines[i];
         const bool goes_on = i + 1 < lines.size() && lines[i + 1].address == end_of(line) &&
-                             lines[i + 1].times == line.times && lines[i + 1].is_replaced == line.is_replaced && !targets.contains(end_of(line)) &&
-                             !leads_away(line.instruction.operation);
+                             lines[i + 1].times == line.times && lines[i + 1].is_replaced == line.is_replaced &&
+                             !targets.contains(end_of(line)) && !leads_away(line.instruction.operation);
         if (goes_on)
             continue;
         const auto block = lines.subspan(begin, i + 1 - begin);
@@ -65,9 +66,10 @@ std::string print_hot_blocks(std::vector<ListedBlock> blocks, HalfCycles all) {
     blocks.resize(std::min(blocks.size(), most_hot_blocks));
     std::string result = fmt::format("\n{:>7}  {:>17}  {:>15}  {}\n", "share", "cycles", "times", "block");
     for (const ListedBlock& block : blocks)
-        result += fmt::format("{:>5.1f} %  {:>17}  {:>15}  {} to {}\n", percent(block.spent, all),
-                              print_cycles_of(block.spent), print_times(block.lines.front().times),
-                              print_address(block.lines.front().address), print_address(end_of(block.lines.back()) - 1));
+        result +=
+            fmt::format("{:>5.1f} %  {:>17}  {:>15}  {} to {}\n", percent(block.spent, all),
+                        print_cycles_of(block.spent), print_times(block.lines.front().times),
+                        print_address(block.lines.front().address), print_address(end_of(block.lines.back()) - 1));
     return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include "assembler.hpp"
 #include "random_program.hpp"
+#include "runtime/transputer/code_text.hpp"
 #include "tests/seeds.hpp"
 
 #include <doctest/doctest.h>
@@ -187,9 +188,8 @@ TEST_CASE("packets of a bootable file are put together, and a branch over their 
                          "  +00080     22 F0             ? ret\n"
                          "\nother bytes: bytes +00082 to +00082\n"
                          "  +00082     00                ? j       outside +1      3\n"));
-    CHECK(printed_file(file, {.from = 0x7f, .until = 0x80}) ==
-          "\npackets: bytes +00005 to +00081, in packets of 60\n"
-          "  +0007F     73                ? ldl     3\n");
+    CHECK(printed_file(file, {.from = 0x7f, .until = 0x80}) == "\npackets: bytes +00005 to +00081, in packets of 60\n"
+                                                               "  +0007F     73                ? ldl     3\n");
 }
 
 TEST_CASE("any bytes are disassembled, each once") {

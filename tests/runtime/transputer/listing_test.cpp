@@ -82,9 +82,9 @@ std::string difference_of(const Counts& counts, const Counts& right) {
     if (a == counts.end() && b == right.end())
         return "";
     const auto print = [](const Counts& all, auto at) {
-        return at == all.end() ? std::string("nothing")
-                               : fmt::format("#{:08X} {} times, {} half cycles", at->first, at->second.first,
-                                             at->second.second);
+        return at == all.end()
+                   ? std::string("nothing")
+                   : fmt::format("#{:08X} {} times, {} half cycles", at->first, at->second.first, at->second.second);
     };
     return fmt::format("{}, expected {}", print(counts, a), print(right, b));
 }
@@ -144,8 +144,8 @@ TEST_CASE("a listing counts every instruction and every cycle but those of inter
 }
 
 TEST_CASE("a listing shows instructions of the scheduler with their cycles, without the waits between them") {
-    // The first process outputs 8 bytes, the second inputs them 1000 turns of a loop later. By the table: startp 12, the
-    // first at a channel 19, the second 19 and 2 for each of 2 words, cj 4 and 2, j 3, stopp 11; a prefix 1.
+    // The first process outputs 8 bytes, the second inputs them 1000 turns of a loop later. By the table: startp 12,
+    // the first at a channel 19, the second 19 and 2 for each of 2 words, cj 4 and 2, j 3, stopp 11; a prefix 1.
     const ProgramRun run = listed_run(R"(
                   mint
                   stlf
