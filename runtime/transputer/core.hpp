@@ -1,6 +1,7 @@
 #pragma once
 
 #include "runtime/time.hpp"
+#include "runtime/transputer/core_state.hpp"
 #include "runtime/transputer/decoded_code.hpp"
 #include "runtime/transputer/fpu.hpp"
 #include "runtime/transputer/memory.hpp"
@@ -11,12 +12,9 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace placedpar::transputer {
-
-/// Half a cycle of the processor's clock: the unit of local time. A word of code that is fetched from outside of the
-/// chip costs half of the additional cycles of an access.
-using HalfCycles = std::uint64_t;
 
 /// The constants of time of a node.
 struct CoreTiming {
@@ -42,17 +40,6 @@ protected:
     ~LinkEngines() = default;
 };
 
-/// The registers that a process can see. After a change of process, only those that the instruction set keeps matter.
-struct Registers {
-    Word instruction = most_negative; ///< Iptr, an address
-    Word workspace = most_negative;   ///< Wptr, an address
-    Word a = 0, b = 0, c = 0;
-    bool error = false;
-};
-
-/// Why a core no longer executes. `nothing`: it does.
-enum class Stopped : std::uint8_t { nothing, by_error, by_unknown_instruction, by_bad_address, by_break };
-
 /// The processor core of an emulated transputer: registers, memory, both queues of processes, both timer queues. It
 /// executes instructions with the cycles of the published table, and knows neither the kernel nor the wires.
 ///
@@ -61,7 +48,7 @@ enum class Stopped : std::uint8_t { nothing, by_error, by_unknown_instruction, b
 /// end.
 ///
 /// Source: IMS T800 data sheet; "Transputer instruction set: a compiler writer's guide" (INMOS 1988).
-class Core {
+class Core : private CoreState {
 public:
     Core(Model, std::uint64_t memory_bytes, const CoreTiming&, LinkEngines&);
 
@@ -69,7 +56,7 @@ public:
     enum class Pause {
         limit,   ///< local time has reached the limit
         on_time, ///< the next effect concerns links, queues or clocks; it must happen at its own moment: call run()
-                 ///< then
+                 ///< then. Also after an effect on a link, since now others may act on the core.
         idle,    ///< no process can run before a timer is due or a link wakes one
         stopped  ///< see stopped()
     };
@@ -77,6 +64,14 @@ public:
     /// must happen at its own moment, since a link may wake a process meanwhile. REQUIRES: the caller's time is
     /// local_time(), or later if the core is idle; then call pass_idle_time() first.
     Pause run(HalfCycles limit, bool punctual);
+    /// States that link engines may take accesses at any time. What depends on local time then happens at its own
+    /// moment, after lose_accesses().
+    void share_memory() { memory_is_shared_ = true; }
+    /// Attends to timers that are due and to the end of a timeslice period.
+    void attend_if_due() {
+        if (local_ >= due_ && stopped_ == Stopped::nothing)
+            attend();
+    }
 
     /// Local time: half cycles since the core was last woken from idleness.
     HalfCycles local() const { return local_; }
@@ -99,17 +94,24 @@ public:
     void boot(Word code_bytes, int input_channel);
     /// Makes the process that waits at a link's channel ready: its transfer is done.
     void transfer_ended(int channel);
-    /// A byte has come that no transfer has asked for: makes an ALT that waits for it ready.
-    void byte_has_come(int channel);
+    /// A byte has come at a time that no transfer has asked for: makes an ALT that waits for it ready.
+    void byte_has_come(int channel, Time);
     /// Returns whether a process waits for a link.
     bool waits_for_links() const;
-    /// Returns whether a process of high priority waits for a link. It may interrupt one of low priority.
+    /// Returns whether a link may change at any moment what the core executes: a process of high priority waits for
+    /// one, or the running process has used up its timeslice and goes on only because no other is ready.
     bool may_be_interrupted() const;
     /// Copy bytes for a link or a boot. Offsets outside of the memory stop the core.
     void copy_from_memory(Word offset, std::span<std::uint8_t>);
     void copy_to_memory(Word offset, std::span<const std::uint8_t>);
     /// Returns whether a process runs or is ready.
     bool is_active() const { return running_ || front_[0] != not_a_process || front_[1] != not_a_process; }
+
+    /// Lets the core stop at the next j, lend or wait, as the analyse pin does.
+    void stop_for_analyse() { is_analysed_ = true; }
+    /// Makes a core that has stopped ready for another boot, after which `testpranal` pushes TRUE. Saves the registers
+    /// of a process of low priority below MemStart. Keeps memory and queues, and stops the clocks.
+    void reset_after_analyse();
 
     Stopped stopped() const { return stopped_; }
     /// Describes why the core stopped, with the instruction and its address: "instruction #1F2 at #80000104 is unknown
@@ -118,6 +120,7 @@ public:
 
     Model model() const { return model_; }
     NodeMemory& memory() { return memory_; }
+    const NodeMemory& memory() const { return memory_; }
     const Registers& registers() const { return registers_; }
     bool high_priority() const { return priority_ == 0; }
     bool halts_on_error() const { return halts_on_error_; }
@@ -125,10 +128,18 @@ public:
     /// Returns the front of a queue of ready processes: an address of a workspace, or not_a_process.
     Word front(int priority) const { return front_[static_cast<std::size_t>(priority)]; }
     Word back(int priority) const { return back_[static_cast<std::size_t>(priority)]; }
-    Word clock(int priority) const;
+    Word clock(int priority) const { return clock_at(local_time(), priority); }
+    Word clock_at(Time, int priority) const;
     /// Returns for how long instructions were executed.
     HalfCycles busy() const { return busy_before_ + local_; }
     std::uint64_t instructions() const { return instructions_; }
+
+    /// Keeps the state of the core, and from now on what is overwritten in its memory, until one of the next functions
+    /// is called. What links write is not kept.
+    void keep_state();
+    /// Returns to the state that was kept.
+    void return_to_kept_state();
+    void forget_kept_state();
 
     /// Sets the registers of the running process, for tests and debuggers.
     void set_registers(const Registers&, int priority);
@@ -139,8 +150,9 @@ public:
         /// An instruction will be executed: registers and memory are as it finds them. `at`: address of its first byte
         /// with its prefixes.
         virtual void begins(Word at) = 0;
-        /// The instruction that began last was executed, and did not stop the core. An instruction of the scheduler has
-        /// its effect only now. `spent`: half cycles, without those in which its process waits or is interrupted.
+        /// An instruction was executed, and did not stop the core. Unless it is one of the scheduler, it is that which
+        /// began last. One of the scheduler has its effect only now, when its cycles have passed; other processes may
+        /// have interrupted it. `spent`: half cycles, without waits for a channel or a time, and without interrupts.
         virtual void executed(Word at, HalfCycles spent) = 0;
 
     protected:
@@ -150,24 +162,27 @@ public:
     void watch(Watcher* watcher) { watcher_ = watcher; }
 
 private:
+    /// Up to eight bytes of memory as they were before they were overwritten.
+    struct Overwritten {
+        Word offset;
+        Word bytes;
+        std::uint64_t contents;
+    };
     /// Why execute() has returned to the scheduler.
     enum class Left : std::uint8_t { budget, scheduling, timeslice, halt, unknown, unknown_selector, bad_address };
-    /// An instruction of the scheduler whose cycles pass before its effect.
-    struct Pending {
-        Operation operation;
-        HalfCycles left;
-    };
-
     // engine.cpp
     Left execute(HalfCycles budget);
     Word place_of(const Block&, const Entry&) const;
+    static std::uint64_t instructions_after(const Block&, const Entry&);
     void code_was_written(Block&, const Entry&, Word offset, Word bytes);
 
     // scheduler.cpp: processes, channels, moves
     void execute_until(HalfCycles);
     void act_on(Left);
     bool finish_pending(HalfCycles limit, bool punctual, Pause&);
+    bool must_begin_on_time(Operation, bool punctual) const;
     bool must_be_on_time(Operation, bool punctual) const;
+    bool concerns_link(Operation) const;
     void attend();
     void begin_slice();
     void find_due();
@@ -175,6 +190,7 @@ private:
     void take_front(int priority);
     void continue_at(Word workspace, int priority);
     void set_priority(int priority);
+    void save_process();
     void interrupt();
     void resume_interrupted();
     void leave_processor();
@@ -184,9 +200,8 @@ private:
     void wait_at(Word channel, Word address);
     void communicate(Word channel, Word address, Word bytes, bool output);
     void meet(Word channel, Word partner, Word address, Word bytes, bool output);
-    void wake_alternative(Word partner);
+    void wake_alternative(Word partner, Time);
     void reset_channel();
-    void begin(Operation);
     HalfCycles cost_of(Operation);
     HalfCycles cost_of_communication(Word channel, Word address, Word bytes);
     void perform(Operation);
@@ -199,6 +214,7 @@ private:
     static HalfCycles words_touched(Word address, Word bytes);
     HalfCycles outside_words(Word address, Word bytes) const;
     void fault(Stopped, Word address);
+    void keep_bytes(Word offset, Word bytes);
 
     // alternation.cpp: ALT, clocks and timers
     bool is_ready(Word channel);
@@ -215,7 +231,7 @@ private:
     Time when_after(Word time, int priority) const;
     void wait_for_time();
     void join_timers(Word time);
-    void leave_timers(Word workspace, int priority);
+    void leave_timers(Word workspace, int priority, Time);
     void wake_timers(int priority);
     void find_next_timer();
 
@@ -239,35 +255,11 @@ private:
     Clock half_cycles_;
     HalfCycles penalty_; ///< of an access to data outside of the chip
 
-    Registers registers_;
-    int priority_ = 1;
-    bool running_ = false;
-    bool halts_on_error_ = false;
-    bool analysed_ = false, breaks_at_j0_ = false;
-    Stopped stopped_ = Stopped::nothing;
-    Word stopped_at_ = 0;      ///< the address that was bad
-    bool other_error_ = false; ///< Error of the interrupted process
-    Fpu fpu_, interrupted_fpu_;
-    HalfCycles fpu_free_ = 0;    ///< local time at which the floating-point unit has finished
-    std::array<Word, 3> move_{}; ///< rows, stride of the target, stride of the source: move2dinit
-
-    std::array<Word, 2> front_{not_a_process, not_a_process}, back_{not_a_process, not_a_process};
-    std::optional<Pending> pending_, interrupted_pending_;
-    bool clocks_run_ = false;
-    Word clock_start_ = 0;
-    Time clocks_since_{};
-    std::array<bool, 2> timers_disabled_{};
-    Time next_timer_ = Time::max(), slice_ends_{};
-    Operation begun_{};   ///< the instruction of the scheduler at which execute() has left
-    int slices_seen_ = 0; ///< ends of timeslice periods since the running process got the processor
-    int interrupted_slices_ = 0;
-
-    Time origin_{};
-    HalfCycles local_ = 0, due_ = 0, on_time_at_ = 0;
-    HalfCycles busy_before_ = 0;
-    std::uint64_t instructions_ = 0;
-    Word last_fetched_ = 1; ///< address of the word of code that was fetched last; odd: none
+    bool memory_is_shared_ = false;
     Watcher* watcher_ = nullptr;
+    CoreState kept_; ///< the state at the last keep_state()
+    std::vector<Overwritten> overwritten_;
+    bool keeps_state_ = false;
 };
 
 } // namespace placedpar::transputer

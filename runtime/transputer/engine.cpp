@@ -67,6 +67,9 @@ namespace placedpar::transputer {
         offset %= size;                                                                                                \
     }                                                                                                                  \
     spent += offset >= on_chip ? penalty : 0
+#define KEEP(bytes)                                                                                                    \
+    if (keeps_state)                                                                                                   \
+    keep_bytes(offset, bytes)
 #define NOTE_WRITE(bytes)                                                                                              \
     if (code_flags[offset / NodeMemory::page_bytes]) [[unlikely]]                                                      \
     code_was_written(*block, *entry, offset, bytes)
@@ -79,6 +82,7 @@ namespace placedpar::transputer {
     do {                                                                                                               \
         const Word stored = static_cast<Word>(value_);                                                                 \
         REACH(address, 4, wraps);                                                                                      \
+        KEEP(4);                                                                                                       \
         std::memcpy(memory + offset, &stored, 4);                                                                      \
         NOTE_WRITE(4);                                                                                                 \
     } while (false)
@@ -94,6 +98,7 @@ namespace placedpar::transputer {
 #define STORE_BYTE(address, value_)                                                                                    \
     do {                                                                                                               \
         REACH(address, 1, timing_.wraps);                                                                              \
+        KEEP(1);                                                                                                       \
         memory[offset] = static_cast<std::uint8_t>(value_);                                                            \
         NOTE_WRITE(1);                                                                                                 \
     } while (false)
@@ -156,7 +161,8 @@ Core::Left Core::execute(HalfCycles budget) {
     const std::uint8_t* const code_flags = memory_.code_flags();
     const Word size = memory_.size(), on_chip = traits_.bytes_on_chip;
     const HalfCycles penalty = penalty_;
-    const bool slice_is_over = priority_ == 1 && slices_seen_ >= 2 && front_[1] != not_a_process;
+    const bool keeps_state = keeps_state_;
+    const bool slice_is_over = is_analysed_ || (priority_ == 1 && slices_seen_ >= 2 && front_[1] != not_a_process);
     Word A = registers_.a, B = registers_.b, C = registers_.c, W = registers_.workspace;
     Word next = registers_.instruction, value = 0, bad = 0, last_fetched = last_fetched_;
     std::uint64_t wide = 0;
@@ -237,6 +243,7 @@ scheduling:
 halt:
     next = place_of(*block, *entry) + entry->length;
     spent += entry->after;
+    instructions_ -= instructions_after(*block, *entry);
     left = Left::halt;
     goto leave;
 unknown:
@@ -246,11 +253,13 @@ unknown:
     goto leave;
 unknown_selector:
     next = place_of(*block, *entry);
+    instructions_ -= instructions_after(*block, *entry);
     left = Left::unknown_selector;
     goto leave;
 bad_address:
     next = place_of(*block, *entry);
     spent += entry->after;
+    instructions_ -= instructions_after(*block, *entry);
     left = Left::bad_address;
 leave:
     registers_.a = A;
@@ -262,6 +271,10 @@ leave:
     stopped_at_ = bad;
     local_ += spent;
     return left;
+}
+
+std::uint64_t Core::instructions_after(const Block& block, const Entry& entry) {
+    return block.instructions - static_cast<std::uint64_t>(&entry - block.entries.get()) - 1;
 }
 
 Word Core::place_of(const Block& block, const Entry& entry) const {
@@ -278,8 +291,7 @@ void Core::code_was_written(Block& block, const Entry& entry, Word offset, Word 
         return;
     // The rest of this block may have changed: it ends after this instruction. The block may be a copy of the beginning
     // of the one that was forgotten.
-    const auto executed = static_cast<std::uint32_t>(&entry - block.entries.get()) + 1;
-    instructions_ -= std::exchange(block.instructions, executed) - executed;
+    instructions_ -= instructions_after(block, entry);
     Entry& rest = const_cast<Entry&>((&entry)[1]);
     rest = {Operation::go_on, 0, entry.after, place_of(block, entry) + entry.length};
 }
@@ -300,6 +312,7 @@ void Core::code_was_written(Block& block, const Entry& entry, Word offset, Word 
 #undef POP
 #undef CHECK
 #undef REACH
+#undef KEEP
 #undef NOTE_WRITE
 #undef LOAD_BY
 #undef STORE_BY

@@ -109,13 +109,11 @@ bool Listing::is_in_memory(const std::string& bytes, Word offset) const {
 
 void Listing::begins(Word at) {
     const Word offset = NodeMemory::offset_of(at);
-    begun_ = nullptr;
     if (offset >= core_.memory().size())
         return; // the instruction will stop the core
     Place& here = place(offset);
     if (here.now.bytes.empty() || !is_in_memory(here.now.bytes, offset))
         code_has_changed(here, offset);
-    begun_ = &here.now;
 }
 
 /// Finds or begins the count of other code at a place.
@@ -136,11 +134,13 @@ void Listing::code_has_changed(Place& here, Word offset) {
     here.now.bytes = bytes;
 }
 
-void Listing::executed(Word, HalfCycles spent) {
-    if (begun_) {
-        ++begun_->times;
-        begun_->spent += spent;
-    }
+void Listing::executed(Word at, HalfCycles spent) {
+    const Word offset = NodeMemory::offset_of(at);
+    if (offset >= core_.memory().size())
+        return; // it began before the listing
+    Count& count = place(offset).now;
+    ++count.times;
+    count.spent += spent;
 }
 
 std::vector<Listing::Line> Listing::lines() const {

@@ -54,7 +54,6 @@ private:
 
     Core& core_;
     std::vector<std::unique_ptr<Page>> pages_;
-    Count* begun_ = nullptr;
 };
 
 /// Prints the code that ran, by address: bytes, instruction, times, cycles and share of all cycles, with sums for each
