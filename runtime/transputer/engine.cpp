@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstring>
 #include <tuple>
+#include <utility>
 
 // Execution leads from one instruction to the next by the addresses of labels, which GCC and Clang know.
 #pragma GCC diagnostic ignored "-Wpedantic"
@@ -167,7 +168,7 @@ Core::Left Core::execute(HalfCycles budget) {
 begin_block:
     if (spent >= budget)
         goto leave;
-    block = watcher_ ? code_.single(next) : code_.at(next);
+    block = code_.at(next);
     if (!block) {
         left = Left::bad_address;
         bad = next;
@@ -214,15 +215,11 @@ begin_block:
 
 branch:
     spent += entry->after;
-    if (watcher_)
-        watcher_->executed(block->start, spent);
     if (code_.must_sweep())
         code_.sweep();
     goto begin_block;
 branch_or_give_way:
     spent += entry->after;
-    if (watcher_)
-        watcher_->executed(block->start, spent);
     if (!slice_is_over)
         goto begin_block;
     left = Left::timeslice;
@@ -284,9 +281,11 @@ Word Core::place_of(const Block& block, const Entry& entry) const {
 
 void Core::code_was_written(Block& block, const Entry& entry, Word offset, Word bytes) {
     code_.forget(offset, bytes);
-    if (!(block.whole ? block.whole : &block)->is_forgotten)
+    const Word begin = NodeMemory::offset_of(block.start);
+    if (offset + bytes <= begin || offset >= begin + block.bytes)
         return;
-    // The rest of this block may have changed: it ends after this instruction.
+    // The rest of this block may have changed: it ends after this instruction. The block may be a copy of the beginning
+    // of the one that was forgotten.
     instructions_ -= instructions_after(block, entry);
     Entry& rest = const_cast<Entry&>((&entry)[1]);
     rest = {Operation::go_on, 0, entry.after, place_of(block, entry) + entry.length};
