@@ -1,11 +1,11 @@
 // Compares the emulated transputer with the plain one: each instruction at the edges of its operands, and random
 // programs.
 
-#include "assembler.hpp"
 #include "edges.hpp"
 #include "plain_transputer.hpp"
 #include "random_program.hpp"
 #include "runtime/random.hpp"
+#include "runtime/transputer/assembler.hpp"
 #include "runtime/transputer/core.hpp"
 #include "tests/seeds.hpp"
 
@@ -21,6 +21,7 @@
 
 using namespace placedpar;
 using namespace placedpar::test;
+using placedpar::transputer::assemble;
 using placedpar::transputer::Core;
 using placedpar::transputer::Model;
 using placedpar::transputer::Registers;

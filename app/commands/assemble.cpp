@@ -1,0 +1,116 @@
+#include "app/command.hpp"
+#include "app/options/common_options.hpp"
+#include "runtime/transputer/assembler.hpp"
+#include "text/diagnostic.hpp"
+#include "text/load_source.hpp"
+#include "text/output_file.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string_view>
+
+namespace placedpar {
+
+namespace {
+
+/// The most bytes that the first byte of a boot packet can announce.
+constexpr std::size_t longest_packet = 255;
+
+/// Reads a program that is longer than a boot packet from the link that booted the transputer: four bytes with the
+/// length, then the program. Starts the program as a boot packet would be started: Iptr is its first byte, Wptr the
+/// first word after it, and C the input channel of the link.
+constexpr std::string_view loader_source = R"(
+        ajw     -4              -- four variables; `in` uses the three words below them
+        stl     0; stl  0       -- A and B are not needed
+        stl     0               -- variable 0: the link, which the boot leaves in C
+        ldlp    1; ldl  0; ldc  4; in           -- variable 1: the length
+        ldlp    4; ldl  0; ldl  1; in           -- the program comes after the variables
+        ldlp    4; ldl  1; adc  3; ldc -4; and; bsub
+        stl     1               -- variable 1: the first word after the program
+        ldl     0; ldlp 4; ldl  1
+        gajw; rev; gcall        -- into Wptr and Iptr; what remains is C
+        .align
+        .word   0, 0, 0, 0, 0, 0, 0             -- the words of this loader
+)";
+
+struct AssembleOptions {
+    std::string file, out, processor = "T800";
+    bool listing = false;
+};
+
+void append_length(std::string& file, std::size_t length, std::size_t bytes) {
+    for (std::size_t i = 0; i < bytes; ++i)
+        file += static_cast<char>(length >> 8 * i & 255);
+}
+
+/// Assembles a user's program. Throws RefusedInput.
+transputer::Assembly assembled(const LoadedSource& source, transputer::Word origin, transputer::Model model) {
+    try {
+        return transputer::assemble(source.file->text(), origin, model);
+    } catch (const transputer::AssemblyError& error) {
+        Diagnostic diagnostic = error_at(error.line, error.column, error.what());
+        diagnostic.location.file = source.file;
+        throw RefusedInput(render(diagnostic));
+    }
+}
+
+ExitCode assemble_file(const AssembleOptions& options) {
+    require_apart(std::array{std::filesystem::path(options.out)}, options.file);
+    require_writable(options.out);
+    const LoadedSource source = load_input(options.file);
+    if (has_errors(source.problems))
+        throw RefusedInput(render(source.problems));
+    const transputer::Model model = *transputer::model_named(options.processor);
+    const transputer::Word memory_start = transputer::most_negative + transputer::traits_of(model).memory_start;
+
+    transputer::Assembly program = assembled(source, memory_start, model);
+    if (program.bytes.empty())
+        throw UserError(fmt::format("{}: the program has no instruction", options.file));
+    program.bytes.resize(std::max<std::size_t>(program.bytes.size(), 2)); // packets of 0 and 1 bytes are poke and peek
+    std::string file, loaded_by = "in one boot packet";
+    if (program.bytes.size() > longest_packet) {
+        const auto loader = transputer::assemble(loader_source, memory_start).bytes;
+        program = assembled(source, memory_start + static_cast<transputer::Word>(loader.size()), model);
+        append_length(file, loader.size(), 1);
+        file.append(loader.begin(), loader.end());
+        append_length(file, program.bytes.size(), 4);
+        loaded_by = fmt::format("after a loader of {} bytes", loader.size());
+    } else {
+        append_length(file, program.bytes.size(), 1);
+    }
+    file.append(program.bytes.begin(), program.bytes.end());
+    write_whole(options.out, file);
+    print_out(fmt::format("{}: {} bytes for #{:X}, {}\n{}", options.out, program.bytes.size(), program.origin,
+                          loaded_by, options.listing ? program.listing() : ""));
+    return ExitCode::success;
+}
+
+Action declare_assemble(Options& command, const std::string&) {
+    auto options = std::make_shared<AssembleOptions>();
+    std::vector<std::string> models;
+    for (const transputer::Traits& each : transputer::all_traits)
+        models.emplace_back(each.name);
+    add_file(command, "FILE", options->file, "a program in the transputer's instructions; - is standard input").required();
+    add_file(command, "-o,--out", options->out, "the bootable file that is written").required();
+    command.add("--processor", options->processor, "type of the transputer that executes the program")
+        .one_of(models)
+        .show_default();
+    command.add_flag("--listing", options->listing, "also prints the program with its addresses and bytes");
+    command.add_footer("The instructions, and how to write them: docs/reference/transputer.md.");
+    return [options] { return assemble_file(*options); };
+}
+
+} // namespace
+
+extern const Command assemble_command{
+    .name = "assemble",
+    .about = "Makes a bootable file from a program in the transputer's instructions",
+    .place = 45,
+    .declare = declare_assemble,
+};
+
+} // namespace placedpar
