@@ -94,7 +94,8 @@ Action declare_assemble(Options& command, const std::string&) {
     std::vector<std::string> models;
     for (const transputer::Traits& each : transputer::all_traits)
         models.emplace_back(each.name);
-    add_file(command, "FILE", options->file, "a program in the transputer's instructions; - is standard input").required();
+    add_file(command, "FILE", options->file, "a program in the transputer's instructions; - is standard input")
+        .required();
     add_file(command, "-o,--out", options->out, "the bootable file that is written").required();
     command.add("--processor", options->processor, "type of the transputer that executes the program")
         .one_of(models)

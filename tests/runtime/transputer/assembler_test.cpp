@@ -63,7 +63,8 @@ TEST_CASE("the assembler and the plain transputer give an operation the same cod
 TEST_CASE("the assembler stores numbers, texts and what fills a word") {
     CHECK(assemble(".byte 1, -1, 255").bytes == Code{1, 255, 255});
     CHECK(assemble(".half 258; .word -2").bytes == Code{2, 1, 0xFE, 0xFF, 0xFF, 0xFF});
-    CHECK(assemble(".byte \"a; b -- c:\", 13 -- text").bytes == Code{'a', ';', ' ', 'b', ' ', '-', '-', ' ', 'c', ':', 13});
+    CHECK(assemble(".byte \"a; b -- c:\", 13 -- text").bytes ==
+          Code{'a', ';', ' ', 'b', ' ', '-', '-', ' ', 'c', ':', 13});
     CHECK(assemble(".byte 1; .align; .byte 2", 0x80000071).bytes == Code{1, 0, 0, 2});
     CHECK(assemble("two = 2\nthree = two + 1\nldc three - #1; adc two").bytes == Code{0x42, 0x82});
 }

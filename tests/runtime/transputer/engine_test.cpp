@@ -24,7 +24,6 @@ using namespace placedpar::test;
 using placedpar::transputer::assemble;
 using placedpar::transputer::Core;
 using placedpar::transputer::Model;
-using placedpar::transputer::Registers;
 
 namespace {
 
@@ -59,7 +58,7 @@ public:
         core.copy_to_memory(address - PlainTransputer::most_neg, bytes);
     }
 
-    void set(Registers registers, bool halt_on_error = false) {
+    void set(transputer::Registers registers, bool halt_on_error = false) {
         plain.iptr = registers.instruction;
         plain.wptr = registers.workspace;
         plain.a = registers.a;
@@ -140,7 +139,7 @@ private:
     }
 
     std::string differences(std::uint64_t expected, std::uint64_t half_cycles) const {
-        const Registers& r = core.registers();
+        const transputer::Registers& r = core.registers();
         std::string result;
         const auto compare = [&](std::string_view what, std::uint64_t value, std::uint64_t right) {
             if (value != right)
