@@ -79,6 +79,7 @@ SEEDS = {
     "requests": lambda: [OPENED + request(tag, STREAM + text(b"some bytes") + bytes(8)) for tag in range(10, 26)]
                         + [request(tag, text(b"file") + text(b"link/etc")) for tag in range(10, 43)]
                         + [OPENED + request(17, STREAM + bytes([0, 8, 0, 0, 1, 0, 0, 0])) + request(13, STREAM + text(b"\x1b[2Jend"))],
+    "program": lambda: files("examples/transputer/**/*.tas") + texts_of("tests/runtime/transputer/assembler_test.cpp"),
     "arguments": lambda: texts_of("tests/explore/**/*.cpp", "tests/report/*.cpp"),
 }
 
