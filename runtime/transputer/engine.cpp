@@ -66,6 +66,9 @@ namespace placedpar::transputer {
         offset %= size;                                                                                                \
     }                                                                                                                  \
     spent += offset >= on_chip ? penalty : 0
+#define KEEP(bytes)                                                                                                    \
+    if (keeps_state)                                                                                                   \
+    keep_bytes(offset, bytes)
 #define NOTE_WRITE(bytes)                                                                                              \
     if (code_flags[offset / NodeMemory::page_bytes]) [[unlikely]]                                                      \
     code_was_written(*block, *entry, offset, bytes)
@@ -78,6 +81,7 @@ namespace placedpar::transputer {
     do {                                                                                                               \
         const Word stored = static_cast<Word>(value_);                                                                 \
         REACH(address, 4, wraps);                                                                                      \
+        KEEP(4);                                                                                                       \
         std::memcpy(memory + offset, &stored, 4);                                                                      \
         NOTE_WRITE(4);                                                                                                 \
     } while (false)
@@ -93,6 +97,7 @@ namespace placedpar::transputer {
 #define STORE_BYTE(address, value_)                                                                                    \
     do {                                                                                                               \
         REACH(address, 1, timing_.wraps);                                                                              \
+        KEEP(1);                                                                                                       \
         memory[offset] = static_cast<std::uint8_t>(value_);                                                            \
         NOTE_WRITE(1);                                                                                                 \
     } while (false)
@@ -155,6 +160,7 @@ Core::Left Core::execute(HalfCycles budget) {
     const std::uint8_t* const code_flags = memory_.code_flags();
     const Word size = memory_.size(), on_chip = traits_.bytes_on_chip;
     const HalfCycles penalty = penalty_;
+    const bool keeps_state = keeps_state_;
     const bool slice_is_over = priority_ == 1 && slices_seen_ >= 2 && front_[1] != not_a_process;
     Word A = registers_.a, B = registers_.b, C = registers_.c, W = registers_.workspace;
     Word next = registers_.instruction, value = 0, bad = 0, last_fetched = last_fetched_;
@@ -276,9 +282,11 @@ Word Core::place_of(const Block& block, const Entry& entry) const {
 
 void Core::code_was_written(Block& block, const Entry& entry, Word offset, Word bytes) {
     code_.forget(offset, bytes);
-    if (!block.is_forgotten)
+    const Word begin = NodeMemory::offset_of(block.start);
+    if (offset + bytes <= begin || offset >= begin + block.bytes)
         return;
-    // The rest of this block may have changed: it ends after this instruction.
+    // The rest of this block may have changed: it ends after this instruction. The block may be a copy of the beginning
+    // of the one that was forgotten.
     Entry& rest = const_cast<Entry&>((&entry)[1]);
     rest = {Operation::go_on, 0, entry.after, place_of(block, entry) + entry.length};
 }
@@ -299,6 +307,7 @@ void Core::code_was_written(Block& block, const Entry& entry, Word offset, Word 
 #undef POP
 #undef CHECK
 #undef REACH
+#undef KEEP
 #undef NOTE_WRITE
 #undef LOAD_BY
 #undef STORE_BY

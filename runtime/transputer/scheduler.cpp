@@ -95,7 +95,8 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
 bool Core::finish_pending(HalfCycles limit, bool punctual, Pause& pause) {
     const HalfCycles until = std::min(limit, due_);
     const HalfCycles room = until > local_ ? until - local_ : 0;
-    if (pending_->left > 0 && pending_->left >= room) { // timers that are due at its end come before its effect
+    const bool timer_first = pending_->left > 0 && local_ + pending_->left == due_;
+    if (pending_->left > room || timer_first) {
         local_ += room;
         pending_->left -= room;
         pause = Pause::limit;
@@ -521,8 +522,10 @@ void Core::store(Word address, Word value) {
 void Core::write(Word offset, std::span<const std::uint8_t> bytes) {
     if (bytes.empty())
         return;
-    std::memmove(memory_.data() + offset, bytes.data(), bytes.size());
     const auto count = static_cast<Word>(bytes.size());
+    if (keeps_state_)
+        keep_bytes(offset, count);
+    std::memmove(memory_.data() + offset, bytes.data(), bytes.size());
     if (memory_.has_code(offset, count))
         code_.forget(offset, count);
 }
@@ -536,10 +539,40 @@ void Core::copy_from_memory(Word offset, std::span<std::uint8_t> to) {
 }
 
 void Core::copy_to_memory(Word offset, std::span<const std::uint8_t> bytes) {
+    const bool keeps = std::exchange(keeps_state_, false);
     if (memory_.holds(offset, static_cast<Word>(bytes.size())))
         write(offset, bytes);
     else
         fault(Stopped::by_bad_address, most_negative + offset);
+    keeps_state_ = keeps;
+}
+
+// Keeping the state
+
+void Core::keep_state() {
+    kept_ = *this;
+    overwritten_.clear();
+    keeps_state_ = true;
+}
+
+void Core::forget_kept_state() { keeps_state_ = false; }
+
+void Core::return_to_kept_state() {
+    keeps_state_ = false;
+    static_cast<CoreState&>(*this) = kept_;
+    for (auto each = overwritten_.rbegin(); each != overwritten_.rend(); ++each)
+        write(each->offset, {reinterpret_cast<const std::uint8_t*>(&each->contents), each->bytes});
+    overwritten_.clear();
+}
+
+void Core::keep_bytes(Word offset, Word bytes) {
+    while (bytes > 0) {
+        Overwritten each{offset, std::min<Word>(bytes, 8), 0};
+        std::memcpy(&each.contents, memory_.data() + offset, each.bytes);
+        overwritten_.push_back(each);
+        offset += each.bytes;
+        bytes -= each.bytes;
+    }
 }
 
 /// Returns the number of words that an interval touches, with part words at its ends.

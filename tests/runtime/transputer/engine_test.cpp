@@ -21,16 +21,14 @@
 
 using namespace placedpar;
 using namespace placedpar::test;
-using placedpar::transputer::assemble;
-using placedpar::transputer::Core;
-using placedpar::transputer::Model;
 
 namespace {
 
 using Word = std::uint32_t;
 
 constexpr PlainModel plain_models[] = {t414, t425, t400, t800, t805};
-constexpr Model models[] = {Model::t414, Model::t425, Model::t400, Model::t800, Model::t805};
+constexpr transputer::Model core_models[] = {transputer::Model::t414, transputer::Model::t425, transputer::Model::t400,
+                                             transputer::Model::t800, transputer::Model::t805};
 constexpr Word workspace_at = 0x80000C00;
 
 /// Links that nothing is connected to.
@@ -46,7 +44,7 @@ public:
     /// `in_pieces`: probability of going on in short pieces of time.
     Both(std::size_t model, Word memory, Word memorycycles, Word clock_mhz, double in_pieces = 0)
         : plain({plain_models[model], memory, memorycycles, clock_mhz}),
-          core(models[model], memory,
+          core(core_models[model], memory,
                {.clock_hz = clock_mhz * 1'000'000, .memory_cycles = static_cast<int>(memorycycles)}, no_links),
           clock_mhz_(clock_mhz), in_pieces_(in_pieces) {
         for (Word address = PlainTransputer::most_neg; address < plain.mem_start(); address += 4)
@@ -101,6 +99,7 @@ public:
             const Word at = plain.iptr;
             plain.step();
             run_core(plain.now, false);
+            run_core(plain.now, false); // for an effect at this very half cycle
             std::string difference = memory_difference();
             if (core_time() == plain.now && !plain.idle && difference.empty())
                 difference = differences(0, 0);
@@ -117,7 +116,7 @@ public:
 
     PlainTransputer plain;
     NoLinks no_links;
-    Core core;
+    transputer::Core core;
 
 private:
     void run_core(std::uint64_t until, bool punctual) {
@@ -126,10 +125,10 @@ private:
             if (until < base)
                 return;
             switch (core.run(until - base, punctual)) {
-            case Core::Pause::limit:
-            case Core::Pause::stopped: return;
-            case Core::Pause::on_time: break;
-            case Core::Pause::idle:
+            case transputer::Core::Pause::limit:
+            case transputer::Core::Pause::stopped: return;
+            case transputer::Core::Pause::on_time: break;
+            case transputer::Core::Pause::idle:
                 if (core.next_timer() == Time::max() || core_time() >= until)
                     return;
 
@@ -195,13 +194,13 @@ bool is_defined(std::string_view name, Word a, Word b) {
 
 TEST_CASE("the engine executes each operation as the plain transputer does, at the edges of operands") {
     const auto values = edges();
-    for (std::size_t model = 0; model < std::size(models); ++model) {
+    for (std::size_t model = 0; model < std::size(core_models); ++model) {
         Both both(model, 8192, 3, 20);
         std::vector<std::uint8_t> code;
         for (const auto name : register_operations(both.plain)) {
             CAPTURE(name);
             CAPTURE(model);
-            both.poke(0x80000200, assemble(name).bytes);
+            both.poke(0x80000200, transputer::assemble(name).bytes);
             int failures = 0;
             for (const Word a : values)
                 for (const Word b : values)
@@ -226,7 +225,7 @@ TEST_CASE("the engine stops at the end of the instruction that sets Error, if Ha
                     if (!is_defined(name, a, b))
                         continue;
                     Both both(model, 4096, 3, 20);
-                    both.poke(0x80000200, assemble(name).bytes);
+                    both.poke(0x80000200, transputer::assemble(name).bytes);
                     both.set({0x80000200, workspace_at, a, b, 7, false}, true);
                     const auto difference = both.step();
                     CHECK_MESSAGE(difference.empty(),
@@ -244,7 +243,7 @@ TEST_CASE("the engine executes direct functions and accesses to memory as the pl
         for (const Word a : {0U, 1U, 0x7FFFFFFFU, 0x80000000U, 0x80000C03U, 0x80001FFCU, 0x80002001U, 0xFFFFFFFFU}) {
             const bool halts = a % 2 != 0;
             Both both(3, 8192, 4, 20);
-            both.poke(0x80000200, assemble(instruction).bytes);
+            both.poke(0x80000200, transputer::assemble(instruction).bytes);
             both.poke(workspace_at, {0x10, 0x32, 0x54, 0x06});
             both.set({0x80000200, workspace_at, a, 0x89ABCDEF, 7, false}, halts);
             const auto difference = both.step();
@@ -256,11 +255,11 @@ namespace {
 
 void compare_random_programs(std::size_t count) {
     for (const auto seed : seeds(count)) {
-        const auto model = seed % std::size(models);
+        const auto model = seed % std::size(core_models);
         const RandomCodeKind kind{
             .model = plain_models[model], .processes = seed % 3 != 0, .data_first = seed % 2 == 0};
         const auto code = random_code(seed, kind);
-        const auto program = assemble(code.source, code.origin);
+        const auto program = transputer::assemble(code.source, code.origin);
         const Word memorycycles = 1 + static_cast<Word>(seed / 7 % 5), mhz = seed % 4 ? 1 : 20;
         const auto compare = [&](std::string (Both::*run)()) {
             Both both(model, 65536, memorycycles, mhz, seed % 2 ? 1 - 1e-3 : 0);

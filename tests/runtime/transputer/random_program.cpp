@@ -13,7 +13,7 @@
 
 namespace placedpar::test {
 
-namespace {
+namespace random_codes {
 
 using Word = std::uint32_t;
 
@@ -450,8 +450,10 @@ private:
     int processes_ = 1, process_ = 0, labels_ = 0, defined_ = 0;
 };
 
-} // namespace
+} // namespace random_codes
 
-RandomCode random_code(std::uint64_t seed, const RandomCodeKind& kind) { return CodeWriter(seed, kind).run(); }
+RandomCode random_code(std::uint64_t seed, const RandomCodeKind& kind) {
+    return random_codes::CodeWriter(seed, kind).run();
+}
 
 } // namespace placedpar::test
