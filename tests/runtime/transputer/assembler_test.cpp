@@ -15,14 +15,13 @@ using namespace placedpar::test;
 using placedpar::transputer::assemble;
 using placedpar::transputer::AssemblyError;
 using placedpar::transputer::encoded;
-using placedpar::transputer::Model;
 
 namespace {
 
 using Code = std::vector<std::uint8_t>;
 
 /// Returns the place and the text of the error in a program; "" if it has none.
-std::string refusal_of(const char* source, std::optional<Model> model = std::nullopt) {
+std::string assembly_error(const char* source, std::optional<placedpar::transputer::Model> model = std::nullopt) {
     try {
         assemble(source, 0, model);
     } catch (const AssemblyError& error) {
@@ -78,18 +77,18 @@ TEST_CASE("the assembler's listing has the address and the bytes of each line") 
 }
 
 TEST_CASE("the assembler says where an error is") {
-    CHECK(refusal_of("ldc 1\nadd 3") == "2:5: \"add\" has no operand");
-    CHECK(refusal_of("\n\n  rev; frob") == "3:8: \"frob\" is no instruction");
-    CHECK(refusal_of("j nowhere") == "1:3: nothing has the name \"nowhere\"");
-    CHECK(refusal_of("x:\nx: rev") == "2:1: \"x\" is defined already: choose another name");
-    CHECK(refusal_of("x: rev\nx = 1") == "2:1: \"x\" is defined already: choose another name");
-    CHECK(refusal_of("1x: rev") == "1:1: \"1x\" is no name: a name has letters, digits, _ and .");
-    CHECK(refusal_of("x = y") == "1:5: nothing has the name \"y\"");
-    CHECK(refusal_of("ldc") == "1:1: \"ldc\" needs an operand");
-    CHECK(refusal_of("ldc 4294967296") == "1:5: \"4294967296\" is neither a number of 32 bits nor a name");
-    CHECK(refusal_of(".byte 1, 256") == "1:10: 256 does not fit into 8 bits");
-    CHECK(refusal_of(".byte -129") == "1:7: -129 does not fit into 8 bits");
-    CHECK(refusal_of(".word") == "1:1: a number or a name is missing");
-    CHECK(refusal_of("dup", Model::t800) == "");
-    CHECK(refusal_of("dup", Model::t414) == "1:1: the T414 has no instruction \"dup\"");
+    CHECK(assembly_error("ldc 1\nadd 3") == "2:5: \"add\" has no operand");
+    CHECK(assembly_error("\n\n  rev; frob") == "3:8: \"frob\" is no instruction");
+    CHECK(assembly_error("j nowhere") == "1:3: nothing has the name \"nowhere\"");
+    CHECK(assembly_error("x:\nx: rev") == "2:1: \"x\" is defined already: choose another name");
+    CHECK(assembly_error("x: rev\nx = 1") == "2:1: \"x\" is defined already: choose another name");
+    CHECK(assembly_error("1x: rev") == "1:1: \"1x\" is no name: a name has letters, digits, _ and .");
+    CHECK(assembly_error("x = y") == "1:5: nothing has the name \"y\"");
+    CHECK(assembly_error("ldc") == "1:1: \"ldc\" needs an operand");
+    CHECK(assembly_error("ldc 4294967296") == "1:5: \"4294967296\" is neither a number of 32 bits nor a name");
+    CHECK(assembly_error(".byte 1, 256") == "1:10: 256 does not fit into 8 bits");
+    CHECK(assembly_error(".byte -129") == "1:7: -129 does not fit into 8 bits");
+    CHECK(assembly_error(".word") == "1:1: a number or a name is missing");
+    CHECK(assembly_error("dup", placedpar::transputer::Model::t800) == "");
+    CHECK(assembly_error("dup", placedpar::transputer::Model::t414) == "1:1: the T414 has no instruction \"dup\"");
 }
