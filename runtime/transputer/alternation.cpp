@@ -105,10 +105,10 @@ void Core::wait_for_alternative(bool timer) {
 
 // Clocks
 
-Word Core::clock(int priority) const {
+Word Core::clock_at(Time time, int priority) const {
     if (!clocks_run_)
         return clock_start_;
-    return clock_start_ + static_cast<Word>((local_time() - clocks_since_) / tick_of(priority));
+    return clock_start_ + static_cast<Word>((time - clocks_since_) / tick_of(priority));
 }
 
 void Core::start_clocks(Word value) {
@@ -159,14 +159,14 @@ void Core::join_timers(Word time) {
 }
 
 /// Takes a process that was woken otherwise out of its timer queue, if it is in there, and notes the time.
-void Core::leave_timers(Word workspace, int priority) {
+void Core::leave_timers(Word workspace, int priority, Time now) {
     Word place = reserved::timer_heads + 4 * static_cast<Word>(priority);
     for (Word next = load(place), left = longest_queue(); next != not_a_process && left > 0;
          next = load(place), --left) {
         if (next == workspace) {
             store(place, load(workspace - below::timer_link));
             store(workspace - below::timer_link, alternative::time_set);
-            store(workspace - below::time, clock(priority));
+            store(workspace - below::time, clock_at(now, priority));
             find_next_timer();
             return;
         }

@@ -24,6 +24,18 @@ void ByteLane::take(std::uint32_t bytes) {
     wire_.take(bytes);
 }
 
+void ByteLane::reset_giving() {
+    move(std::min({wire_.reset_giving(), to_give_, to_take_}));
+    gives_ = false;
+    to_give_ = 0;
+}
+
+void ByteLane::reset_taking() {
+    move(std::min({wire_.reset_taking(), to_give_, to_take_}));
+    takes_ = false;
+    to_take_ = 0;
+}
+
 void ByteLane::move(std::uint32_t bytes) {
     std::array<std::uint8_t, 1024> buffer;
     to_give_ -= bytes;

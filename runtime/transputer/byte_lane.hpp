@@ -44,6 +44,9 @@ public:
     /// Throw as the functions of LinkDirection.
     void give(std::uint32_t bytes);
     void take(std::uint32_t bytes);
+    /// Forget what this end still has to give or take: see LinkDirection::reset_giving.
+    void reset_giving();
+    void reset_taking();
     bool has_byte() const { return wire_.byte_waits(); }
     bool is_giving() const { return gives_; }
     bool is_taking() const { return takes_; }

@@ -56,7 +56,7 @@ public:
     enum class Pause {
         limit,   ///< local time has reached the limit
         on_time, ///< the next effect concerns links, queues or clocks; it must happen at its own moment: call run()
-                 ///< then
+                 ///< then. Also after an effect on a link, since now others may act on the core.
         idle,    ///< no process can run before a timer is due or a link wakes one
         stopped  ///< see stopped()
     };
@@ -64,6 +64,14 @@ public:
     /// must happen at its own moment, since a link may wake a process meanwhile. REQUIRES: the caller's time is
     /// local_time(), or later if the core is idle; then call pass_idle_time() first.
     Pause run(HalfCycles limit, bool punctual);
+    /// States that link engines may take accesses at any time. What depends on local time then happens at its own
+    /// moment, after lose_accesses().
+    void share_memory() { memory_is_shared_ = true; }
+    /// Attends to timers that are due and to the end of a timeslice period.
+    void attend_if_due() {
+        if (local_ >= due_ && stopped_ == Stopped::nothing)
+            attend();
+    }
 
     /// Local time: half cycles since the core was last woken from idleness.
     HalfCycles local() const { return local_; }
@@ -86,17 +94,24 @@ public:
     void boot(Word code_bytes, int input_channel);
     /// Makes the process that waits at a link's channel ready: its transfer is done.
     void transfer_ended(int channel);
-    /// A byte has come that no transfer has asked for: makes an ALT that waits for it ready.
-    void byte_has_come(int channel);
+    /// A byte has come at a time that no transfer has asked for: makes an ALT that waits for it ready.
+    void byte_has_come(int channel, Time);
     /// Returns whether a process waits for a link.
     bool waits_for_links() const;
-    /// Returns whether a process of high priority waits for a link. It may interrupt one of low priority.
+    /// Returns whether a link may change at any moment what the core executes: a process of high priority waits for
+    /// one, or the running process has used up its timeslice and goes on only because no other is ready.
     bool may_be_interrupted() const;
     /// Copy bytes for a link or a boot. Offsets outside of the memory stop the core.
     void copy_from_memory(Word offset, std::span<std::uint8_t>);
     void copy_to_memory(Word offset, std::span<const std::uint8_t>);
     /// Returns whether a process runs or is ready.
     bool is_active() const { return running_ || front_[0] != not_a_process || front_[1] != not_a_process; }
+
+    /// Lets the core stop at the next j, lend or wait, as the analyse pin does.
+    void stop_for_analyse() { is_analysed_ = true; }
+    /// Makes a core that has stopped ready for another boot, after which `testpranal` pushes TRUE. Saves the registers
+    /// of a process of low priority below MemStart. Keeps memory and queues, and stops the clocks.
+    void reset_after_analyse();
 
     Stopped stopped() const { return stopped_; }
     /// Describes why the core stopped, with the instruction and its address: "instruction #1F2 at #80000104 is unknown
@@ -105,6 +120,7 @@ public:
 
     Model model() const { return model_; }
     NodeMemory& memory() { return memory_; }
+    const NodeMemory& memory() const { return memory_; }
     const Registers& registers() const { return registers_; }
     bool high_priority() const { return priority_ == 0; }
     bool halts_on_error() const { return halts_on_error_; }
@@ -112,7 +128,8 @@ public:
     /// Returns the front of a queue of ready processes: an address of a workspace, or not_a_process.
     Word front(int priority) const { return front_[static_cast<std::size_t>(priority)]; }
     Word back(int priority) const { return back_[static_cast<std::size_t>(priority)]; }
-    Word clock(int priority) const;
+    Word clock(int priority) const { return clock_at(local_time(), priority); }
+    Word clock_at(Time, int priority) const;
     /// Returns for how long instructions were executed.
     HalfCycles busy() const { return busy_before_ + local_; }
     std::uint64_t instructions() const { return instructions_; }
@@ -150,11 +167,14 @@ private:
     // engine.cpp
     Left execute(HalfCycles budget);
     Word place_of(const Block&, const Entry&) const;
+    static std::uint64_t instructions_after(const Block&, const Entry&);
     void code_was_written(Block&, const Entry&, Word offset, Word bytes);
 
     // scheduler.cpp: processes, channels, moves
     bool finish_pending(HalfCycles limit, bool punctual, Pause&);
+    bool must_begin_on_time(Operation, bool punctual) const;
     bool must_be_on_time(Operation, bool punctual) const;
+    bool concerns_link(Operation) const;
     void attend();
     void begin_slice();
     void find_due();
@@ -162,6 +182,7 @@ private:
     void take_front(int priority);
     void continue_at(Word workspace, int priority);
     void set_priority(int priority);
+    void save_process();
     void interrupt();
     void resume_interrupted();
     void leave_processor();
@@ -171,9 +192,8 @@ private:
     void wait_at(Word channel, Word address);
     void communicate(Word channel, Word address, Word bytes, bool output);
     void meet(Word channel, Word partner, Word address, Word bytes, bool output);
-    void wake_alternative(Word partner);
+    void wake_alternative(Word partner, Time);
     void reset_channel();
-    void begin(Operation);
     HalfCycles cost_of(Operation);
     HalfCycles cost_of_communication(Word channel, Word address, Word bytes);
     void perform(Operation);
@@ -203,7 +223,7 @@ private:
     Time when_after(Word time, int priority) const;
     void wait_for_time();
     void join_timers(Word time);
-    void leave_timers(Word workspace, int priority);
+    void leave_timers(Word workspace, int priority, Time);
     void wake_timers(int priority);
     void find_next_timer();
 
@@ -227,6 +247,7 @@ private:
     Clock half_cycles_;
     HalfCycles penalty_; ///< of an access to data outside of the chip
 
+    bool memory_is_shared_ = false;
     Watcher* watcher_ = nullptr;
     CoreState kept_; ///< the state at the last keep_state()
     std::vector<Overwritten> overwritten_;

@@ -24,21 +24,23 @@ struct Registers {
 };
 
 /// Why a core no longer executes. `nothing`: it does.
-enum class Stopped : std::uint8_t { nothing, by_error, by_unknown_instruction, by_bad_address, by_break };
+enum class Stopped : std::uint8_t { nothing, by_error, by_unknown_instruction, by_bad_address, by_break, by_analyse };
 
 /// An instruction of the scheduler whose cycles pass before its effect.
 struct Pending {
     Operation operation;
     HalfCycles left;
+    bool begun = true; ///< false if its cycles are not known yet, since they depend on the moment
 };
 
 /// All that changes in a core while it executes, apart from its memory: a value, which can be kept and taken back.
 struct CoreState {
     Registers registers_;
     int priority_ = 1;
-    bool running_ = false;
+    bool running_ = false, was_running_ = false; ///< the latter: when the core stopped
     bool halts_on_error_ = false;
     bool analysed_ = false, breaks_at_j0_ = false;
+    bool is_analysed_ = false; ///< the analyse pin is set
     Stopped stopped_ = Stopped::nothing;
     Word stopped_at_ = 0;      ///< the address that was bad
     bool other_error_ = false; ///< Error of the interrupted process

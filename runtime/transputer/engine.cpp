@@ -161,7 +161,7 @@ Core::Left Core::execute(HalfCycles budget) {
     const Word size = memory_.size(), on_chip = traits_.bytes_on_chip;
     const HalfCycles penalty = penalty_;
     const bool keeps_state = keeps_state_;
-    const bool slice_is_over = priority_ == 1 && slices_seen_ >= 2 && front_[1] != not_a_process;
+    const bool slice_is_over = is_analysed_ || (priority_ == 1 && slices_seen_ >= 2 && front_[1] != not_a_process);
     Word A = registers_.a, B = registers_.b, C = registers_.c, W = registers_.workspace;
     Word next = registers_.instruction, value = 0, bad = 0, last_fetched = last_fetched_;
     std::uint64_t wide = 0;
@@ -246,6 +246,7 @@ scheduling:
 halt:
     next = place_of(*block, *entry) + entry->length;
     spent += entry->after;
+    instructions_ -= instructions_after(*block, *entry);
     left = Left::halt;
     goto leave;
 unknown:
@@ -255,11 +256,13 @@ unknown:
     goto leave;
 unknown_selector:
     next = place_of(*block, *entry);
+    instructions_ -= instructions_after(*block, *entry);
     left = Left::unknown_selector;
     goto leave;
 bad_address:
     next = place_of(*block, *entry);
     spent += entry->after;
+    instructions_ -= instructions_after(*block, *entry);
     left = Left::bad_address;
 leave:
     registers_.a = A;
@@ -271,6 +274,10 @@ leave:
     stopped_at_ = bad;
     local_ += spent;
     return left;
+}
+
+std::uint64_t Core::instructions_after(const Block& block, const Entry& entry) {
+    return block.instructions - static_cast<std::uint64_t>(&entry - block.entries.get()) - 1;
 }
 
 Word Core::place_of(const Block& block, const Entry& entry) const {
@@ -287,6 +294,7 @@ void Core::code_was_written(Block& block, const Entry& entry, Word offset, Word 
         return;
     // The rest of this block may have changed: it ends after this instruction. The block may be a copy of the beginning
     // of the one that was forgotten.
+    instructions_ -= instructions_after(block, entry);
     Entry& rest = const_cast<Entry&>((&entry)[1]);
     rest = {Operation::go_on, 0, entry.after, place_of(block, entry) + entry.length};
 }

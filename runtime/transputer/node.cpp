@@ -19,7 +19,8 @@ Word word_of(std::span<const std::uint8_t, 4> bytes) {
 
 Node::Node(Kernel& kernel, std::string name, Model model, std::uint64_t memory_bytes, const CoreTiming& timing)
     : kernel_(kernel), name_(std::move(name)), core_(model, memory_bytes, timing, *this),
-      access_(duration_of(timing.memory_cycles, timing.clock_hz)) {
+      access_(duration_of(timing.memory_cycles, timing.clock_hz)),
+      access_half_cycles_(2 * static_cast<HalfCycles>(timing.memory_cycles)) {
     for (int i = 0; i < links; ++i)
         ports_[static_cast<std::size_t>(i)].belong_to(*this, i);
 }
@@ -27,13 +28,17 @@ Node::Node(Kernel& kernel, std::string name, Model model, std::uint64_t memory_b
 void Node::has_link(hardware::Link& link) {
     link.from_a_to_b().move_messages_of(engines_);
     link.from_b_to_a().move_messages_of(engines_);
-    if (std::ranges::find(wires_, &link) == wires_.end())
-        wires_.push_back(&link);
+    wires_.push_back(&link);
+    core_.share_memory();
 }
 
 // Running
 
 void Node::happen() noexcept {
+    if (activity_ == Activity::listening)
+        return listen();
+    if (is_halted())
+        return;
     if (std::exchange(is_idle_, false)) {
         busy_ += core_.local_time() - core_.time_at(0);
         core_.pass_idle_time(kernel_.now());
@@ -44,28 +49,41 @@ void Node::happen() noexcept {
 }
 
 void Node::run() {
-    const bool link_in_use = core_.waits_for_links();
-    switch (core_.run(limit(link_in_use), link_in_use)) {
-    case Core::Pause::idle: return be_idle();
-    case Core::Pause::stopped: activity_ = Activity::stopped; return when_stopped_();
-    case Core::Pause::limit:
-    case Core::Pause::on_time: break;
+    Core::Pause pause{};
+    do {
+        tell_core();
+        const bool punctual = core_.waits_for_links();
+        pause = core_.run(limit(), punctual);
+    } while (pause == Core::Pause::on_time && core_.local_time() == kernel_.now());
+    if (pause == Core::Pause::idle)
+        return be_idle();
+    if (pause == Core::Pause::stopped && core_.local_time() <= kernel_.now()) {
+        if (core_.stopped() == Stopped::by_analyse)
+            return end_analysis();
+        activity_ = Activity::stopped;
+        return when_stopped_();
     }
     kernel_.future().schedule(*this, core_.local_time(), EventQueue::turn);
 }
 
-/// Returns the local time up to which nothing else can act on the core. While link engines take accesses, local time
-/// passes faster than instructions do: then only half of the way is gone at once.
-HalfCycles Node::limit(bool link_in_use) const {
-    Time until = later(kernel_.now(), most_ahead_);
-    if (core_.may_be_interrupted() && !kernel_.future().empty())
-        until = std::min(until, kernel_.future().next_time());
-    HalfCycles result = std::max(core_.half_cycle_at(until), core_.local() + 1);
-    if (link_in_use) {
-        const HalfCycles way = std::min(result, core_.next_attention()) - core_.local();
-        result = core_.local() + std::max<HalfCycles>(1, way / 2);
-    }
-    return result;
+/// Returns the local time up to which nothing else can act on the core.
+///
+/// While link engines take accesses, local time passes faster than instructions do, so only a part of the way is gone
+/// at once. It is exact unless the engines take more than three quarters of the time of the memory.
+HalfCycles Node::limit() const {
+    const EventQueue& future = kernel_.future();
+    const Time next_event = future.empty() ? Time::max() : future.next_time();
+    Time until = std::min({later(kernel_.now(), most_ahead_), halts_at_, analysed_at_});
+    if (core_.may_be_interrupted())
+        until = std::min(until, next_event);
+    const HalfCycles next = core_.local() + 1, end = std::max(core_.half_cycle_at(until), next);
+    if (wires_.empty())
+        return end;
+    const HalfCycles way = std::min(end, core_.next_attention()) - core_.local();
+    if (engines_.parts_under_way == 0 && core_.time_at(core_.local() + way) <= next_event)
+        return core_.local() + way;
+    const HalfCycles at_once = 2 * wires_.size() * access_half_cycles_;
+    return way > at_once + 4 ? core_.local() + (way - at_once) / 4 : next;
 }
 
 /// Adds the accesses that link engines took since the last call. Returns false if local time is now in the future; the
@@ -87,6 +105,30 @@ std::uint64_t Node::words_moved() {
     return words;
 }
 
+/// Notes what a link has done, for the next turn of the core. An idle core has its turn at once, after all links.
+void Node::note(const Wake& wake) {
+    if (activity_ != Activity::booted || is_halted())
+        return;
+    wakes_.push_back(wake);
+    if (is_idle_)
+        kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
+}
+
+/// Tells the core what links have done since its last turn, and lets it attend to its timers, in the order of time.
+void Node::tell_core() {
+    std::ranges::sort(wakes_, std::less<>{});
+    for (const Wake& each : wakes_) {
+        if (each.at > core_.time_at(core_.next_attention()))
+            core_.attend_if_due();
+        if (each.transfer_ended)
+            core_.transfer_ended(each.channel);
+        else
+            core_.byte_has_come(each.channel, each.at);
+    }
+    wakes_.clear();
+    core_.attend_if_due();
+}
+
 void Node::be_idle() {
     if (core_.local_time() > kernel_.now()) { // another process may become ready until then
         kernel_.future().schedule(*this, core_.local_time(), EventQueue::turn);
@@ -95,12 +137,6 @@ void Node::be_idle() {
     is_idle_ = true;
     if (core_.next_timer() != Time::max())
         kernel_.future().schedule(*this, core_.next_timer(), EventQueue::turn);
-}
-
-/// Lets an idle core run at once. A core that is busy sees the process in its queue.
-void Node::wake() {
-    if (is_idle_ && activity_ == Activity::booted && core_.is_active())
-        kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
 }
 
 Time Node::memory_taken_by_links() { return times(static_cast<std::int64_t>(words_moved()), access_); }
@@ -123,14 +159,12 @@ void Node::begin_transfer(int channel, Word address, Word bytes) {
     if (channel >= 2 * links)
         return; // the event channel: nothing is connected to its pin
     Port& port = ports_[static_cast<std::size_t>(channel % links)];
-    if (channel < links) {
+    if (channel < links && port.out && !port.out->is_giving()) {
         port.read_from = NodeMemory::offset_of(address);
-        if (port.out && !port.out->is_giving())
-            port.out->give(bytes);
-    } else {
+        port.out->give(bytes);
+    } else if (channel >= links && port.in && !port.in->is_taking()) {
         port.write_to = NodeMemory::offset_of(address);
-        if (port.in && !port.in->is_taking())
-            port.in->take(bytes);
+        port.in->take(bytes);
     }
 }
 
@@ -139,16 +173,19 @@ bool Node::byte_waits(int channel) {
     return port.in && port.in->has_byte();
 }
 
-void Node::reset(int) {}
+void Node::reset(int channel) {
+    const Port& port = ports_[static_cast<std::size_t>(channel % links)];
+    if (channel < links && port.out)
+        port.out->reset_giving();
+    else if (channel >= links && channel < 2 * links && port.in)
+        port.in->reset_taking();
+}
 
 void Node::transfer_ended(int channel) {
-    if (activity_ == Activity::listening) {
-        listening_ = Listening::for_command;
-        listen(channel % links);
-        return;
-    }
-    core_.transfer_ended(channel);
-    wake();
+    if (activity_ == Activity::listening)
+        obey_next();
+    else
+        note({kernel_.now(), channel, true});
 }
 
 void Node::taken(int link) {
@@ -159,29 +196,42 @@ void Node::taken(int link) {
 }
 
 void Node::byte_has_come(int link) {
-    if (activity_ == Activity::listening) {
-        listen(link);
-        return;
-    }
-    core_.byte_has_come(links + link);
-    wake();
+    if (activity_ == Activity::listening)
+        kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
+    else
+        note({kernel_.now(), links + link, false});
 }
 
 // Reset and boot
 
-/// Reads a command from a link, unless the command of another link is being obeyed.
-void Node::listen(int link) {
-    if (heard_link_ && *heard_link_ != link)
-        return;
-    heard_link_ = link;
-    heard_.clear();
-    ports_[static_cast<std::size_t>(link)].in->take(1);
+/// Reads a command from the first link at which a byte waits, unless another command is being obeyed.
+void Node::listen() {
+    for (int link = 0; link < links && !heard_link_ && !is_halted(); ++link)
+        if (byte_waits(links + link)) {
+            heard_link_ = link;
+            heard_.clear();
+            listening_ = Listening::for_command;
+            ports_[static_cast<std::size_t>(link)].in->take(1);
+        }
+}
+
+/// A command has been obeyed: listens again, after all that happens at this time.
+void Node::obey_next() {
+    heard_link_.reset();
+    kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
 }
 
 void Node::hear(std::span<const std::uint8_t> bytes) { heard_.insert(heard_.end(), bytes.begin(), bytes.end()); }
 
+/// Returns the offset of a word. Addresses outside of the memory reach it again, as on most boards.
+Word Node::wrapped(Word address) const {
+    return NodeMemory::offset_of(address) % core_.memory().size() & ~Word{3};
+}
+
 /// Acts on a command, or on the bytes that belong to it.
 void Node::obey(int link) {
+    if (is_halted())
+        return;
     Port& port = ports_[static_cast<std::size_t>(link)];
     const std::vector<std::uint8_t> heard = std::exchange(heard_, {});
     switch (listening_) {
@@ -192,26 +242,54 @@ void Node::obey(int link) {
         return;
     }
     case Listening::for_poke:
-        core_.copy_to_memory(NodeMemory::offset_of(word_of(std::span(heard).subspan<0, 4>())),
-                             std::span(heard).subspan<4, 4>());
-        listening_ = Listening::for_command;
-        heard_link_.reset();
-        break;
+        core_.copy_to_memory(wrapped(word_of(std::span(heard).subspan<0, 4>())), std::span(heard).subspan<4, 4>());
+        return obey_next();
     case Listening::for_peek:
         listening_ = Listening::answering;
-        port.read_from = NodeMemory::offset_of(word_of(std::span(heard).subspan<0, 4>()));
+        port.read_from = wrapped(word_of(std::span(heard).subspan<0, 4>()));
         port.out->give(4);
         return;
     case Listening::for_code:
         activity_ = Activity::booted;
+        heard_link_.reset();
         core_.copy_to_memory(traits_of(core_.model()).memory_start, heard);
         core_.boot(static_cast<Word>(heard.size()), links + link);
-        return wake();
+        kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
+        return;
     case Listening::answering: return;
     }
-    for (int each = 0; each < links && !heard_link_; ++each)
-        if (byte_waits(each))
-            listen(each);
+}
+
+// Halt and analyse
+
+Node::Activity Node::activity() const { return is_halted() ? Activity::halted : activity_; }
+
+bool Node::is_halted() const { return kernel_.now() >= halts_at_; }
+
+void Node::analyse_at(Time moment) {
+    analysed_at_ = moment;
+    kernel_.future().reschedule(analysis_, moment, EventQueue::timer);
+}
+
+void Node::begin_analysis() {
+    analysed_at_ = Time::max();
+    if (is_halted() || activity_ == Activity::listening)
+        return;
+    core_.stop_for_analyse();
+    if (activity_ == Activity::stopped)
+        end_analysis();
+    else if (activity_ == Activity::booted && is_idle_)
+        kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
+}
+
+/// Resets the links, and listens to them.
+void Node::end_analysis() {
+    core_.reset_after_analyse();
+    for (int channel = 0; channel < 2 * links; ++channel)
+        reset(channel);
+    wakes_.clear();
+    activity_ = Activity::listening;
+    is_idle_ = true;
 }
 
 } // namespace placedpar::transputer

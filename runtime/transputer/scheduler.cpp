@@ -63,8 +63,15 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
     for (;;) {
         if (stopped_ != Stopped::nothing)
             return Pause::stopped;
-        if (local_ >= due_)
+        if (local_ >= due_) {
+            if (memory_is_shared_ && local_ != on_time_at_)
+                return Pause::limit;
             attend();
+        }
+        if (is_analysed_ && !running_) {
+            fault(Stopped::by_analyse, 0);
+            return Pause::stopped;
+        }
         if (priority_ == 1 && running_ && front_[0] != not_a_process &&
             (!pending_ || can_be_interrupted(pending_->operation)))
             interrupt();
@@ -81,8 +88,13 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
             continue; // an interrupt or return took the time until a timer
         switch (execute(std::min(limit, due_) - local_)) {
         case Left::budget: break;
-        case Left::scheduling: begin(begun_); break;
-        case Left::timeslice: begin(Operation::go_on); break;
+        case Left::scheduling: pending_ = Pending{begun_, 0, false}; break;
+        case Left::timeslice:
+            if (is_analysed_)
+                fault(Stopped::by_analyse, 0);
+            else
+                pending_ = Pending{Operation::go_on, 0};
+            break;
         case Left::halt: fault(Stopped::by_error, registers_.instruction); break;
         case Left::unknown:
         case Left::unknown_selector: fault(Stopped::by_unknown_instruction, stopped_at_); break;
@@ -91,8 +103,15 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
     }
 }
 
-/// Lets the cycles of an instruction pass, then performs it. Returns false if the run must pause before.
+/// Lets the cycles of an instruction pass, then performs it. Returns false if the run must pause.
 bool Core::finish_pending(HalfCycles limit, bool punctual, Pause& pause) {
+    if (!pending_->begun) {
+        if (local_ != on_time_at_ && must_begin_on_time(pending_->operation, punctual)) {
+            pause = Pause::on_time;
+            return false;
+        }
+        *pending_ = {pending_->operation, cost_of(pending_->operation)};
+    }
     const HalfCycles until = std::min(limit, due_);
     const HalfCycles room = until > local_ ? until - local_ : 0;
     const bool timer_first = pending_->left > 0 && local_ + pending_->left == due_;
@@ -108,9 +127,36 @@ bool Core::finish_pending(HalfCycles limit, bool punctual, Pause& pause) {
         return false;
     }
     const Operation operation = pending_->operation;
+    const bool link = concerns_link(operation);
+    const HalfCycles due = due_;
     pending_.reset();
     perform(operation);
-    return true;
+    pause = Pause::on_time; // if the caller's limit may be too late now
+    return !link && (due_ >= due || !memory_is_shared_);
+}
+
+/// Returns whether the cycles of an instruction depend on what links do, or on clocks.
+bool Core::must_begin_on_time(Operation operation, bool punctual) const {
+    switch (operation) {
+    case Operation::enbc: return concerns_link(operation);
+    case Operation::altwt: return punctual;
+    case Operation::taltwt:
+    case Operation::tin: return punctual || memory_is_shared_;
+    default: return false;
+    }
+}
+
+bool Core::concerns_link(Operation operation) const {
+    switch (operation) {
+    case Operation::in:
+    case Operation::out:
+    case Operation::outbyte:
+    case Operation::outword:
+    case Operation::enbc: return hard_channel(registers_.b) >= 0;
+    case Operation::disc: return hard_channel(registers_.c) >= 0;
+    case Operation::resetch: return hard_channel(registers_.a) >= 0;
+    default: return false;
+    }
 }
 
 bool Core::must_be_on_time(Operation operation, bool punctual) const {
@@ -119,14 +165,15 @@ bool Core::must_be_on_time(Operation operation, bool punctual) const {
     case Operation::move2dall:
     case Operation::move2dnonzero:
     case Operation::move2dzero: return false;
-    case Operation::in:
-    case Operation::out:
-    case Operation::outbyte:
-    case Operation::outword:
-    case Operation::enbc: return punctual || hard_channel(registers_.b) >= 0;
-    case Operation::disc: return punctual || hard_channel(registers_.c) >= 0;
-    case Operation::resetch: return punctual || hard_channel(registers_.a) >= 0;
-    default: return punctual;
+    case Operation::ldtimer:
+    case Operation::tin:
+    case Operation::taltwt:
+    case Operation::sttimer:
+    case Operation::timerdisableh:
+    case Operation::timerdisablel:
+    case Operation::timerenableh:
+    case Operation::timerenablel: return punctual || memory_is_shared_;
+    default: return punctual || concerns_link(operation);
     }
 }
 
@@ -144,8 +191,9 @@ HalfCycles Core::half_cycle_at(Time time) const {
 }
 
 void Core::pass_idle_time(Time now) {
+    const HalfCycles passed = half_cycle_at(now);
     busy_before_ += local_;
-    fpu_free_ = fpu_free_ > local_ ? fpu_free_ - local_ : 0;
+    fpu_free_ = fpu_free_ > passed ? fpu_free_ - passed : 0;
     local_ = 0;
     origin_ = now;
     begin_slice();
@@ -153,7 +201,9 @@ void Core::pass_idle_time(Time now) {
 }
 
 void Core::lose_accesses(std::uint64_t words) {
-    local_ += 2 * words * static_cast<std::uint64_t>(timing_.memory_cycles);
+    const HalfCycles lost = 2 * words * static_cast<std::uint64_t>(timing_.memory_cycles);
+    local_ += lost;
+    fpu_free_ += lost; // ours: the floating-point unit waits, too; otherwise the moment of this call would matter
 }
 
 /// Attends to timers that are due and to the end of a timeslice period.
@@ -169,6 +219,7 @@ void Core::attend() {
         find_next_timer();
     }
     find_due();
+    due_ = std::max(due_, local_ + 1);
 }
 
 void Core::begin_slice() {
@@ -186,6 +237,8 @@ bool Core::waits_for_links() const {
 }
 
 bool Core::may_be_interrupted() const {
+    if (running_ && priority_ == 1 && slices_seen_ >= 2 && front_[1] == not_a_process && waits_for_links())
+        return true;
     for (Word channel = 0; channel < hard_channels - 1; ++channel)
         if (const Word waiting = memory_.word(4 * channel); waiting != not_a_process && (waiting & 1) == 0)
             return true;
@@ -234,11 +287,15 @@ void Core::set_priority(int priority) {
 }
 
 /// Saves the running process of low priority below MemStart.
-void Core::interrupt() {
+void Core::save_process() {
     const Registers& r = registers_;
     const Word saved[] = {descriptor(), r.instruction, r.a, r.b, r.c, r.error ? sign_bit : 0, 0};
     for (Word i = 0; i < std::size(saved); ++i)
         store(reserved::saved + 4 * i, saved[i]);
+}
+
+void Core::interrupt() {
+    save_process();
     interrupted_fpu_ = fpu_;
     interrupted_pending_ = std::exchange(pending_, std::nullopt);
     interrupted_slices_ = slices_seen_;
@@ -293,6 +350,17 @@ void Core::boot(Word code_bytes, int input_channel) {
     slices_seen_ = 0;
 }
 
+void Core::reset_after_analyse() {
+    const bool waited = stopped_ == Stopped::by_analyse && !was_running_;
+    stopped_ = Stopped::nothing;
+    if (priority_ == 1 && !waited)
+        save_process();
+    is_analysed_ = running_ = clocks_run_ = false;
+    analysed_ = true;
+    pending_.reset();
+    find_next_timer();
+}
+
 void Core::end_process() {
     const Word count = load(registers_.a + 4);
     store(registers_.a + 4, count - 1);
@@ -325,6 +393,8 @@ void Core::communicate(Word channel, Word address, Word bytes, bool output) {
     if (const int hard = hard_channel(channel); hard >= 0) {
         if (bytes == 0 && hard < hard_channels - 1)
             return;
+        if (!memory_.holds(NodeMemory::offset_of(address), bytes))
+            return fault(Stopped::by_bad_address, address);
         store(channel, descriptor());
         leave_processor();
         links_.begin_transfer(hard, address, bytes);
@@ -342,7 +412,7 @@ void Core::meet(Word channel, Word partner, Word address, Word bytes, bool outpu
     const bool in_alternative =
         other == alternative::enabling || other == alternative::waiting || other == alternative::ready;
     if (output && in_alternative) {
-        wake_alternative(partner);
+        wake_alternative(partner, local_time());
         wait_at(channel, address);
         return;
     }
@@ -352,19 +422,19 @@ void Core::meet(Word channel, Word partner, Word address, Word bytes, bool outpu
 }
 
 /// Tells a process in an ALT that one of its channels is ready.
-void Core::wake_alternative(Word partner) {
+void Core::wake_alternative(Word partner, Time now) {
     const Word workspace = partner & ~Word{3};
     const Word state = load(workspace - below::state);
     store(workspace - below::state, alternative::ready);
     if (state != alternative::waiting)
         return;
-    leave_timers(workspace, static_cast<int>(partner & 1));
+    leave_timers(workspace, static_cast<int>(partner & 1), now);
     enqueue(partner);
 }
 
-void Core::byte_has_come(int channel) {
+void Core::byte_has_come(int channel, Time now) {
     if (const Word waiting = load(most_negative + 4 * static_cast<Word>(channel)); waiting != not_a_process)
-        wake_alternative(waiting);
+        wake_alternative(waiting, now);
 }
 
 void Core::reset_channel() {
@@ -376,8 +446,6 @@ void Core::reset_channel() {
 }
 
 // Instructions of the scheduler
-
-void Core::begin(Operation operation) { pending_ = Pending{operation, cost_of(operation)}; }
 
 HalfCycles Core::cost_of_communication(Word channel, Word address, Word bytes) {
     constexpr HalfCycles waits = 2 * 19;
@@ -623,7 +691,7 @@ void Core::fault(Stopped why, Word address) {
         return;
     stopped_ = why;
     stopped_at_ = address;
-    running_ = false;
+    was_running_ = std::exchange(running_, false);
 }
 
 std::string Core::why_stopped() const {
@@ -638,6 +706,7 @@ std::string Core::why_stopped() const {
         return fmt::format(
             "the instruction at #{:08X} uses the address #{:08X}, but memory is from #80000000 to #{:08X}", at,
             stopped_at_, most_negative + memory_.size() - 1);
+    case Stopped::by_analyse: return fmt::format("analyse has stopped it before #{:08X}", at);
     case Stopped::by_break: return fmt::format("the instruction before #{:08X} is a breakpoint", at);
     }
     return "";
