@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -58,34 +59,42 @@ transputer::Assembly assembled(const LoadedSource& source, transputer::Word orig
     }
 }
 
+struct BootableProgram {
+    transputer::Assembly program;
+    std::string file, loaded; ///< the bootable file, and how the program gets into the memory
+};
+
+/// Assembles a program and puts before it what boots a transputer with it.
+BootableProgram bootable(const LoadedSource& source, transputer::Model model) {
+    const transputer::Word memory_start = transputer::most_negative + transputer::traits_of(model).memory_start;
+    BootableProgram result{assembled(source, memory_start, model), "", "in one boot packet"};
+    if (result.program.bytes.empty())
+        throw UserError(fmt::format("{}: the program has no instruction", source.file->path()));
+    result.program.bytes.resize(std::max<std::size_t>(result.program.bytes.size(), 2)); // 1 byte: a peek
+    if (result.program.bytes.size() <= longest_packet) {
+        append_length(result.file, result.program.bytes.size(), 1);
+    } else {
+        const auto loader = transputer::assemble(loader_source, memory_start).bytes;
+        result.program = assembled(source, memory_start + static_cast<transputer::Word>(loader.size()), model);
+        append_length(result.file, loader.size(), 1);
+        result.file.append(loader.begin(), loader.end());
+        append_length(result.file, result.program.bytes.size(), 4);
+        result.loaded = fmt::format("after a loader of {} bytes", loader.size());
+    }
+    result.file.append(result.program.bytes.begin(), result.program.bytes.end());
+    return result;
+}
+
 ExitCode assemble_file(const AssembleOptions& options) {
     require_apart(std::array{std::filesystem::path(options.out)}, options.file);
     require_writable(options.out);
     const LoadedSource source = load_input(options.file);
     if (has_errors(source.problems))
         throw RefusedInput(render(source.problems));
-    const transputer::Model model = *transputer::model_named(options.processor);
-    const transputer::Word memory_start = transputer::most_negative + transputer::traits_of(model).memory_start;
-
-    transputer::Assembly program = assembled(source, memory_start, model);
-    if (program.bytes.empty())
-        throw UserError(fmt::format("{}: the program has no instruction", options.file));
-    program.bytes.resize(std::max<std::size_t>(program.bytes.size(), 2)); // packets of 0 and 1 bytes are poke and peek
-    std::string file, loaded_by = "in one boot packet";
-    if (program.bytes.size() > longest_packet) {
-        const auto loader = transputer::assemble(loader_source, memory_start).bytes;
-        program = assembled(source, memory_start + static_cast<transputer::Word>(loader.size()), model);
-        append_length(file, loader.size(), 1);
-        file.append(loader.begin(), loader.end());
-        append_length(file, program.bytes.size(), 4);
-        loaded_by = fmt::format("after a loader of {} bytes", loader.size());
-    } else {
-        append_length(file, program.bytes.size(), 1);
-    }
-    file.append(program.bytes.begin(), program.bytes.end());
-    write_whole(options.out, file);
-    print_out(fmt::format("{}: {} bytes for #{:X}, {}\n{}", options.out, program.bytes.size(), program.origin,
-                          loaded_by, options.listing ? program.listing() : ""));
+    const BootableProgram made = bootable(source, *transputer::model_named(options.processor));
+    write_whole(options.out, made.file);
+    print_out(fmt::format("{}: {} bytes for #{:X}, {}\n{}", options.out, made.program.bytes.size(), made.program.origin,
+                          made.loaded, options.listing ? made.program.listing() : ""));
     return ExitCode::success;
 }
 
