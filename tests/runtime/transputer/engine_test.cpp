@@ -1,11 +1,11 @@
 // Compares the emulated transputer with the plain one: each instruction at the edges of its operands, and random
 // programs.
 
-#include "assembler.hpp"
 #include "edges.hpp"
 #include "plain_transputer.hpp"
 #include "random_program.hpp"
 #include "runtime/random.hpp"
+#include "runtime/transputer/assembler.hpp"
 #include "runtime/transputer/core.hpp"
 #include "tests/seeds.hpp"
 
@@ -199,7 +199,7 @@ TEST_CASE("the engine executes each operation as the plain transputer does, at t
         for (const auto name : register_operations(both.plain)) {
             CAPTURE(name);
             CAPTURE(model);
-            both.poke(0x80000200, assemble(name).bytes);
+            both.poke(0x80000200, transputer::assemble(name).bytes);
             int failures = 0;
             for (const Word a : values)
                 for (const Word b : values)
@@ -224,7 +224,7 @@ TEST_CASE("the engine stops at the end of the instruction that sets Error, if Ha
                     if (!is_defined(name, a, b))
                         continue;
                     Both both(model, 4096, 3, 20);
-                    both.poke(0x80000200, assemble(name).bytes);
+                    both.poke(0x80000200, transputer::assemble(name).bytes);
                     both.set({0x80000200, workspace_at, a, b, 7, false}, true);
                     const auto difference = both.step();
                     CHECK_MESSAGE(difference.empty(),
@@ -241,7 +241,7 @@ TEST_CASE("the engine executes direct functions and accesses to memory as the pl
     for (const std::string& instruction : instructions)
         for (const Word a : {0U, 1U, 0x7FFFFFFFU, 0x80000000U, 0x80000C03U, 0x80001FFCU, 0x80002001U, 0xFFFFFFFFU}) {
             Both both(3, 8192, 4, 20);
-            both.poke(0x80000200, assemble(instruction).bytes);
+            both.poke(0x80000200, transputer::assemble(instruction).bytes);
             both.poke(workspace_at, {0x10, 0x32, 0x54, 0x06});
             both.set({0x80000200, workspace_at, a, 0x89ABCDEF, 7, false}, a % 2 != 0); // some halt on an error
             const auto difference = both.step();
@@ -257,7 +257,7 @@ void compare_random_programs(std::size_t count) {
         const RandomCodeKind kind{
             .model = plain_models[model], .processes = seed % 3 != 0, .data_first = seed % 2 == 0};
         const auto code = random_code(seed, kind);
-        const auto program = assemble(code.source, code.origin);
+        const auto program = transputer::assemble(code.source, code.origin);
         const Word memorycycles = 1 + static_cast<Word>(seed / 7 % 5), mhz = seed % 4 ? 1 : 20;
         const auto compare = [&](std::string (Both::*run)()) {
             Both both(model, 65536, memorycycles, mhz, seed % 2 ? 1 - 1e-3 : 0);
