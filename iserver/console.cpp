@@ -7,6 +7,7 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <system_error>
@@ -63,8 +64,7 @@ void Console::read_more(bool waits) {
         return;
     }
     std::array<char, 512> bytes;
-    const std::size_t most = mode_ == Mode::keys ? 1 : bytes.size(); // later bytes may be of a line
-    const ssize_t count = ::read(input_, bytes.data(), most);
+    const ssize_t count = ::read(input_, bytes.data(), bytes.size());
     ended_ = ended_ || count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR);
     read_.append(bytes.data(), count > 0 ? static_cast<std::size_t>(count) : 0);
 }
@@ -92,6 +92,10 @@ std::optional<std::uint8_t> Console::pressed_key() {
 }
 
 std::string Console::line() {
+    if (mode_ == Mode::keys && is_terminal_) { // what was typed ahead has Enter as 13
+        read_more(false);
+        std::ranges::replace(read_, '\r', '\n');
+    }
     set_mode(Mode::as_found);
     while (read_.find('\n') == std::string::npos && !ended_)
         read_more(true);

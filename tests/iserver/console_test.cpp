@@ -83,7 +83,7 @@ TEST_CASE("keys of a terminal come at once and without echo, lines are echoed, a
         CHECK(soon(console) == 13);
         CHECK(typist.screen() == "");
         std::thread later([&] {
-            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+            std::this_thread::sleep_for(std::chrono::milliseconds(250));
             typist.type("a linx\x7f"
                         "e\r");
         });
@@ -96,6 +96,16 @@ TEST_CASE("keys of a terminal come at once and without echo, lines are echoed, a
         CHECK_FALSE(console.pressed_key());
     }
     CHECK(typist.is_as_usual());
+}
+
+TEST_CASE("a line that was typed ahead of a program which reads keys is a line") {
+    Typist typist;
+    Console console(not_interrupted, typist.terminal(), typist.terminal());
+    CHECK_FALSE(console.pressed_key());
+    typist.type("kline\rmore\r");
+    CHECK(console.wait_for_key() == 'k');
+    CHECK(console.line() == "line\n");
+    CHECK(console.line() == "more\n");
 }
 
 TEST_CASE("the end of a terminal's input is met where lines are read") {
