@@ -251,10 +251,13 @@ TEST_CASE("a run on a board is interrupted at once, in every wait") {
     });
     const auto start = std::chrono::steady_clock::now();
     auto is_interrupted = [&] { return interrupted.load(); };
-    CHECK(host.run(
-                  connected_sockets(), "boot", [](FakeBoard& board) { board.receive(1); }, is_interrupted)
-              .state == ServerState::running);
+    auto behaviour = [](FakeBoard& board) {
+        board.ask(Request(13).word(1).text("\x1b[31mred"));
+        board.receive(1);
+    };
+    CHECK(host.run(connected_sockets(), "boot", behaviour, is_interrupted).state == ServerState::running);
     CHECK(std::chrono::steady_clock::now() - start < 5s);
+    CHECK(host.screen == "\x1b[31mred\x1b[0m");
     user.join();
     Ends ends = connected_sockets();
     CHECK(iserver::serve_board(every_byte(), ends.host, board_name, host.server, is_interrupted).requests == 0);
@@ -283,7 +286,12 @@ TEST_CASE("a board that cannot be reached is refused with the reason") {
                              (wrong + ": a board on a network is written \"tcp:HOST:PORT\"").c_str(), UserError);
     CHECK_THROWS_WITH_AS(iserver::connect_board("tcp:127.0.0.1:1", never), "tcp:127.0.0.1:1: Connection refused",
                          UserError);
-    CHECK_THROWS_WITH_AS(iserver::connect_board("tcp:[::1]:1", never), doctest::Contains("tcp:[::1]:1: "), UserError);
+    try {
+        iserver::connect_board("tcp:[::1]:1", never);
+        FAIL("no board is there");
+    } catch (const UserError& error) {
+        CHECK(std::string(error.what()).find("not known") == std::string::npos); // an address, not a name
+    }
     CHECK_THROWS_WITH_AS(iserver::connect_board("tcp:127.0.0.1:no-such-service", never),
                          doctest::Contains("tcp:127.0.0.1:no-such-service: Servname not supported"), UserError);
 }
