@@ -136,16 +136,16 @@ struct Case {
     iserver::Server server{{.host_folder = folder.path(), .command_line = "10 20"}, terminal};
 
     BoardRun run(Ends ends, const std::string& program, std::function<void(FakeBoard&)> behaviour,
-                 const iserver::Interrupted& interrupted = never) {
+                 const iserver::Interrupted& interrupted = never, std::chrono::milliseconds patience = 30s) {
         std::signal(SIGPIPE, SIG_IGN);
         FakeBoard board(std::move(ends.board), program.size(), std::move(behaviour));
         const OpenFile host = std::move(ends.host); // closed before the board is joined
-        return iserver::serve_board(program, host, board_name, server, interrupted, 100ms);
+        return iserver::serve_board(program, host, board_name, server, interrupted, patience);
     }
     /// Returns the message with which the run fails.
     std::string failure(const std::string& program, std::function<void(FakeBoard&)> behaviour) {
         try {
-            run(connected_sockets(), program, std::move(behaviour));
+            run(connected_sockets(), program, std::move(behaviour), never, 300ms);
         } catch (const UserError& error) {
             return error.what();
         }
@@ -195,12 +195,13 @@ TEST_CASE("a board behind a network is booted and served") { serve_whole_program
 TEST_CASE("a program that runs longer than the host's patience is waited for") {
     Case host;
     std::int64_t first = 0, second = 0;
-    const BoardRun run = host.run(connected_sockets(), "boot", [&](FakeBoard& board) {
+    auto behaviour = [&](FakeBoard& board) {
         first = test::word_of(board.ask(Request(33)));
         std::this_thread::sleep_for(1100ms);
         second = test::word_of(board.ask(Request(33)));
         board.ask(Request(35).word(999'999'999));
-    });
+    };
+    const BoardRun run = host.run(connected_sockets(), "boot", behaviour, never, 1000ms);
     CHECK(run.exit == 0);
     CHECK(second - first >= 1); // measured time
     CHECK(second - first <= 10);
