@@ -59,7 +59,7 @@ endif()
 # What is linked or embedded, as Debian names it in packages.txt, with the licence that Debian's package has.
 file(STRINGS ${PROJECT_SOURCE_DIR}/packages.txt libraries REGEX "^(lib|node-|zlib)")
 list(TRANSFORM libraries REPLACE " .*" "")
-list(FILTER libraries EXCLUDE REGEX "clang") # a tool of the tests
+list(FILTER libraries EXCLUDE REGEX "clang|mpfr") # the tests' own
 file(READ ${PROJECT_SOURCE_DIR}/LICENSE copyright)
 foreach(library ${libraries})
     set(licence "It is not known here: see the library.\n")

@@ -99,6 +99,13 @@ Table processors_of(const RunReport& report) {
     });
 }
 
+Table programs_of(const RunReport& report) {
+    return table_of(report.programs, [&](const ProgramUse& p) -> Row {
+        return {Field::left(0, "booted", p.name).as("name"), Field::count(12, "instructions", p.instructions),
+                Field::count(8, "requests", p.requests), Field::left(0, "its program", p.state).as("state")};
+    });
+}
+
 /// Returns a table of these links. The columns are wide enough for all links of the report.
 Table links_of(const RunReport& report, const std::vector<LinkUse>& links) {
     std::size_t width = 13;
@@ -399,6 +406,8 @@ std::string print_report(const RunReport& report, const Network& network, const 
     if (!report.measurements.empty())
         out += measurements_of(report.measurements).text("\n");
     out += print_searches(searches);
+    if (!report.programs.empty())
+        out += programs_of(report).text("\n");
     if (!report.processors.empty())
         out += processors_of(report).text("\n");
     return out + print_links(report) + print_buses(report) + print_devices(report) + processes_of(report).text("\n");
@@ -422,6 +431,8 @@ boost::json::object report_json(const RunReport& report, const Network& network,
         json["searches"] = searches_json(searches);
     if (!report.faults.empty())
         json["faults"] = array_of(report, report.faults);
+    if (!report.programs.empty())
+        json["programs"] = json_of(programs_of(report).rows);
     if (!report.switches.empty())
         json["switches"] = array_of(report, report.switches);
     if (report.result.deadlock)

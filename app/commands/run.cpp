@@ -1,4 +1,5 @@
 #include "app/command.hpp"
+#include "app/options/booted_options.hpp"
 #include "app/options/common_options.hpp"
 #include "app/options/many_runs.hpp"
 #include "app/options/netlist_options.hpp"
@@ -21,6 +22,7 @@
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <filesystem>
@@ -36,6 +38,7 @@ namespace {
 
 struct RunOptions {
     NetlistOptions netlist;
+    BootedOptions booted;
     std::string json, log, convergence; ///< files; "": not written
     RecordedFiles recorded;
     Time until = Time::max();
@@ -118,8 +121,8 @@ bool others_are_meant(const RunOptions& options, std::chrono::steady_clock::time
 
 /// Runs the network with one seed after another until a run is interrupted. Returns no runs if the user does not
 /// confirm them.
-std::vector<FinishedRun> run_seeds(const Network& network, const RunOptions& options, TraceSink* trace) {
-    InterruptedBySignals interruption;
+std::vector<FinishedRun> run_seeds(const Network& network, const RunOptions& options, TraceSink* trace,
+                                   Interruption& interruption) {
     std::optional<ProgressLine> progress; // not with --watch, which the line would disturb
     if (options.seeds > 1 && !options.watch)
         progress.emplace();
@@ -185,22 +188,30 @@ void write_files(const Network& network, std::span<const FinishedRun> runs, std:
         write_whole(options.convergence, draw_svg(convergence_plot(network.source_path, logs)));
 }
 
+bool has_failed_program(const FinishedRun& run) {
+    return std::ranges::any_of(run.report.programs, &ProgramUse::failed);
+}
+
 /// Returns the exit code of the first run that is not a success. An interruption between two runs changes the ending of
 /// neither, so the number of runs is compared, too.
 ExitCode exit_code_of(std::span<const FinishedRun> runs, std::size_t asked) {
     for (const FinishedRun& run : runs)
         if (ExitCode code = exit_code_of(run.report.result.ending); code != ExitCode::success)
             return code;
+    if (std::ranges::any_of(runs, has_failed_program))
+        return ExitCode::bad_input;
     return runs.size() == asked ? ExitCode::success : ExitCode::interrupted;
 }
 
-ExitCode run(const RunOptions& options, const std::string& typed) {
+ExitCode run(const RunOptions& options, const Options& command, const std::string& typed) {
     Manifest manifest = options.manifest(typed);
     require_outputs(options);
-    Network network = load_network(options.netlist);
+    Network network = load_network(command, options.netlist, options.booted);
+    InterruptedBySignals interruption;
+    network.host.terminal = terminal_for(options.booted, [&interruption] { return interruption.requested(); });
     require_fit(network, options);
     Recorders recorders(network, options.recorded);
-    std::vector<FinishedRun> runs = run_seeds(network, options, recorders.sink());
+    std::vector<FinishedRun> runs = run_seeds(network, options, recorders.sink(), interruption);
     if (runs.empty())
         return ExitCode::success;
     std::vector<SeededLog> logs = logs_of(runs);
@@ -249,7 +260,8 @@ Action declare_run(Options& command, const std::string& typed) {
     add_searches(command, *options);
     add_file(command, "--page", options->recorded.page, "writes one self-contained HTML page that shows the run");
     add_trace(command, *options);
-    return [options, typed] { return run(*options, typed); };
+    add_booted(command, options->booted);
+    return [options, command, typed] { return run(*options, command, typed); };
 }
 
 } // namespace

@@ -26,6 +26,7 @@ Network complete(Draft draft, const Catalogue& catalogue, Reporter& reporter) {
     complete_wires(completion);
     complete_buses(completion);
     complete_processes(completion);
+    complete_booted(completion);
     complete_channels(completion);
     complete_carriers(completion);
     complete_faults(completion);

@@ -43,6 +43,8 @@ void complete_wires(Completion& completion);
 void complete_buses(Completion& completion);
 /// processes.cpp: checks placements, finds kinds, and checks interfaces against kinds.
 void complete_processes(Completion& completion);
+/// booted.cpp: finds the nodes that execute their own code, and checks what boots them.
+void complete_booted(Completion& completion);
 /// parameters.cpp: evaluates all parameters of one process.
 void complete_parameters(Completion& completion, std::size_t process);
 /// channels.cpp: finds directions; checks protocols and unconnected ports.

@@ -138,6 +138,7 @@ private:
     Elements elements(const Reference& reference, const Found& found);
     /// Returns the index of one element. The reference must have all subscripts.
     std::size_t element(const Reference& reference, const Found& found);
+    void boot(const Reference& reference, const Found& found, const std::string& file, const Location& at);
     std::size_t host(const Location& used);
     LinkEnd link_end(const Reference& reference, const Found& found);
     LinkEnd place_of_channel(const PlaceStatement& form, const Found& found);

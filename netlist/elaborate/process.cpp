@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace placedpar {
 
@@ -154,6 +155,19 @@ void Elaborator::use_for_all(const std::string& program, const Location& at) {
     draft_.default_used = at;
 }
 
+/// Names the bootable file of a node. Its path is relative to the folder of the netlist.
+void Elaborator::boot(const Reference& reference, const Found& found, const std::string& file, const Location& at) {
+    Node& node = draft_.nodes[element(reference, found)];
+    if (!node.boot_file.empty())
+        refuse(reference.at, fmt::format("the processor \"{}\" is given a bootable file twice", node.name), "",
+               {first_given(node.boot_stated)});
+    if (node.kind->name != "processor")
+        refuse(reference.at, fmt::format("\"{}\" is {}: only a processor can be booted", node.name, node.kind->noun));
+    const std::filesystem::path folder = at.file ? std::filesystem::path(at.file->path()).parent_path() : "";
+    node.boot_file = (folder / file).string();
+    node.boot_stated = at;
+}
+
 void Elaborator::perform(const UseStatement& form, const Location& at) {
     auto program = evaluator_.text(*form.program, "the program in use");
     if (program.empty())
@@ -161,8 +175,10 @@ void Elaborator::perform(const UseStatement& form, const Location& at) {
     if (!form.process)
         return use_for_all(program, at);
     auto found = find(*form.process);
+    if (found.category == Category::node)
+        return boot(*form.process, found, program, at);
     if (found.category != Category::process)
-        refuse(form.process->at, fmt::format("\"{}\" is not a process", form.process->name),
+        refuse(form.process->at, fmt::format("\"{}\" is neither a process nor a processor", form.process->name),
                "use \"program\" for process;");
     auto range = elements(*form.process, found);
     for (std::size_t i = 0; i < range.count; ++i) {

@@ -25,7 +25,7 @@ public:
 
 /// Returns the kind of a transputer with a place on a bus: the transputer with one more attribute and one more fault.
 DeviceKind bus_master() {
-    DeviceKind kind = transputer();
+    DeviceKind kind = transputers();
     kind.name = "bus master";
     kind.noun = "a bus master";
     kind.about = "A T800 with 2 Mbyte of dual-ported memory, which it shares with a bus: the BBK-V2.";

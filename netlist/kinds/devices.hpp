@@ -8,7 +8,7 @@ namespace placedpar {
 
 /// Describes transputers by name in upper and lower case, TRAM modules by B-number, and `processor`, which needs the
 /// attribute `type`.
-DeviceKind transputer();
+DeviceKind transputers();
 /// Describes a host computer with any number of links. Processes on it take no time unless it is on a bus.
 DeviceKind workstation();
 /// Describes the C004. Connections through it are resolved to the processors at their ends.
@@ -23,7 +23,7 @@ DeviceKind link_adapter();
 DeviceKind bus_master();
 
 /// Lists all devices above.
-inline constexpr DeviceKind (*known_devices[])() = {transputer, workstation,  crossbar,  edge,
-                                                    vme,        link_adapter, bus_master};
+inline constexpr DeviceKind (*known_devices[])() = {transputers, workstation,  crossbar,  edge,
+                                                    vme,         link_adapter, bus_master};
 
 } // namespace placedpar

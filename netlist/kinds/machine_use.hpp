@@ -100,6 +100,15 @@ struct DeviceUse {
     std::vector<Row> rows;
 };
 
+/// Reports a transputer that executed its own code.
+struct ProgramUse {
+    std::string name; ///< of the transputer
+    std::uint64_t instructions = 0;
+    std::uint64_t requests = 0; ///< requests to its host
+    std::string state;          ///< "exited with success", "was never booted"
+    bool failed = false;        ///< the program exited with failure, or the transputer stopped
+};
+
 /// Reports how a run used the machine. Each device adds its part (MachineNode::report).
 struct MachineUse {
     std::vector<ProcessorUse> processors;
@@ -107,6 +116,7 @@ struct MachineUse {
     std::vector<BusUse> buses;
     std::vector<SwitchUse> switches; ///< switches that programs set
     std::vector<DeviceUse> devices;
+    std::vector<ProgramUse> programs; ///< transputers that execute their own code
 };
 
 } // namespace placedpar

@@ -30,6 +30,10 @@ bool is_on_bus(const Network& network, std::size_t node) {
     return std::ranges::find(network.attachments, node, &BusAttachment::node) != network.attachments.end();
 }
 
+bool has_bootable_file(const Network& network) {
+    return std::ranges::any_of(network.nodes, [](const Node& node) { return !node.boot_file.empty(); });
+}
+
 bool is_set_at_run_time(const Network& network, std::size_t node) {
     LinkEnd config{node, configuration_link};
     return std::ranges::any_of(network.connections,

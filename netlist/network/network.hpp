@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -18,6 +19,9 @@
 namespace placedpar {
 
 struct DeviceKind; // netlist/kinds/device_kind.hpp: what a device of some kind is and can do
+namespace iserver {
+class Terminal; // iserver/terminal.hpp
+} // namespace iserver
 
 /// These structures describe an elaborated netlist: every array unrolled, every name resolved, every channel placed.
 /// Indices are positions in the vectors of Network. Names are unique within their vector.
@@ -35,6 +39,9 @@ struct Node {
     std::set<std::string, std::less<>> given = {};        ///< names of the attributes that the netlist gives
     std::map<std::string, Value> other;                   ///< attributes of the INMOS tool, not used by a simulation
     Location declared;
+    std::string boot_file = ""; ///< path of the bootable file that a host sends to the node; "" if none
+    Location boot_stated = {};  ///< place of the `use` that names the file
+    bool runs_own_code = false; ///< the node is emulated: it executes what it is booted with, and runs no processes
 
     /// REQUIRES: the kind has an integer attribute of this name; throws std::logic_error otherwise.
     std::int64_t integer(std::string_view attribute) const;
@@ -203,6 +210,16 @@ struct SetByOption {
     std::vector<std::string> elements; ///< elements that have the attribute or parameter; empty: the name is a val
 };
 
+/// What the hosts of booted nodes give to their programs.
+struct HostServices {
+    std::string folder = "";       ///< the only folder whose files a program can reach; "": none
+    std::string command_line = ""; ///< arguments of the program
+    std::map<std::string, std::string> environment = {};
+    std::uint64_t write_limit_bytes = 64U << 20;
+    /// Makes the terminal of a host. Empty: the screen shows nothing, and no key is pressed.
+    std::function<std::shared_ptr<iserver::Terminal>()> terminal = {};
+};
+
 struct Network {
     std::vector<Node> nodes;
     std::vector<LinkConnection> connections; ///< the wires, then the ways over buses
@@ -215,11 +232,15 @@ struct Network {
     std::vector<std::string> included_paths; ///< paths of the included files
     bool includes_toolset = false; ///< the netlist includes a file of the toolset, or uses its predefined names
     std::vector<SetByOption> set;
+    HostServices host;      ///< set by the program that runs the network, not by the netlist
     std::uint64_t hash = 0; ///< FNV-1a of its canonical form (netlist/print/print.hpp)
 
     /// Returns the number of connections that are wires.
     std::size_t count_wires() const;
 };
+
+/// Returns whether some node is booted with a file.
+bool has_bootable_file(const Network& network);
 
 /// Returns whether a wire leads to the switch's configuration link.
 bool is_set_at_run_time(const Network& network, std::size_t node);

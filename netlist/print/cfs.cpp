@@ -72,6 +72,9 @@ public:
         print_wires();
         print_attachments();
         text_ += "\n/* software */\n";
+        for (const Node& node : n_.nodes)
+            if (!node.boot_file.empty())
+                line("use {} for {};", print_constant(node.boot_file), node.name);
         print_processes();
         print_edge_channels();
         for (const auto& channel : n_.channels)

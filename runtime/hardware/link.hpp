@@ -108,6 +108,10 @@ public:
     void take(std::uint32_t bytes);
     /// Returns whether a first byte waits that no receiver has asked for.
     bool byte_waits() const;
+    /// Forget what this end still has to give or take. Bytes that arrived of a part that was under way are lost, and the
+    /// other end gets no further until it is reset, too. Return how many bytes of the part had arrived.
+    std::uint32_t reset_giving();
+    std::uint32_t reset_taking();
 
     bool output_is_lost(const AnyChannel&) const override { return sender_ && gets_no_further(); }
     bool input_is_lost(const AnyChannel&) const override;
@@ -190,6 +194,7 @@ private:
     struct Counts {
         ByteUser &sender, &receiver;
         std::uint32_t to_give = 0, to_take = 0; ///< bytes of the counts beyond the current part
+        std::uint32_t agreed = 0;               ///< bytes of the current part that count for the receiver
         bool gives = false, takes = false;      ///< whether a give() or a take() has not ended
     };
     void begin_part_by_counts(LinkState&);
@@ -199,8 +204,10 @@ private:
     void step_performed_by_counts(LinkState&, LinkStep, const LinkState::Outcome&);
 
     // These members handle messages that are given up: link_recovery.cpp.
+    bool is_sending() const;
     std::uint64_t bytes_received() const;
     std::uint64_t bytes_acknowledged() const;
+    void forget_asked_byte(LinkCourse::Touch&);
     void break_off(LinkCourse::Touch&);
     void drop_output(LinkCourse::Touch&);
     void receiver_leaves(LinkCourse::Touch&);

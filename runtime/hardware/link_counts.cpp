@@ -44,7 +44,7 @@ void LinkDirection::take(std::uint32_t bytes) {
 /// Begins a part with all bytes that are offered. If the receiver has asked for fewer bytes, shortens the part.
 void LinkDirection::begin_part_by_counts(LinkState& state) {
     begin_part_of(state, counts_->to_give);
-    counts_->to_give = 0;
+    counts_->to_give = counts_->agreed = 0;
     state.ask_for_byte(number_, std::max(state.may_start(number_), kernel_.now()));
     if (state.is_sure_of_receiver(number_))
         agree_on_part(state);
@@ -62,6 +62,7 @@ bool LinkDirection::agree_on_part(LinkState& state) {
     const std::uint32_t bytes = std::min(direction.part_bytes, counts_->to_take);
     counts_->to_give += direction.part_bytes - bytes;
     counts_->to_take -= bytes;
+    counts_->agreed = bytes;
     const bool is_last_now = has_begun && bytes == 1 && stream.bytes_left > 0;
     direction.part_bytes = bytes;
     stream.bytes_left = bytes - std::uint32_t{has_begun};
@@ -90,6 +91,36 @@ void LinkDirection::end_of_taking() {
         return ask_by_counts();
     counts_->takes = false;
     counts_->receiver.taken();
+}
+
+std::uint32_t LinkDirection::reset_giving() {
+    LinkCourse::Touch touch(course_);
+    const auto received = static_cast<std::uint32_t>(counts_->gives ? bytes_received() : 0);
+    if (counts_->gives) {
+        drop_output(touch);
+        end_part(*touch);
+        if (received == 0)
+            counts_->to_take += counts_->agreed;
+    }
+    counts_->gives = false;
+    counts_->to_give = counts_->agreed = 0;
+    if (LinkState::Direction& direction = touch->directions[number_]; direction.ends == LinkState::Ends::receiver_left)
+        direction.ends = LinkState::Ends::agree;
+    return received;
+}
+
+std::uint32_t LinkDirection::reset_taking() {
+    LinkCourse::Touch touch(course_);
+    LinkState::Direction& direction = touch->directions[number_];
+    if (counts_->takes)
+        forget_asked_byte(touch);
+    const auto received = static_cast<std::uint32_t>(bytes_received());
+    receiver_leaves(touch);
+    counts_->takes = false;
+    counts_->to_take = 0;
+    if (direction.ends == LinkState::Ends::sender_left)
+        direction.ends = LinkState::Ends::agree;
+    return received;
 }
 
 void LinkDirection::step_performed_by_counts(LinkState& state, LinkStep step, const LinkState::Outcome& outcome) {

@@ -47,6 +47,8 @@ bool LinkDirection::input_must_be_reset(const AnyChannel&) const {
     return state().directions[number_].ends == Ends::sender_left;
 }
 
+bool LinkDirection::is_sending() const { return counts_ ? counts_->gives : channel_ && channel_->output_waits(); }
+
 /// Returns how many bytes of the current message the receiving end has. A byte that no process has asked for counts
 /// when the whole byte has arrived.
 std::uint64_t LinkDirection::bytes_received() const {
@@ -54,7 +56,7 @@ std::uint64_t LinkDirection::bytes_received() const {
     const LinkPackets::Stream& stream = state().packets.streams[number_];
     if (direction.ends == Ends::sender_left)
         return bytes_left_over_;
-    if (!channel_ || !channel_->output_waits() || direction.ends == Ends::receiver_left)
+    if (!is_sending() || direction.ends == Ends::receiver_left)
         return 0;
     if (byte_waits())
         return bytes_before_part_ + 1;
@@ -82,7 +84,7 @@ void LinkDirection::break_off(LinkCourse::Touch& touch) {
 /// Stops the sender in the middle of its message. Does nothing to a message if none is being sent.
 void LinkDirection::drop_output(LinkCourse::Touch& touch) {
     LinkState::Direction& direction = touch->directions[number_];
-    if (channel_->output_waits()) {
+    if (is_sending()) {
         bytes_left_over_ = bytes_received();
         if (bytes_left_over_ > 0)
             direction.ends = Ends::sender_left;
@@ -131,23 +133,28 @@ void LinkDirection::receiver_leaves(LinkCourse::Touch& touch) {
     direction.first_byte = LinkState::FirstByte::asked_for;
 }
 
+/// Takes back the receiver's request. A byte that is on its way becomes one that nobody has asked for.
+void LinkDirection::forget_asked_byte(LinkCourse::Touch& touch) {
+    LinkState::Direction& direction = touch->directions[number_];
+    LinkPackets::Stream& stream = touch->packets.streams[number_];
+    direction.receiver = LinkState::Receiver::absent;
+    const bool unnoticed = direction.phase == Phase::travels && stream.acknowledge && kernel_.now() < stream.due;
+    if (!unnoticed)
+        return;
+    direction.phase = Phase::unnoticed;
+    direction.at = std::exchange(stream.due, never);
+    if (bytes_started() == 1 && times_.overlaps() && !touch->expects_first_byte(number_))
+        touch->expect_first_byte(number_, times_);
+}
+
 bool LinkDirection::give_up_input(AnyChannel& channel) {
     if (!channel.input_waits())
         return false;
     Process* receiver = nullptr;
     {
         LinkCourse::Touch touch(course_);
-        LinkState::Direction& direction = touch->directions[number_];
-        LinkPackets::Stream& stream = touch->packets.streams[number_];
         input_given_up_ = true;
-        direction.receiver = LinkState::Receiver::absent;
-        const bool unnoticed = direction.phase == Phase::travels && stream.acknowledge && kernel_.now() < stream.due;
-        if (unnoticed) {
-            direction.phase = Phase::unnoticed;
-            direction.at = std::exchange(stream.due, never);
-            if (bytes_started() == 1 && times_.overlaps() && !touch->expects_first_byte(number_))
-                touch->expect_first_byte(number_, times_);
-        }
+        forget_asked_byte(touch);
         received_when_given_up_ = bytes_received();
         receiver_leaves(touch);
         receiver = std::exchange(receiver_, nullptr);

@@ -16,7 +16,7 @@ BELOW = {
     "runtime/transputer": ["runtime/hardware"],
     "iserver": ["text"],
     "netlist/network": ["text"],
-    "netlist/kinds": ["netlist/network", "runtime/hardware"],
+    "netlist/kinds": ["netlist/network", "runtime/transputer", "iserver"],
     "netlist/language": ["netlist/network"],
     "netlist/elaborate": ["netlist/kinds", "netlist/language"],
     "netlist/complete": ["netlist/elaborate"],

@@ -1,7 +1,9 @@
+#include "netlist/kinds/booted_node.hpp"
 #include "netlist/kinds/computer.hpp"
 #include "netlist/kinds/description.hpp"
 #include "netlist/kinds/devices.hpp"
 #include "netlist/kinds/fault_kinds.hpp"
+#include "netlist/kinds/memory_access.hpp"
 #include "netlist/kinds/transputer_node.hpp"
 #include "runtime/hardware/router.hpp"
 
@@ -74,9 +76,6 @@ DeviceModel carrying(std::string name, std::int64_t memory_bytes, DeviceModel ch
     return chip;
 }
 
-/// Returns true for the chips with words of 16 bits: T212, T222, T225, M212.
-bool has_short_words(const std::string& chip) { return chip[1] == '2'; }
-
 /// Returns false if the chip can replace a module's usual chip. Modules were sold with other transputers of the same
 /// word length: a B403_T414 is a B403 with a T414.
 bool has_other_word_length(const DeviceModel& chip, const std::string& usual) {
@@ -124,6 +123,10 @@ std::vector<AttributeDescription> transputer_attributes() {
                                        "cycles to switch from one process to the next, besides the instruction "
                                        "that gives the processor up"),
          .json_name = "switching_cycles"});
+    attributes.push_back({.value = description::integer(
+                              "hosttime", {.unit = "ns", .by_default = 0, .least = 0, .most = 1e12},
+                              "time that the host at this processor takes to answer a request of the booted program"),
+                          .json_name = "host_time_ns"});
     attributes.push_back(
         {.value = description::integer("routecost", {.by_default = 1, .least = 0, .most = 1e9},
                                        "cost of routing a channel through this processor; the cheapest route is "
@@ -157,19 +160,6 @@ std::vector<std::string> kept_attributes() {
     return kept;
 }
 
-/// Returns the access time of the memory that holds messages. We assume that messages are in external memory if the
-/// node has such memory.
-Cycles access_time(const Node& node) {
-    using hardware::Memory;
-    if (std::int64_t stated = node.integer("memorycycles"))
-        return Cycles{stated};
-    if (node.integer("memory") <= 4 * kilobyte)
-        return Memory::on_chip;
-    if (has_short_words(node.type))
-        return Memory::outside_of_a_t2;
-    return node.type == "T801" ? Memory::outside_of_a_t801 : Memory::outside;
-}
-
 hardware::Memory memory_of(const Node& node) {
     return {.access = access_time(node), .bytes_in_a_word = has_short_words(node.type) ? 2 : 4};
 }
@@ -182,6 +172,13 @@ std::string what_it_cannot_address(const Node& node) {
         return "";
     return fmt::format("\"{}\" has {} bytes of memory; a {} addresses at most 64K", node.name, node.integer("memory"),
                        node.type);
+}
+
+/// Makes a transputer that runs processes, or one that executes its own code.
+std::unique_ptr<MachineNode> make_transputer(MachineParts& parts, std::size_t node) {
+    if (parts.network.nodes[node].runs_own_code)
+        return std::make_unique<BootedNode>(parts, node);
+    return std::make_unique<TransputerNode>(parts, node);
 }
 
 } // namespace
@@ -212,7 +209,7 @@ void TransputerNode::report(MachineUse& use) const {
     use.processors.push_back(std::move(row));
 }
 
-DeviceKind transputer() {
+DeviceKind transputers() {
     return {.name = "processor",
             .noun = "a processor",
             .about = "A transputer, bare or on a module; B403_T414 is a B403 with a T414.",
@@ -226,7 +223,7 @@ DeviceKind transputer() {
                         .about = "the processor stops executing, and its links stop sending",
                         .attributes = {fault_begins()},
                         .silences_links = true}},
-            .make = make_device<TransputerNode>,
+            .make = make_transputer,
             .drawing = {.frame = "#3b5b7a", .heading = "#d5e3f0", .legend = "transputer with its processes"}};
 }
 

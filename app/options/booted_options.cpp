@@ -1,0 +1,147 @@
+#include "app/options/booted_options.hpp"
+
+#include "app/options/common_options.hpp"
+#include "app/standard_error.hpp"
+#include "explore/load.hpp"
+#include "explore/problems.hpp"
+#include "iserver/console.hpp"
+#include "netlist/kinds/bootable_file.hpp"
+#include "runtime/transputer/model.hpp"
+#include "text/output_file.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <optional>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::array machine_options = {"--processor", "--memory", "--memorycycles"};
+
+std::string not_a_size(const std::string& text) {
+    const std::size_t digits = text.find_first_not_of("0123456789");
+    const bool good = !text.empty() && digits != 0 &&
+                      (digits == std::string::npos || (digits + 1 == text.size() && (text[digits] == 'K' || text[digits] == 'M')));
+    return good ? "" : fmt::format("\"{}\" is not a size such as 32K or 2M", text);
+}
+
+/// Returns the character that a letter after a backslash means; nothing if it has no meaning.
+std::optional<char> escaped(char letter) {
+    switch (letter) {
+    case 'r': return '\r';
+    case 'n': return '\n';
+    case 't': return '\t';
+    case 'e': return '\x1b';
+    case '\\': return '\\';
+    default: return std::nullopt;
+    }
+}
+
+std::string keys_of(const std::string& typed) {
+    std::string keys;
+    for (std::size_t i = 0; i < typed.size(); ++i) {
+        if (typed[i] != '\\') {
+            keys += typed[i];
+            continue;
+        }
+        const std::optional<char> meant = i + 1 < typed.size() ? escaped(typed[++i]) : std::nullopt;
+        if (!meant)
+            throw UserError("--keys: after \\ comes r (the return key), n, t, e (the escape key) or \\");
+        keys += *meant;
+    }
+    return keys;
+}
+
+HostServices services_of(const BootedOptions& options) {
+    HostServices host;
+    host.folder = options.folder;
+    host.command_line = fmt::format("{}", fmt::join(options.arguments, " "));
+    for (const auto& [name, value] : overrides_of(options.environment, "--env"))
+        host.environment.emplace(name, value);
+    host.write_limit_bytes = options.write_limit_megabytes << 20;
+    return host;
+}
+
+/// Returns a netlist with one transputer that the file boots.
+std::string netlist_around(const std::filesystem::path& file, const BootedOptions& options) {
+    return fmt::format("{} (memory = {}, memorycycles = {}) root;\nconnect root.link[0] to host;\nuse \"{}\" for root;\n",
+                       options.processor, options.memory, options.memory_cycles, file.filename().string());
+}
+
+void refuse_for_netlists(const Options& typed, const NetlistOptions& netlist, const BootedOptions& options,
+                         const Network& network) {
+    for (const char* option : machine_options)
+        if (typed.is_given(option))
+            throw UserError(fmt::format("{}: only a bootable file can be run with this option, but {} is a netlist, which "
+                                        "states its processors itself",
+                                        option, netlist.file));
+    if (has_bootable_file(network))
+        return;
+    if (!options.arguments.empty())
+        throw UserError(fmt::format("run takes no further argument: \"{}\"", options.arguments.front()));
+    for (const char* option : {"--host-folder", "--keys", "--env", "--host-limit"})
+        if (typed.is_given(option))
+            throw UserError(fmt::format("{}: the netlist boots no transputer, so no program uses this", option));
+}
+
+} // namespace
+
+void add_booted(Options& command, BootedOptions& options) {
+    const std::string heading = "Transputers that execute their own code";
+    std::vector<std::string> models;
+    for (const transputer::Traits& each : transputer::all_traits)
+        models.emplace_back(each.name);
+    command.add("ARGUMENTS", options.arguments, "behind --: the command line of the booted program");
+    command.add("--processor", options.processor, "type of the transputer that a bootable file boots")
+        .one_of(models)
+        .show_default()
+        .group(heading);
+    command.add("--memory", options.memory, "its memory").type("SIZE").check(not_a_size).show_default().group(heading);
+    add_count(command, "--memorycycles", options.memory_cycles, "cycles of an access to its external memory")
+        .check(not_at_least_one)
+        .show_default()
+        .group(heading);
+    add_file(command, "--host-folder", options.folder, "the only folder whose files the program can use").group(heading);
+    command.add("--keys", options.keys, "the keys that are pressed for the program; \\r is the return key")
+        .type("KEYS")
+        .group(heading);
+    command.add_list("--env", options.environment, "NAME=VALUE", "an environment variable that the program can read")
+        .group(heading);
+    add_count(command, "--host-limit", options.write_limit_megabytes, "Mbyte that the program can write to files")
+        .show_default()
+        .group(heading);
+}
+
+std::function<std::shared_ptr<iserver::Terminal>()> terminal_for(const BootedOptions& options,
+                                                                 std::function<bool()> interrupted) {
+    if (!options.keys)
+        return [interrupted] { return std::make_shared<iserver::Console>(interrupted); };
+    return [keys = keys_of(*options.keys)] {
+        return std::make_shared<iserver::ScriptedTerminal>(
+            keys, [](std::string_view text) { print_out(std::string(text)); });
+    };
+}
+
+Network load_network(const Options& typed, const NetlistOptions& netlist, const BootedOptions& options) {
+    const bool bootable = netlist.file != "-" && looks_bootable(netlist.file);
+    const auto parsed = [&] {
+        if (!bootable)
+            return ParsedNetlist(netlist.file, read_options_of(netlist.read));
+        return ParsedNetlist::of_text(netlist_around(netlist.file, options), netlist.file, read_options_of(netlist.read));
+    }();
+    if (bootable)
+        read_bootable(netlist.file); // a refusal names the file alone
+    Network network = load_network(parsed, overrides_of(netlist.set), known_kinds(known_problems(0)), print_warnings);
+    if (!bootable)
+        refuse_for_netlists(typed, netlist, options, network);
+    network.host = services_of(options);
+    return network;
+}
+
+} // namespace placedpar

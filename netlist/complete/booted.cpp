@@ -1,0 +1,104 @@
+#include "netlist/complete/complete.hpp"
+#include "netlist/kinds/bootable_file.hpp"
+#include "netlist/kinds/device_kind.hpp"
+#include "runtime/transputer/model.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+bool is_emulated(const Node& node) { return transputer::model_named(node.type).has_value(); }
+
+const DraftProcess* process_on(const Completion& c, std::size_t node) {
+    for (const DraftProcess& process : c.draft.processes)
+        if (process.node == node)
+            return &process;
+    return nullptr;
+}
+
+/// Returns the nodes at the other ends of a node's wires.
+std::vector<std::size_t> neighbours(const Network& network, std::size_t node) {
+    std::vector<std::size_t> result;
+    for (const LinkConnection& wire : network.connections)
+        for (const auto& [near, far] : {std::pair(wire.a, wire.b), std::pair(wire.b, wire.a)})
+            if (near.node == node && !wire.over_bus)
+                result.push_back(far.node);
+    return result;
+}
+
+bool has_host(const Network& network, std::size_t node) {
+    for (const std::size_t each : neighbours(network, node))
+        if (network.nodes[each].kind->links == LinkRole::edge)
+            return true;
+    return false;
+}
+
+/// Checks that a node's code can be executed. `booted` is the node with the file by which this one is reached.
+void check_type(Completion& c, const Node& node, const Node& booted) {
+    const std::vector<SecondPlace> reason{{"the file is named here", booted.boot_stated}};
+    if (!is_emulated(node))
+        c.reporter.error(
+            node.declared,
+            fmt::format("\"{}\" is a {}, whose code cannot be executed: T414, T425, T400, T800 and T805 can", node.name,
+                        node.type),
+            "", reason);
+    else if (const std::int64_t bytes = node.integer("memory"); bytes < 2048 || bytes > 0xffff'ff00 || bytes % 256 != 0)
+        c.reporter.error(node.declared,
+                         fmt::format("\"{}\" has {} bytes of memory, but code can be executed with 2K to "
+                                     "just below 4G, in steps of 256 bytes",
+                                     node.name, bytes),
+                         "", reason);
+}
+
+void check_boot(Completion& c, std::size_t index) {
+    const Node& node = c.network.nodes[index];
+    check_type(c, node, node);
+    if (const DraftProcess* process = process_on(c, index))
+        c.reporter.error(process->placed,
+                         fmt::format("\"{}\" is booted with a file, so no process can be placed on it", node.name), "",
+                         {{"the file is named here", node.boot_stated}});
+    if (!has_host(c.network, index))
+        c.reporter.error(node.boot_stated,
+                         fmt::format("\"{}\" is booted with a file, but no host is connected to it", node.name),
+                         fmt::format("connect {}.link[0] to host;", node.name));
+    try {
+        read_bootable(node.boot_file);
+    } catch (const UserError& refused) {
+        c.reporter.error(node.boot_stated, refused.what());
+    }
+}
+
+/// Marks the processors that code can reach from a booted one: they have no processes, and boot over their links.
+void reach(Completion& c, std::size_t from) {
+    std::vector<std::size_t> reached{from};
+    c.network.nodes[from].runs_own_code = true;
+    while (!reached.empty()) {
+        const std::size_t here = reached.back();
+        reached.pop_back();
+        for (const std::size_t each : neighbours(c.network, here)) {
+            Node& node = c.network.nodes[each];
+            if (node.runs_own_code || node.kind->name != "processor" || process_on(c, each) != nullptr)
+                continue;
+            check_type(c, node, c.network.nodes[from]);
+            node.runs_own_code = true;
+            reached.push_back(each);
+        }
+    }
+}
+
+} // namespace
+
+void complete_booted(Completion& c) {
+    for (std::size_t i = 0; i < c.network.nodes.size(); ++i)
+        if (!c.network.nodes[i].boot_file.empty()) {
+            check_boot(c, i);
+            reach(c, i);
+        }
+}
+
+} // namespace placedpar

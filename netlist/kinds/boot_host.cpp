@@ -1,0 +1,80 @@
+#include "netlist/kinds/boot_host.hpp"
+
+#include "runtime/kernel.hpp"
+#include "runtime/timer.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace placedpar {
+
+BootHost::BootHost(std::vector<std::uint8_t> file, iserver::Server& server, Time request_time)
+    : file_(std::move(file)), server_(server), request_time_(request_time) {}
+
+void BootHost::serve() {
+    process_ = &Kernel::here().running();
+    send(file_);
+    booted_ = true;
+    while (state_ == iserver::ServerState::running && !abandoned_) {
+        const iserver::ByteView request = receive();
+        if (request.empty())
+            return;
+        ++requests_;
+        if (request_time_ > Time{0})
+            wait_for(request_time_);
+        const auto now = std::chrono::floor<std::chrono::microseconds>(Kernel::here().now());
+        const iserver::Answer answer = server_.answer(request, now);
+        state_ = answer.state;
+        exit_status_ = answer.exit;
+        if (!answer.reply.empty() && state_ == iserver::ServerState::running)
+            send(answer.reply);
+    }
+}
+
+void BootHost::send(std::span<const std::uint8_t> bytes) {
+    to_send_ = bytes;
+    out->give(static_cast<std::uint32_t>(bytes.size()));
+    wait_for_link(Activity::outputting);
+}
+
+/// Returns the next request; an empty one after a packet that cannot be read.
+iserver::ByteView BootHost::receive() {
+    iserver::ByteView request;
+    while (request.empty() && reader_.wanted() > 0 && !abandoned_) {
+        received_.clear();
+        in->take(static_cast<std::uint32_t>(reader_.wanted()));
+        wait_for_link(Activity::inputting);
+        iserver::ByteView bytes = received_;
+        request = reader_.take(bytes);
+    }
+    return request;
+}
+
+void BootHost::wait_for_link(Activity why) {
+    waits_ = true;
+    process_->wait_for(why, nullptr, {});
+    waits_ = false;
+}
+
+void BootHost::go_on() {
+    if (waits_)
+        process_->kernel().make_ready(*process_);
+    waits_ = false;
+}
+
+void BootHost::abandon() {
+    abandoned_ = true;
+    go_on();
+}
+
+void BootHost::read(std::span<std::uint8_t> to) {
+    std::ranges::copy(to_send_.first(to.size()), to.begin());
+    to_send_ = to_send_.subspan(to.size());
+}
+
+void BootHost::write(std::span<const std::uint8_t> bytes) {
+    received_.insert(received_.end(), bytes.begin(), bytes.end());
+}
+
+} // namespace placedpar

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "iserver/packet.hpp"
+#include "iserver/server.hpp"
+#include "runtime/process.hpp"
+#include "runtime/source_location.hpp"
+#include "runtime/transputer/byte_lane.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace placedpar {
+
+/// The host at the link of an emulated transputer. It sends a bootable file down the link, then serves the program's
+/// requests until the program exits.
+class BootHost final : public transputer::ByteEnd {
+public:
+    /// `request_time`: how long the host works on a request. REQUIRES: the server outlives the run; request_time >= 0.
+    BootHost(std::vector<std::uint8_t> file, iserver::Server&, Time request_time);
+
+    /// Boots and serves; the body of the host's process. Returns when the program has exited, when no input is left for
+    /// it, or when it sends a packet that cannot be read.
+    void serve();
+
+    /// Ends serve(): a transputer has stopped.
+    void abandon();
+
+    /// The results of serve().
+    iserver::ServerState state() const { return state_; }
+    std::int32_t exit_status() const { return exit_status_; }
+    /// Says why a packet could not be read; "" if all could.
+    const std::string& refusal() const { return reader_.refusal(); }
+    std::uint64_t requests() const { return requests_; }
+    /// Returns how many bytes of the file the transputer has not taken.
+    std::size_t bytes_not_taken() const { return booted_ ? 0 : file_.size(); }
+
+private:
+    void read(std::span<std::uint8_t>) override;
+    void given() override { go_on(); }
+    void write(std::span<const std::uint8_t>) override;
+    void taken() override { go_on(); }
+    void byte_waits() override {}
+
+    void wait_for_link(Activity);
+    void go_on();
+    void send(std::span<const std::uint8_t>);
+    iserver::ByteView receive();
+
+    std::vector<std::uint8_t> file_;
+    iserver::Server& server_;
+    Time request_time_;
+    Process* process_ = nullptr;
+    std::span<const std::uint8_t> to_send_;
+    std::vector<std::uint8_t> received_;
+    iserver::PacketReader reader_;
+    iserver::ServerState state_ = iserver::ServerState::running;
+    std::int32_t exit_status_ = 0;
+    std::uint64_t requests_ = 0;
+    bool booted_ = false, abandoned_ = false, waits_ = false;
+};
+
+} // namespace placedpar

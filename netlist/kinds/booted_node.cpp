@@ -1,0 +1,124 @@
+#include "netlist/kinds/booted_node.hpp"
+
+#include "iserver/terminal.hpp"
+#include "netlist/kinds/bootable_file.hpp"
+#include "netlist/kinds/device_kind.hpp"
+#include "netlist/kinds/memory_access.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace placedpar {
+
+namespace {
+
+transputer::CoreTiming timing_of(const Node& node) {
+    return {.clock_hz = node.integer("clock"),
+            .memory_cycles = static_cast<int>(static_cast<std::int64_t>(access_time(node))),
+            .switch_cycles = static_cast<int>(node.integer("switching"))};
+}
+
+iserver::ServerOptions server_options(const HostServices& host, const std::string& file) {
+    iserver::ServerOptions options;
+    options.host_folder = host.folder;
+    options.command_line = host.command_line;
+    options.whole_command_line = host.command_line.empty() ? file : file + " " + host.command_line;
+    options.environment = {host.environment.begin(), host.environment.end()};
+    options.write_limit_bytes = host.write_limit_bytes;
+    return options;
+}
+
+std::shared_ptr<iserver::Terminal> terminal_of(const HostServices& host) {
+    if (host.terminal)
+        return host.terminal();
+    return std::make_shared<iserver::ScriptedTerminal>("", [](std::string_view) {});
+}
+
+} // namespace
+
+/// The host that boots the node: its terminal, its server, and its end of the link.
+struct BootedNode::Host {
+    Host(const Network& network, const Node& node)
+        : terminal(terminal_of(network.host)), server(server_options(network.host, node.boot_file), *terminal),
+          end(read_bootable(node.boot_file), server, Time{1000 * node.integer("hosttime")}) {}
+
+    std::shared_ptr<iserver::Terminal> terminal;
+    iserver::Server server;
+    BootHost end;
+};
+
+BootedNode::BootedNode(MachineParts& parts, std::size_t index)
+    : MachineNode(parts, index),
+      device_(simulation().add<transputer::Node>(node().name, *transputer::model_named(node().type),
+                                                 static_cast<std::uint64_t>(node().integer("memory")),
+                                                 timing_of(node()))) {
+    device_.when_stopped([this] { tell_hosts(); });
+}
+
+BootedNode::~BootedNode() = default;
+
+void BootedNode::has_link(hardware::Link& link) {
+    const auto known = std::ranges::find(parts().links, &link);
+    const LinkConnection& wire = network().connections[static_cast<std::size_t>(known - parts().links.begin())];
+    device_.has_link(link);
+    const bool is_second_end = wire.a.node == index() && std::exchange(last_link_, &link) == &link;
+    const bool own_is_b = wire.a.node != index() || is_second_end;
+    const LinkEnd &own = own_is_b ? wire.b : wire.a, &other = own_is_b ? wire.a : wire.b;
+    if (other.at_edge())
+        return connect_host(link, own, !own_is_b);
+    auto* partner = dynamic_cast<BootedNode*>(parts().nodes[other.node].get());
+    if (partner && own_is_b) // each wire is connected once
+        lanes_.push_back(
+            std::make_unique<transputer::ByteLink>(link, partner->device_.end(other.link), device_.end(own.link)));
+}
+
+/// Connects the host that the netlist names a file for. The edges at other links are left open.
+void BootedNode::connect_host(hardware::Link& link, const LinkEnd& own, bool own_is_a) {
+    if (node().boot_file.empty() || host_)
+        return;
+    host_ = std::make_unique<Host>(network(), node());
+    auto& here = device_.end(own.link);
+    lanes_.push_back(own_is_a ? std::make_unique<transputer::ByteLink>(link, here, host_->end)
+                              : std::make_unique<transputer::ByteLink>(link, host_->end, here));
+    simulation().process("host", [this] {
+        host_->end.serve();
+        host_->server.finish();
+    });
+}
+
+/// Ends the work of all hosts: a transputer has set its error pin, which every host of the network sees.
+void BootedNode::tell_hosts() {
+    for (const auto& each : parts().nodes)
+        if (auto* booted = dynamic_cast<BootedNode*>(each.get()); booted && booted->host_)
+            booted->host_->end.abandon();
+}
+
+std::string BootedNode::state() const {
+    if (device_.activity() == transputer::Node::Activity::listening)
+        return "was never booted";
+    if (device_.activity() == transputer::Node::Activity::stopped)
+        return "stopped: " + device_.core().why_stopped();
+    if (host_ && !host_->end.refusal().empty())
+        return "sent what is no request: " + host_->end.refusal();
+    if (host_ && host_->end.state() == iserver::ServerState::waits_for_input)
+        return "waits for a key, and no more are given";
+    if (host_ && host_->end.state() == iserver::ServerState::exited)
+        return host_->end.exit_status() == 0   ? "exited with success"
+               : host_->end.exit_status() == 1 ? "exited with failure"
+                                               : fmt::format("exited with status {}", host_->end.exit_status());
+    return device_.is_idle() ? "waits" : "runs";
+}
+
+void BootedNode::report(MachineUse& use) const {
+    const bool exited_badly =
+        host_ && host_->end.state() == iserver::ServerState::exited && host_->end.exit_status() == 1;
+    const bool stopped = device_.activity() == transputer::Node::Activity::stopped;
+    use.programs.push_back({node().name, device_.core().instructions(), host_ ? host_->end.requests() : 0, state(),
+                            exited_badly || stopped});
+    use.processors.push_back({node().name, node().type, device_.time_busy(), device_.memory_taken_by_links()});
+}
+
+} // namespace placedpar

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "netlist/kinds/boot_host.hpp"
+#include "netlist/kinds/machine_node.hpp"
+#include "runtime/transputer/node.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace placedpar {
+
+/// A transputer in a run that executes its own code. If the netlist names a bootable file for it, a host at one of its
+/// links sends the file and serves the program.
+class BootedNode final : public MachineNode {
+public:
+    BootedNode(MachineParts&, std::size_t node);
+    ~BootedNode() override;
+
+    void has_link(hardware::Link&) override;
+    void report(MachineUse&) const override;
+
+    transputer::Node& device() { return device_; }
+
+private:
+    struct Host;
+    void tell_hosts();
+    std::string state() const;
+    void connect_host(hardware::Link&, const LinkEnd& own, bool own_is_a);
+
+    transputer::Node& device_;
+    hardware::Link* last_link_ = nullptr; ///< the last link that was told to end here
+    std::vector<std::unique_ptr<transputer::ByteLink>> lanes_;
+    std::unique_ptr<Host> host_;
+};
+
+} // namespace placedpar

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "runtime/hardware/link.hpp"
+
+#include <cstdint>
+#include <span>
+
+namespace placedpar::transputer {
+
+class ByteLane;
+
+/// An end of a link that gives and takes bytes by counts: a node, a host, a loader. The functions must not wait or
+/// throw.
+class ByteEnd {
+public:
+    /// Copies the next bytes of those that are being given.
+    virtual void read(std::span<std::uint8_t>) = 0;
+    /// Called when all bytes of give() have been acknowledged.
+    virtual void given() = 0;
+    /// Stores the next bytes of those that were asked for.
+    virtual void write(std::span<const std::uint8_t>) = 0;
+    /// Called when all bytes of take() have arrived.
+    virtual void taken() = 0;
+    /// Called when a byte has arrived while no take() was under way.
+    virtual void byte_waits() = 0;
+
+    /// The lanes that lead from and to this end; null if nothing is connected.
+    ByteLane *out = nullptr, *in = nullptr;
+
+protected:
+    ~ByteEnd() = default;
+};
+
+/// One direction of a link, with the contents of its bytes. The wire moves bytes by the counts of both ends
+/// (LinkDirection::give and take). The contents are moved when a count is done.
+class ByteLane final : private hardware::ByteUser {
+public:
+    /// Leads from `source` to `sink`, and becomes a lane of both. REQUIRES: the run has not begun; the arguments
+    /// outlive it. Throws as LinkDirection::move_by_counts.
+    ByteLane(hardware::LinkDirection&, ByteEnd& source, ByteEnd& sink);
+    ByteLane(const ByteLane&) = delete;
+    ByteLane& operator=(const ByteLane&) = delete;
+
+    /// Throw as the functions of LinkDirection.
+    void give(std::uint32_t bytes);
+    void take(std::uint32_t bytes);
+    /// Forget what this end still has to give or take: see LinkDirection::reset_giving.
+    void reset_giving();
+    void reset_taking();
+    bool has_byte() const { return wire_.byte_waits(); }
+    bool is_giving() const { return gives_; }
+    bool is_taking() const { return takes_; }
+    const std::string& name() const { return wire_.name(); }
+
+private:
+    void move(std::uint32_t bytes);
+    void sent() override;
+    void taken() override;
+    void byte_waits() override { sink_.byte_waits(); }
+
+    hardware::LinkDirection& wire_;
+    ByteEnd &source_, &sink_;
+    std::uint32_t to_give_ = 0, to_take_ = 0; ///< bytes of the counts that have not been moved
+    bool gives_ = false, takes_ = false;
+};
+
+/// A link both of whose ends move bytes by counts.
+struct ByteLink {
+    ByteLink(hardware::Link& link, ByteEnd& a, ByteEnd& b)
+        : there(link.from_a_to_b(), a, b), back(link.from_b_to_a(), b, a) {}
+    ByteLane there, back;
+};
+
+} // namespace placedpar::transputer

@@ -1,0 +1,300 @@
+#pragma once
+
+#include "runtime/time.hpp"
+#include "runtime/transputer/decoded_code.hpp"
+#include "runtime/transputer/fpu.hpp"
+#include "runtime/transputer/memory.hpp"
+#include "runtime/transputer/model.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace placedpar::transputer {
+
+/// Half a cycle of the processor's clock: the unit of local time. A word of code that is fetched from outside of the
+/// chip costs half of the additional cycles of an access.
+using HalfCycles = std::uint64_t;
+
+/// The constants of time of a node.
+struct CoreTiming {
+    std::int64_t clock_hz = 20'000'000;
+    int memory_cycles = 3; ///< cycles of an access to a word outside of the chip; published: at least 3
+    int switch_cycles = 0; ///< cycles of a switch to the next process, beyond the instruction that gives up
+    bool wraps = true;     ///< whether lb, sb, ldnl and stnl outside of the memory reach it again from its beginning
+};
+
+/// What a core asks of its links. The channels 0 to 3 are the outputs, 4 to 7 the inputs, and 8 is the event channel.
+/// Must not wait or throw.
+class LinkEngines {
+public:
+    /// Begins to move bytes from or to memory. Core::transfer_ended() is called at the end. A wire that nothing is
+    /// connected to never ends.
+    virtual void begin_transfer(int channel, Word address, Word bytes) = 0;
+    /// Returns whether a byte waits at an input that no transfer has asked for.
+    virtual bool byte_waits(int channel) = 0;
+    /// Forgets a transfer that is under way.
+    virtual void reset(int channel) = 0;
+
+protected:
+    ~LinkEngines() = default;
+};
+
+/// The registers that a process can see. After a change of process, only those that the instruction set keeps matter.
+struct Registers {
+    Word instruction = most_negative; ///< Iptr, an address
+    Word workspace = most_negative;   ///< Wptr, an address
+    Word a = 0, b = 0, c = 0;
+    bool error = false;
+};
+
+/// Why a core no longer executes. `nothing`: it does.
+enum class Stopped : std::uint8_t { nothing, by_error, by_unknown_instruction, by_bad_address, by_break, by_analyse };
+
+/// The processor core of an emulated transputer: registers, memory, both queues of processes, both timer queues. It
+/// executes instructions with the cycles of the published table, and knows neither the kernel nor the wires.
+///
+/// Processes are workspaces in the memory, as on the machine: the queues, the states of an ALT and the saved registers
+/// of an interrupted process stand in the words in which the machine keeps them. An instruction has its effect at its
+/// end.
+///
+/// Source: IMS T800 data sheet; "Transputer instruction set: a compiler writer's guide" (INMOS 1988).
+class Core {
+public:
+    Core(Model, std::uint64_t memory_bytes, const CoreTiming&, LinkEngines&);
+
+    /// Where a run() has ended.
+    enum class Pause {
+        limit,   ///< local time has reached the limit
+        on_time, ///< the next effect concerns links, queues or clocks; it must happen at its own moment: call run()
+                 ///< then. Also after an effect on a link, since now others may act on the core.
+        idle,    ///< no process can run before a timer is due or a link wakes one
+        stopped  ///< see stopped()
+    };
+    /// Executes until an instruction would begin at `limit` or later. `punctual`: every effect on queues and clocks
+    /// must happen at its own moment, since a link may wake a process meanwhile. REQUIRES: the caller's time is
+    /// local_time(), or later if the core is idle; then call pass_idle_time() first.
+    Pause run(HalfCycles limit, bool punctual);
+    /// States that link engines may take accesses at any time. What depends on local time then happens at its own
+    /// moment, after lose_accesses().
+    void share_memory() { memory_is_shared_ = true; }
+    /// Attends to timers that are due and to the end of a timeslice period.
+    void attend_if_due() {
+        if (local_ >= due_ && stopped_ == Stopped::nothing)
+            attend();
+    }
+
+    /// Local time: half cycles since the core was last woken from idleness.
+    HalfCycles local() const { return local_; }
+    Time time_at(HalfCycles local) const {
+        return later(origin_, half_cycles_.duration(static_cast<std::int64_t>(local)));
+    }
+    Time local_time() const { return time_at(local_); }
+    /// Returns the first half cycle at or after a time. REQUIRES: time >= time_at(0).
+    HalfCycles half_cycle_at(Time) const;
+    /// Sets local time after idleness. REQUIRES: the last run() ended idle, or none has begun.
+    void pass_idle_time(Time now);
+    /// Adds the time in which link engines moved so many words from or to memory.
+    void lose_accesses(std::uint64_t words);
+    /// Returns when the first timer is due; Time::max() if none is.
+    Time next_timer() const { return next_timer_; }
+    /// Returns the local time at which the core attends to its timers and timeslices next.
+    HalfCycles next_attention() const { return due_ > local_ ? due_ : local_; }
+
+    /// Begins to run code as the boot does. `old` registers are passed in A and B.
+    void boot(Word code_bytes, int input_channel);
+    /// Makes the process that waits at a link's channel ready: its transfer is done.
+    void transfer_ended(int channel);
+    /// A byte has come at a time that no transfer has asked for: makes an ALT that waits for it ready.
+    void byte_has_come(int channel, Time);
+    /// Returns whether a process waits for a link.
+    bool waits_for_links() const;
+    /// Returns whether a link may change at any moment what the core executes: a process of high priority waits for
+    /// one, or the running process has used up its timeslice and goes on only because no other is ready.
+    bool may_be_interrupted() const;
+    /// Copy bytes for a link or a boot. Offsets outside of the memory stop the core.
+    void copy_from_memory(Word offset, std::span<std::uint8_t>);
+    void copy_to_memory(Word offset, std::span<const std::uint8_t>);
+    /// Returns whether a process runs or is ready.
+    bool is_active() const { return running_ || front_[0] != not_a_process || front_[1] != not_a_process; }
+
+    /// Lets the core stop at the next j, lend or wait, as the analyse pin does.
+    void stop_for_analyse() { is_analysed_ = true; }
+    /// Makes a core that has stopped ready for another boot, after which `testpranal` pushes TRUE. Saves the registers
+    /// of a process of low priority below MemStart. Keeps memory and queues, and stops the clocks.
+    void reset_after_analyse();
+
+    Stopped stopped() const { return stopped_; }
+    /// Describes why the core stopped, with the instruction and its address: "instruction #1F2 at #80000104 is unknown
+    /// to a T800".
+    std::string why_stopped() const;
+
+    Model model() const { return model_; }
+    NodeMemory& memory() { return memory_; }
+    const NodeMemory& memory() const { return memory_; }
+    const Registers& registers() const { return registers_; }
+    bool high_priority() const { return priority_ == 0; }
+    bool halts_on_error() const { return halts_on_error_; }
+    Fpu& fpu() { return fpu_; }
+    /// Returns the front of a queue of ready processes: an address of a workspace, or not_a_process.
+    Word front(int priority) const { return front_[static_cast<std::size_t>(priority)]; }
+    Word back(int priority) const { return back_[static_cast<std::size_t>(priority)]; }
+    Word clock(int priority) const { return clock_at(local_time(), priority); }
+    Word clock_at(Time, int priority) const;
+    /// Returns for how long instructions were executed.
+    HalfCycles busy() const { return busy_before_ + local_; }
+    std::uint64_t instructions() const { return instructions_; }
+
+    /// Sets the registers of the running process, for tests and debuggers.
+    void set_registers(const Registers&, int priority);
+    void set_halts_on_error(bool halts) { halts_on_error_ = halts; }
+    /// Watches the instructions, for listings and debuggers. REQUIRES: it only reads the core.
+    class Watcher {
+    public:
+        /// An instruction will be executed: registers and memory are as it finds them. `at`: address of its first byte
+        /// with its prefixes.
+        virtual void begins(Word at) = 0;
+        /// An instruction was executed, and did not stop the core. Unless it is one of the scheduler, it is that which
+        /// began last. One of the scheduler has its effect only now, when its cycles have passed; other processes may
+        /// have interrupted it. `spent`: half cycles, without waits for a channel or a time, and without interrupts.
+        virtual void executed(Word at, HalfCycles spent) = 0;
+
+    protected:
+        ~Watcher() = default;
+    };
+    /// Executes one instruction at a time from now on, with the same results. REQUIRES: `watcher` outlives the run.
+    void watch(Watcher* watcher) { watcher_ = watcher; }
+
+private:
+    /// Why execute() has returned to the scheduler.
+    enum class Left : std::uint8_t { budget, scheduling, timeslice, halt, unknown, unknown_selector, bad_address };
+    /// An instruction of the scheduler whose cycles pass before its effect.
+    struct Pending {
+        Operation operation;
+        HalfCycles left;
+        bool begun = true; ///< false if its cycles are not known yet, since they depend on the moment
+        // These are for a watcher.
+        Word at = 0;
+        HalfCycles spent = 0; ///< the cycles known so far
+    };
+
+    // engine.cpp
+    Left execute(HalfCycles budget);
+    Word place_of(const Block&, const Entry&) const;
+    static std::uint64_t instructions_after(const Block&, const Entry&);
+    void code_was_written(Block&, const Entry&, Word offset, Word bytes);
+
+    // scheduler.cpp: processes, channels, moves
+    void execute_until(HalfCycles);
+    void act_on(Left);
+    bool finish_pending(HalfCycles limit, bool punctual, Pause&);
+    bool must_begin_on_time(Operation, bool punctual) const;
+    bool must_be_on_time(Operation, bool punctual) const;
+    bool concerns_link(Operation) const;
+    void attend();
+    void begin_slice();
+    void find_due();
+    bool dispatch();
+    void take_front(int priority);
+    void continue_at(Word workspace, int priority);
+    void set_priority(int priority);
+    void save_process();
+    void interrupt();
+    void resume_interrupted();
+    void leave_processor();
+    void give_way();
+    void enqueue(Word process);
+    void end_process();
+    void wait_at(Word channel, Word address);
+    void communicate(Word channel, Word address, Word bytes, bool output);
+    void meet(Word channel, Word partner, Word address, Word bytes, bool output);
+    void wake_alternative(Word partner, Time);
+    void reset_channel();
+    HalfCycles cost_of(Operation);
+    HalfCycles cost_of_communication(Word channel, Word address, Word bytes);
+    void perform(Operation);
+    void move_block(Word from, Word to, Word bytes);
+    void move_in_two_dimensions(Operation);
+    // A bad address stops the core.
+    Word load(Word address);
+    void store(Word address, Word value);
+    void write(Word offset, std::span<const std::uint8_t>);
+    static HalfCycles words_touched(Word address, Word bytes);
+    HalfCycles outside_words(Word address, Word bytes) const;
+    void fault(Stopped, Word address);
+
+    // alternation.cpp: ALT, clocks and timers
+    bool is_ready(Word channel);
+    /// A program may write a circle into its memory: no queue is longer than this.
+    Word longest_queue() const { return memory_.size() / 4; }
+    void enable_channel();
+    void disable_channel();
+    void select(bool ready);
+    void enable_timer();
+    void disable_timer();
+    bool time_has_come();
+    void wait_for_alternative(bool timer);
+    void start_clocks(Word value);
+    Time when_after(Word time, int priority) const;
+    void wait_for_time();
+    void join_timers(Word time);
+    void leave_timers(Word workspace, int priority, Time);
+    void wake_timers(int priority);
+    void find_next_timer();
+
+    Word descriptor() const { return registers_.workspace | static_cast<Word>(priority_); }
+    void push(Word value) {
+        registers_.c = registers_.b;
+        registers_.b = registers_.a;
+        registers_.a = value;
+    }
+    void pop() {
+        registers_.a = registers_.b;
+        registers_.b = registers_.c;
+    }
+
+    Model model_;
+    const Traits& traits_;
+    CoreTiming timing_;
+    NodeMemory memory_;
+    DecodedCode code_;
+    LinkEngines& links_;
+    Clock half_cycles_;
+    HalfCycles penalty_; ///< of an access to data outside of the chip
+
+    Registers registers_;
+    int priority_ = 1;
+    bool running_ = false, was_running_ = false; ///< the latter: when the core stopped
+    bool halts_on_error_ = false;
+    bool analysed_ = false, breaks_at_j0_ = false;
+    bool is_analysed_ = false; ///< the analyse pin is set
+    Stopped stopped_ = Stopped::nothing;
+    Word stopped_at_ = 0;      ///< the address that was bad
+    bool other_error_ = false; ///< Error of the interrupted process
+    Fpu fpu_, interrupted_fpu_;
+    HalfCycles fpu_free_ = 0;    ///< local time at which the floating-point unit has finished
+    std::array<Word, 3> move_{}; ///< rows, stride of the target, stride of the source: move2dinit
+
+    std::array<Word, 2> front_{not_a_process, not_a_process}, back_{not_a_process, not_a_process};
+    std::optional<Pending> pending_, interrupted_pending_;
+    bool clocks_run_ = false;
+    Word clock_start_ = 0;
+    Time clocks_since_{};
+    std::array<bool, 2> timers_disabled_{};
+    Time next_timer_ = Time::max(), slice_ends_{};
+    Operation begun_{};   ///< the instruction of the scheduler at which execute() has left
+    int slices_seen_ = 0; ///< ends of timeslice periods since the running process got the processor
+    int interrupted_slices_ = 0;
+
+    Time origin_{};
+    HalfCycles local_ = 0, due_ = 0, on_time_at_ = 0;
+    HalfCycles busy_before_ = 0;
+    std::uint64_t instructions_ = 0;
+    Word last_fetched_ = 1; ///< address of the word of code that was fetched last; odd: none
+    bool memory_is_shared_ = false;
+    Watcher* watcher_ = nullptr;
+};
+
+} // namespace placedpar::transputer

@@ -1,0 +1,149 @@
+#include "runtime/transputer/decoded_code.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace placedpar::transputer {
+namespace {
+
+constexpr unsigned longest_block = 48;                                                             // instructions
+constexpr Word longest_reach = (longest_block * (most_prefixes + 1)) / NodeMemory::page_bytes + 1; // pages
+constexpr std::uint32_t longest_wait_for_reals = 2 * 90; // half cycles; at the beginning of a block
+constexpr unsigned most_static_cost = 8000;              // half cycles of a block
+
+std::uint64_t bytes_of(const Block& block) {
+    return sizeof(Block) + (block.instructions + 1) * (sizeof(Entry) + sizeof(std::uint32_t));
+}
+
+} // namespace
+
+DecodedCode::DecodedCode(NodeMemory& memory, const CodeTiming& timing)
+    : memory_(memory), timing_(timing), pages_(memory.size() / NodeMemory::page_bytes), scratch_(longest_block + 1),
+      scratch_bounds_(longest_block) {
+    front_.entries = std::make_unique<Entry[]>(longest_block + 1);
+}
+
+DecodedCode::Page& DecodedCode::page(Word offset) {
+    std::unique_ptr<Page>& result = pages_[offset / NodeMemory::page_bytes];
+    if (!result) {
+        result = std::make_unique<Page>();
+        bytes_used_ += sizeof(Page);
+    }
+    memory_.code_flags()[offset / NodeMemory::page_bytes] = 1;
+    return *result;
+}
+
+bool DecodedCode::fill(Block& block, Word address) {
+    const Word begin = NodeMemory::offset_of(address);
+    Word at = begin;
+    const auto fetch = [this](Word word) { return word >= timing_.bytes_on_chip ? timing_.fetch : HalfCycles16{0}; };
+    Word fetched = begin & ~Word{3};
+    block.start = address;
+    block.first_word = fetched;
+    block.first_fetch = fetch(fetched);
+    std::uint32_t after = 0, extra = block.first_fetch + longest_wait_for_reals;
+    std::size_t count = 0;
+    bool ended = false;
+    while (!ended && count < longest_block && after < most_static_cost) {
+        const CodedInstruction read = read_instruction(memory_.bytes(at, memory_.size() - at), timing_.model);
+        if (read.length == 0)
+            break;
+        const Word next = at + read.length;
+        for (; fetched + 4 < next; after += fetch(fetched))
+            fetched += 4;
+        const Instruction& description = description_of(read.operation);
+        after += 2 * (read.length - 1);
+        if (description.unit != Unit::scheduler)
+            after += 2 * cycles_of(read.operation, timing_.model);
+        else
+            ++extra; // it does not begin in the half cycle in which others may act
+        extra += 2u * description.extra_cycles + std::uint32_t{description.accesses} * timing_.penalty;
+        Word operand = read.operand;
+        if (branches_by_operand(read.operation))
+            operand += most_negative + next;
+        else if (counts_words(read.operation))
+            operand *= 4;
+        else if (description.unit != Unit::direct)
+            operand = most_negative + next;
+        scratch_bounds_[count] = after + extra;
+        scratch_[count++] = {read.operation, static_cast<std::uint8_t>(read.length), static_cast<std::uint16_t>(after),
+                             operand};
+        at = next;
+        ended = ends_block(read.operation);
+    }
+    if (count == 0)
+        return false;
+    scratch_[count] = {Operation::go_on, 0, static_cast<std::uint16_t>(after), most_negative + at};
+    block.bytes = at - begin;
+    block.last_word = fetched;
+    block.most = after + extra;
+    block.instructions = static_cast<std::uint32_t>(count);
+    return true;
+}
+
+Block* DecodedCode::front_of(const Block& block, std::uint64_t half_cycles) {
+    const std::uint32_t* const bounds = block.bounds.get();
+    const auto fit = std::upper_bound(bounds, bounds + block.instructions, half_cycles) - bounds;
+    const std::size_t count = static_cast<std::size_t>(std::max<std::ptrdiff_t>(fit, 1));
+    Word bytes = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        bytes += block.entries[i].length;
+    std::copy_n(block.entries.get(), count, front_.entries.get());
+    front_.entries[count] = {Operation::go_on, 0, block.entries[count - 1].after, block.start + bytes};
+    front_.start = block.start;
+    front_.bytes = bytes;
+    front_.first_word = block.first_word;
+    front_.first_fetch = block.first_fetch;
+    front_.last_word = NodeMemory::offset_of(block.start + bytes - 1) & ~Word{3};
+    front_.instructions = static_cast<std::uint32_t>(count);
+    return &front_;
+}
+
+Block* DecodedCode::decode(Word address) {
+    auto block = std::make_unique<Block>();
+    if (NodeMemory::offset_of(address) >= memory_.size() || !fill(*block, address))
+        return nullptr;
+    const std::uint64_t bytes = bytes_of(*block);
+    if (bytes_used_ + bytes > std::max<std::uint64_t>(memory_.size(), 65'536))
+        forget(0, memory_.size());
+    bytes_used_ += bytes;
+    block->entries = std::make_unique<Entry[]>(block->instructions + 1);
+    std::copy_n(scratch_.begin(), block->instructions + 1, block->entries.get());
+    block->bounds = std::make_unique<std::uint32_t[]>(block->instructions);
+    std::copy_n(scratch_bounds_.begin(), block->instructions, block->bounds.get());
+
+    const Word begin = NodeMemory::offset_of(address);
+    Page& first = page(begin);
+    for (Word at = begin | (NodeMemory::page_bytes - 1); at - begin < block->bytes - 1; at += NodeMemory::page_bytes)
+        page(at + 1).reached_from_before = true;
+    first.blocks[begin % NodeMemory::page_bytes] = block.get();
+    return first.starting.emplace_back(std::move(block)).get();
+}
+
+void DecodedCode::forget_page(Word index) {
+    std::unique_ptr<Page>& page = pages_[index];
+    if (!page)
+        return;
+    for (std::unique_ptr<Block>& block : page->starting) {
+        bytes_used_ -= bytes_of(*block);
+        forgotten_.push_back(std::move(block));
+    }
+    bytes_used_ -= sizeof(Page);
+    page.reset();
+    memory_.code_flags()[index] = 0;
+}
+
+void DecodedCode::forget(Word offset, Word bytes) {
+    if (bytes == 0)
+        return;
+    const Word first = offset / NodeMemory::page_bytes, last = (offset + bytes - 1) / NodeMemory::page_bytes;
+    for (Word i = first; i <= last; ++i) {
+        const bool reached = i == first && pages_[i] && pages_[i]->reached_from_before;
+        // Blocks of many prefixes may begin several pages before.
+        for (Word before = i; reached && before-- > 0 && i - before <= longest_reach;)
+            forget_page(before);
+        forget_page(i);
+    }
+}
+
+} // namespace placedpar::transputer

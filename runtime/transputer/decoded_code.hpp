@@ -1,0 +1,88 @@
+#pragma once
+
+#include "runtime/transputer/instruction.hpp"
+#include "runtime/transputer/memory.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace placedpar::transputer {
+
+/// An instruction of decoded code.
+struct Entry {
+    Operation operation;
+    std::uint8_t length; ///< bytes, with prefixes
+    std::uint16_t after; ///< half cycles of the block up to the end of this instruction, without those that effects add
+    /// Of a branch its target; of another direct function its operand, times 4 where it counts words; of an operation
+    /// the address of the next instruction.
+    Word operand;
+};
+
+/// Decoded instructions that are executed one after the other. The last entry leads out of the block. The members are
+/// in the order of use.
+struct Block {
+    std::unique_ptr<Entry[]> entries;
+    std::uint32_t most = 0;             ///< upper bound for the half cycles of the block
+    Word first_word = 0, last_word = 0; ///< offsets of the first and last word of code
+    std::uint32_t instructions = 0;
+    std::uint16_t first_fetch = 0;           ///< half cycles if the first word must be fetched
+    Word start = 0;                          ///< address of its first byte
+    Word bytes = 0;                          ///< of its instructions
+    std::unique_ptr<std::uint32_t[]> bounds; ///< for each instruction: the most half cycles up to its end
+};
+
+/// What decoding must know of a node.
+struct CodeTiming {
+    Model model;
+    Word bytes_on_chip;
+    HalfCycles16 fetch;   ///< half cycles of a word of code that is fetched from outside of the chip
+    HalfCycles16 penalty; ///< half cycles of an access to data outside of the chip, beyond those on the chip
+};
+
+/// The code of a node that has run, decoded. It is decoded when it is first executed, and forgotten by pages when it is
+/// written to. It takes at most about as much of the host's memory as the node has; then everything is forgotten.
+class DecodedCode {
+public:
+    DecodedCode(NodeMemory&, const CodeTiming&);
+
+    /// Returns the block that begins at an address; null if the code there is outside of the memory.
+    Block* at(Word address) {
+        const Word offset = NodeMemory::offset_of(address);
+        if (offset < memory_.size())
+            if (Page* const page = pages_[offset / NodeMemory::page_bytes].get())
+                if (Block* const block = page->blocks[offset % NodeMemory::page_bytes])
+                    return block;
+        return decode(address);
+    }
+    /// Returns a block of the first instructions of a block, as many as surely end within so many half cycles. Returns
+    /// the first instruction alone if none surely does. The result is valid until the next call.
+    Block* front_of(const Block&, std::uint64_t half_cycles);
+    /// Forgets the blocks in the pages of an interval. REQUIRES: the memory holds it.
+    void forget(Word offset, Word bytes);
+    /// Frees forgotten blocks. Call it when none is being executed.
+    void sweep() { forgotten_.clear(); }
+    bool must_sweep() const { return !forgotten_.empty(); }
+
+private:
+    struct Page {
+        Block* blocks[NodeMemory::page_bytes] = {};
+        std::vector<std::unique_ptr<Block>> starting; ///< the blocks that start in this page
+        bool reached_from_before = false;             ///< a block of the page before may end in this page
+    };
+    Block* decode(Word address);
+    bool fill(Block&, Word address);
+    Page& page(Word offset);
+    void forget_page(Word index);
+
+    NodeMemory& memory_;
+    CodeTiming timing_;
+    std::vector<std::unique_ptr<Page>> pages_;
+    std::vector<std::unique_ptr<Block>> forgotten_;
+    std::uint64_t bytes_used_ = 0;
+    Block front_; ///< the result of front_of()
+    std::vector<Entry> scratch_;
+    std::vector<std::uint32_t> scratch_bounds_;
+};
+
+} // namespace placedpar::transputer

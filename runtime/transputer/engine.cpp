@@ -1,0 +1,323 @@
+#include "runtime/transputer/core.hpp"
+#include "runtime/transputer/single_length.hpp"
+#include "runtime/transputer/words.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <tuple>
+#include <utility>
+
+// Execution leads from one instruction to the next by the addresses of labels, which GCC and Clang know.
+#pragma GCC diagnostic ignored "-Wpedantic"
+
+namespace placedpar::transputer {
+
+// The macros of instructions.inc. `spent` are the half cycles of the blocks before, and those that effects added in
+// this block.
+
+#define OPERAND (entry->operand)
+#define NEXT_ADDRESS (entry->operand)
+#define CALL_RETURNS_TO (entry[1].operand)
+#define PRIORITY (static_cast<Word>(priority_))
+#define ERROR_FLAG (registers_.error)
+#define DOUBLE (fpu_.fa().length == Length::real64)
+
+#define NEXT()                                                                                                         \
+    do {                                                                                                               \
+        ++entry;                                                                                                       \
+        goto* labels[static_cast<std::size_t>(entry->operation)];                                                      \
+    } while (false)
+#define BRANCH(address)                                                                                                \
+    do {                                                                                                               \
+        next = (address);                                                                                              \
+        goto branch;                                                                                                   \
+    } while (false)
+#define BRANCH_OR_GIVE_WAY(address)                                                                                    \
+    do {                                                                                                               \
+        next = (address);                                                                                              \
+        goto branch_or_give_way;                                                                                       \
+    } while (false)
+#define SPEND(cycles) (spent += 2 * static_cast<HalfCycles>(cycles))
+#define PUSH(value_)                                                                                                   \
+    do {                                                                                                               \
+        const Word pushed = static_cast<Word>(value_);                                                                 \
+        C = B;                                                                                                         \
+        B = A;                                                                                                         \
+        A = pushed;                                                                                                    \
+    } while (false)
+#define POP() (A = B, B = C)
+#define CHECK(error_)                                                                                                  \
+    do {                                                                                                               \
+        if (error_) [[unlikely]] {                                                                                     \
+            registers_.error = true;                                                                                   \
+            if (halts_on_error_)                                                                                       \
+                goto halt;                                                                                             \
+        }                                                                                                              \
+    } while (false)
+
+#define REACH(address, bytes, wraps)                                                                                   \
+    Word offset = NodeMemory::offset_of(address);                                                                      \
+    if ((bytes) > 1)                                                                                                   \
+        offset &= ~Word{3};                                                                                            \
+    if (offset > size - (bytes)) [[unlikely]] {                                                                        \
+        bad = (address);                                                                                               \
+        if (!(wraps))                                                                                                  \
+            goto bad_address;                                                                                          \
+        offset %= size;                                                                                                \
+    }                                                                                                                  \
+    spent += offset >= on_chip ? penalty : 0
+#define NOTE_WRITE(bytes)                                                                                              \
+    if (code_flags[offset / NodeMemory::page_bytes]) [[unlikely]]                                                      \
+    code_was_written(*block, *entry, offset, bytes)
+#define LOAD_BY(address, variable, wraps)                                                                              \
+    do {                                                                                                               \
+        REACH(address, 4, wraps);                                                                                      \
+        std::memcpy(&variable, memory + offset, 4);                                                                    \
+    } while (false)
+#define STORE_BY(address, value_, wraps)                                                                               \
+    do {                                                                                                               \
+        const Word stored = static_cast<Word>(value_);                                                                 \
+        REACH(address, 4, wraps);                                                                                      \
+        std::memcpy(memory + offset, &stored, 4);                                                                      \
+        NOTE_WRITE(4);                                                                                                 \
+    } while (false)
+#define LOAD(address, variable) LOAD_BY(address, variable, false)
+#define LOAD_WRAPPED(address, variable) LOAD_BY(address, variable, timing_.wraps)
+#define STORE(address, value_) STORE_BY(address, value_, false)
+#define STORE_WRAPPED(address, value_) STORE_BY(address, value_, timing_.wraps)
+#define LOAD_BYTE(address, variable)                                                                                   \
+    do {                                                                                                               \
+        REACH(address, 1, timing_.wraps);                                                                              \
+        variable = memory[offset];                                                                                     \
+    } while (false)
+#define STORE_BYTE(address, value_)                                                                                    \
+    do {                                                                                                               \
+        REACH(address, 1, timing_.wraps);                                                                              \
+        memory[offset] = static_cast<std::uint8_t>(value_);                                                            \
+        NOTE_WRITE(1);                                                                                                 \
+    } while (false)
+#define LOAD_DOUBLE(address, variable)                                                                                 \
+    do {                                                                                                               \
+        Word low, high;                                                                                                \
+        LOAD(address, low);                                                                                            \
+        LOAD((address) + 4, high);                                                                                     \
+        variable = std::uint64_t{high} << 32 | low;                                                                    \
+    } while (false)
+#define STORE_DOUBLE(address, value_)                                                                                  \
+    do {                                                                                                               \
+        const std::uint64_t stored_both = (value_);                                                                    \
+        STORE(address, stored_both);                                                                                   \
+        STORE((address) + 4, stored_both >> 32);                                                                       \
+    } while (false)
+
+// Instructions of the floating-point unit. It works while the integer unit goes on after one cycle; the integer unit
+// waits when it comes to the next of them, and RESULT waits until the unit has finished.
+#define AWAIT_REALS(own_cycles)                                                                                        \
+    const HalfCycles begins = local_ + spent + entry->after - 2;                                                       \
+    if (fpu_free_ > begins)                                                                                            \
+        spent += fpu_free_ - begins;                                                                                   \
+    fpu_free_ = std::max(fpu_free_, begins) + 2 * static_cast<HalfCycles>(own_cycles)
+#define SET_REGISTERS(...)                                                                                             \
+    do {                                                                                                               \
+        const SingleLengthRegisters result = __VA_ARGS__;                                                              \
+        A = result.a;                                                                                                  \
+        B = result.b;                                                                                                  \
+        C = result.c;                                                                                                  \
+    } while (false)
+#define ENTER(selector)                                                                                                \
+    do {                                                                                                               \
+        const Operation entered = selected_by(selector);                                                               \
+        if (entered == Operation::unknown) {                                                                           \
+            bad = (selector);                                                                                          \
+            goto unknown_selector;                                                                                     \
+        }                                                                                                              \
+        goto* labels[static_cast<std::size_t>(entered)];                                                               \
+    } while (false)
+
+Core::Left Core::execute(HalfCycles budget) {
+    static const void* const labels[] = {
+#define FUNCTION(code, name, cycles, extra, accesses, ...) &&at_##name,
+#define OPERATION(code, name, cycles, extra, accesses, models, ...) &&at_##name,
+#define REAL(code, name, cycles, accesses, ...) &&at_##name,
+#define RESULT(code, name, cycles, accesses, ...) &&at_##name,
+#define SELECTED(code, name, cycles, ...) &&at_##name,
+#define SCHEDULING(code, name, cycles, models) &&scheduling,
+#include "runtime/transputer/instructions.inc"
+#undef FUNCTION
+#undef OPERATION
+#undef REAL
+#undef RESULT
+#undef SELECTED
+#undef SCHEDULING
+        &&go_on, &&unknown};
+
+    std::uint8_t* const memory = memory_.data();
+    const std::uint8_t* const code_flags = memory_.code_flags();
+    const Word size = memory_.size(), on_chip = traits_.bytes_on_chip;
+    const HalfCycles penalty = penalty_;
+    const bool slice_is_over = is_analysed_ || (priority_ == 1 && slices_seen_ >= 2 && front_[1] != not_a_process);
+    Word A = registers_.a, B = registers_.b, C = registers_.c, W = registers_.workspace;
+    Word next = registers_.instruction, value = 0, bad = 0, last_fetched = last_fetched_;
+    std::uint64_t wide = 0;
+    HalfCycles spent = 0;
+    Left left = Left::budget;
+    Block* block = nullptr;
+    const Entry* entry = nullptr;
+
+begin_block:
+    if (spent >= budget)
+        goto leave;
+    block = code_.at(next);
+    if (!block) {
+        left = Left::bad_address;
+        bad = next;
+        goto leave;
+    }
+    if (spent + block->most > budget)
+        block = code_.front_of(*block, budget - spent);
+    if (block->first_word != last_fetched)
+        spent += block->first_fetch;
+    last_fetched = block->last_word;
+    instructions_ += block->instructions;
+    entry = block->entries.get();
+    goto* labels[static_cast<std::size_t>(entry->operation)];
+
+#define FUNCTION(code, name, cycles, extra, accesses, ...)                                                             \
+    at_##name : __VA_ARGS__;                                                                                           \
+    NEXT();
+#define OPERATION(code, name, cycles, extra, accesses, models, ...)                                                    \
+    at_##name : __VA_ARGS__;                                                                                           \
+    NEXT();
+#define REAL(code, name, cycles, accesses, ...)                                                                        \
+    at_##name : { AWAIT_REALS(cycles); }                                                                               \
+    __VA_ARGS__;                                                                                                       \
+    NEXT();
+#define RESULT(code, name, cycles, accesses, ...)                                                                      \
+    at_##name : {                                                                                                      \
+        AWAIT_REALS(cycles);                                                                                           \
+        spent += 2 * ((cycles)-1);                                                                                     \
+    }                                                                                                                  \
+    __VA_ARGS__;                                                                                                       \
+    NEXT();
+#define SELECTED(code, name, cycles, ...)                                                                              \
+    at_##name : { AWAIT_REALS(cycles); }                                                                               \
+    __VA_ARGS__;                                                                                                       \
+    NEXT();
+#define SCHEDULING(code, name, cycles, models)
+#include "runtime/transputer/instructions.inc"
+#undef FUNCTION
+#undef OPERATION
+#undef REAL
+#undef RESULT
+#undef SELECTED
+#undef SCHEDULING
+
+branch:
+    spent += entry->after;
+    if (code_.must_sweep())
+        code_.sweep();
+    goto begin_block;
+branch_or_give_way:
+    spent += entry->after;
+    if (!slice_is_over)
+        goto begin_block;
+    left = Left::timeslice;
+    goto leave;
+go_on:
+    next = entry->operand;
+    last_fetched = (NodeMemory::offset_of(next) - 1) & ~Word{3}; // a block that was written to may end early
+    goto branch;
+scheduling:
+    next = entry->operand;
+    spent += entry->after;
+    begun_ = entry->operation;
+    left = Left::scheduling;
+    goto leave;
+halt:
+    next = place_of(*block, *entry) + entry->length;
+    spent += entry->after;
+    instructions_ -= instructions_after(*block, *entry);
+    left = Left::halt;
+    goto leave;
+unknown:
+    next = place_of(*block, *entry);
+    spent += entry->after;
+    left = Left::unknown;
+    goto leave;
+unknown_selector:
+    next = place_of(*block, *entry);
+    spent += entry->after;
+    instructions_ -= instructions_after(*block, *entry);
+    left = Left::unknown_selector;
+    goto leave;
+bad_address:
+    next = place_of(*block, *entry);
+    spent += entry->after;
+    instructions_ -= instructions_after(*block, *entry);
+    left = Left::bad_address;
+leave:
+    registers_.a = A;
+    registers_.b = B;
+    registers_.c = C;
+    registers_.workspace = W;
+    registers_.instruction = next;
+    last_fetched_ = last_fetched;
+    stopped_at_ = bad;
+    local_ += spent;
+    return left;
+}
+
+std::uint64_t Core::instructions_after(const Block& block, const Entry& entry) {
+    return block.instructions - static_cast<std::uint64_t>(&entry - block.entries.get()) - 1;
+}
+
+Word Core::place_of(const Block& block, const Entry& entry) const {
+    Word result = block.start;
+    for (const Entry* each = block.entries.get(); each != &entry; ++each)
+        result += each->length;
+    return result;
+}
+
+void Core::code_was_written(Block& block, const Entry& entry, Word offset, Word bytes) {
+    code_.forget(offset, bytes);
+    const Word begin = NodeMemory::offset_of(block.start);
+    if (offset + bytes <= begin || offset >= begin + block.bytes)
+        return;
+    // The rest of this block may have changed: it ends after this instruction. The block may be a copy of the beginning
+    // of the one that was forgotten.
+    instructions_ -= instructions_after(block, entry);
+    Entry& rest = const_cast<Entry&>((&entry)[1]);
+    rest = {Operation::go_on, 0, entry.after, place_of(block, entry) + entry.length};
+}
+
+} // namespace placedpar::transputer
+
+#undef OPERAND
+#undef NEXT_ADDRESS
+#undef CALL_RETURNS_TO
+#undef PRIORITY
+#undef ERROR_FLAG
+#undef DOUBLE
+#undef NEXT
+#undef BRANCH
+#undef BRANCH_OR_GIVE_WAY
+#undef SPEND
+#undef PUSH
+#undef POP
+#undef CHECK
+#undef REACH
+#undef NOTE_WRITE
+#undef LOAD_BY
+#undef STORE_BY
+#undef LOAD
+#undef LOAD_WRAPPED
+#undef STORE
+#undef STORE_WRAPPED
+#undef LOAD_BYTE
+#undef STORE_BYTE
+#undef LOAD_DOUBLE
+#undef STORE_DOUBLE
+#undef AWAIT_REALS
+#undef SET_REGISTERS
+#undef ENTER

@@ -1,0 +1,218 @@
+#pragma once
+
+#include "runtime/transputer/real_pattern.hpp"
+
+#include <cstdint>
+
+namespace placedpar::transputer {
+
+enum class Length : std::uint8_t { real32, real64 };
+
+struct Real {
+    std::uint64_t bits = 0; ///< a REAL32 is in the lower half, and the upper half is 0
+    Length length = Length::real32;
+
+    friend bool operator==(const Real&, const Real&) = default;
+};
+
+enum class Rounding : std::uint8_t { nearest, zero, plus, minus };
+
+enum class RealOperation : std::uint8_t { add, subtract, multiply, divide };
+
+/// Returns left op right in the host's rounding mode.
+template <typename T>
+T computed_on_host(RealOperation operation, T left, T right) {
+    switch (operation) {
+    case RealOperation::add: return left + right;
+    case RealOperation::subtract: return left - right;
+    case RealOperation::multiply: return left * right;
+    case RealOperation::divide: return left / right;
+    }
+    return 0;
+}
+
+/// The floating-point unit of a T800 or T805: the stack of FA, FB and FC, the rounding mode and FPError. It has a
+/// method for each operation, with the operation's name. A method gives the result and the flag; its time and its
+/// effect on the integer stack are the caller's. The unit is a plain value: an interrupt saves it by a copy.
+///
+/// Rules (INMOS, "Transputer instruction set: a compiler writer's guide"; arithmetic is that of IEEE 754):
+/// - Each operation rounds by the mode that is set, in the precision of its result. It leaves the mode at nearest, but
+///   for the four operations that set the mode.
+/// - FPError is set by a NaN or infinity as an operand, an invalid operation, a division by 0, and overflow. Loads,
+///   stores, exchanges and the tests fpnan, fpordered and fpnotfinite never set it. Nothing but fptesterror and
+///   fpuclearerror clears it.
+/// - A NaN as an operand is the result; of two the one with the larger fraction, or FB's. Its sign is that of the
+///   operation: fpsub negates FA's, fpmul and fpdiv multiply the signs.
+/// - An invalid operation gives a NaN that tells the operation: see `MadeNan` in the source.
+/// - What a pop leaves in FC stays there.
+///
+/// REQUIRES: the operands of an operation have equal lengths, as on the machine. Otherwise FB is read in FA's length.
+/// REQUIRES: the calling thread rounds to nearest (std::fegetround); the methods leave it so.
+class Fpu {
+public:
+    const Real& fa() const { return a_; }
+    const Real& fb() const { return b_; }
+    const Real& fc() const { return c_; }
+    Rounding rounding() const { return rounding_; }
+    bool error() const { return error_; }
+
+    /// These load memory, whose bits are given. The indexed loads are the same.
+    void fpldnlsn(std::uint32_t bits) { push({bits, Length::real32}); }
+    void fpldnldb(std::uint64_t bits) { push({bits, Length::real64}); }
+    void fpldzerosn() { push({0, Length::real32}); }
+    void fpldzerodb() { push({0, Length::real64}); }
+
+    /// These compute with memory, without a push.
+    void fpldnladdsn(std::uint32_t bits) { combine(RealOperation::add, a_, {bits, Length::real32}); }
+    void fpldnladddb(std::uint64_t bits) { combine(RealOperation::add, a_, {bits, Length::real64}); }
+    void fpldnlmulsn(std::uint32_t bits) { combine(RealOperation::multiply, a_, {bits, Length::real32}); }
+    void fpldnlmuldb(std::uint64_t bits) { combine(RealOperation::multiply, a_, {bits, Length::real64}); }
+
+    /// These return what is stored. fpstnli32 stores the largest integer up to FA, modulo 2^32, and 0 for a NaN or
+    /// infinity: programs take the halves of a long integer that way.
+    std::uint32_t fpstnlsn() { return std::uint32_t(pop().bits); }
+    std::uint64_t fpstnldb() { return pop().bits; }
+    std::uint32_t fpstnli32();
+
+    void fprev();
+    void fpdup() { push(Real(a_)); }
+
+    /// These compute FB op FA.
+    void fpadd() { combine_two(RealOperation::add); }
+    void fpsub() { combine_two(RealOperation::subtract); }
+    void fpmul() { combine_two(RealOperation::multiply); }
+    void fpdiv() { combine_two(RealOperation::divide); }
+
+    /// FA := FB - q * FA, FB := q, where q is the integer nearest to FB / FA. The remainder is exact. The quotient is
+    /// right if FB's exponent is at most 20 (REAL64: 30) above FA's; beyond that, the machine's is undefined, and here
+    /// it is rounded. The first step does it all. Both return the A to push: TRUE, which means that the remainder is
+    /// complete. INMOS's occam compiler and mathematical library emit `fpremfirst; eqc 0; cj done; more: fpremstep;
+    /// cj more; done:`, so they execute no further step.
+    bool fpremfirst();
+    bool fpremstep() { return finished(true); }
+
+    /// These are comparisons: FB > FA, FB = FA. They pop both. FALSE if one is a NaN.
+    bool fpgt();
+    bool fpeq();
+    /// These are tests of FA, and of FA and FB for fpordered. They pop nothing.
+    bool fpordered();
+    bool fpnan();
+    bool fpnotfinite();
+
+    /// The integer unit ORs this into Error.
+    bool fpchkerror() { return finished(error_); }
+    /// Returns TRUE if FPError is not set, and clears it.
+    bool fptesterror();
+    void fpuseterror() { set_error(true); }
+    void fpuclearerror() { set_error(false); }
+
+    /// These set the mode for the next operation.
+    void fpurn() { rounding_ = Rounding::nearest; }
+    void fpurz() { rounding_ = Rounding::zero; }
+    void fpurp() { rounding_ = Rounding::plus; }
+    void fpurm() { rounding_ = Rounding::minus; }
+
+    /// These push integers. Only fpi32tor32 rounds.
+    void fpi32tor32(std::uint32_t word);
+    void fpi32tor64(std::uint32_t word) { push_exactly(double(std::int32_t(word))); }
+    void fpb32tor64(std::uint32_t word) { push_exactly(double(word)); }
+
+    /// Rounds FA to an integer. fprtoi32 also checks that the integer is in the range of 32 bits.
+    void fpint();
+    void fprtoi32();
+    /// These set FPError unless -2^31 <= FA < 2^31, and unless -2^63 <= FA < 2^63.
+    void fpuchki32() { check_below(0x1p31); }
+    void fpuchki64() { check_below(0x1p63); }
+
+    void fpur32tor64();
+    void fpur64tor32();
+    /// Cuts FA to a REAL32: the lower bits of the exponent and the upper ones of the fraction. Sets no flag.
+    void fpunoround();
+
+    void fpuabs();
+    void fpuexpinc32() { scale(0x1p32F); }
+    void fpuexpdec32() { scale(0x1p-32F); }
+    void fpumulby2() { scale(2); }
+    void fpudivby2() { scale(0.5F); }
+    /// FA := the square root of FA at the first step; the others do nothing.
+    void fpusqrtfirst();
+    void fpusqrtstep() { rounding_ = Rounding::nearest; }
+    void fpusqrtlast() { rounding_ = Rounding::nearest; }
+
+    friend bool operator==(const Fpu&, const Fpu&) = default;
+
+private:
+    template <typename T>
+    bool combined_at_once(RealOperation operation, const Real& left, const Real& right);
+    void combine(RealOperation operation, const Real& left, const Real& right);
+    void combine_by_rules(RealOperation operation, const Real& left, const Real& right);
+    void combine_two(RealOperation operation);
+    void scale(float factor);
+    void check_below(double limit);
+    void push(const Real& real);
+    void push_exactly(double value) { push({RealPattern<double>::of(value).word(), Length::real64}); }
+    Real pop();
+    void set_error(bool error);
+    /// Returns the answer of an operation that changes nothing else than the mode.
+    bool finished(bool answer);
+
+    Real a_, b_, c_;
+    Rounding rounding_ = Rounding::nearest;
+    bool error_ = false;
+};
+
+inline void Fpu::push(const Real& real) {
+    c_ = b_;
+    b_ = a_;
+    a_ = real;
+    rounding_ = Rounding::nearest;
+}
+
+inline Real Fpu::pop() {
+    Real top = a_;
+    a_ = b_;
+    b_ = c_;
+    rounding_ = Rounding::nearest;
+    return top;
+}
+
+/// Computes on the host if no rule but that of rounding to nearest matters. A finite result has finite operands, except
+/// that of a division by infinity.
+template <typename T>
+bool Fpu::combined_at_once(RealOperation operation, const Real& left, const Real& right) {
+    const RealPattern<T> first(left.bits), second(right.bits);
+    const auto result = RealPattern<T>::of(computed_on_host(operation, first.value(), second.value()));
+    if (!result.finite() || (operation == RealOperation::divide && !second.finite()))
+        return false;
+    a_ = {result.word(), right.length};
+    return true;
+}
+
+/// FA := left op right. The right operand determines the length.
+inline void Fpu::combine(RealOperation operation, const Real& left, const Real& right) {
+    if (rounding_ == Rounding::nearest) {
+        if (right.length == Length::real32 ? combined_at_once<float>(operation, left, right)
+                                           : combined_at_once<double>(operation, left, right))
+            return;
+    }
+    combine_by_rules(operation, left, right);
+}
+
+inline void Fpu::combine_two(RealOperation operation) {
+    combine(operation, b_, a_);
+    b_ = c_;
+}
+
+inline void Fpu::fprev() {
+    const Real top = a_;
+    a_ = b_;
+    b_ = top;
+    rounding_ = Rounding::nearest;
+}
+
+inline bool Fpu::finished(bool answer) {
+    rounding_ = Rounding::nearest;
+    return answer;
+}
+
+} // namespace placedpar::transputer

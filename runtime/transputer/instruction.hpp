@@ -1,0 +1,80 @@
+#pragma once
+
+#include "runtime/transputer/model.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace placedpar::transputer {
+
+using HalfCycles16 = std::uint16_t;
+
+/// The instructions that the engine executes. Those that fpentry selects stand at the end.
+enum class Operation : std::uint8_t {
+#define FUNCTION(code, name, cycles, extra, accesses, ...) name,
+#define OPERATION(code, name, cycles, extra, accesses, models, ...) name,
+#define REAL(code, name, cycles, accesses, ...) name,
+#define RESULT(code, name, cycles, accesses, ...) name,
+#define SELECTED(code, name, cycles, ...) name,
+#define SCHEDULING(code, name, cycles, models) name,
+#include "runtime/transputer/instructions.inc"
+#undef FUNCTION
+#undef OPERATION
+#undef REAL
+#undef RESULT
+#undef SELECTED
+#undef SCHEDULING
+    go_on,  ///< not an instruction: the block ends here, and execution goes on at the operand
+    unknown ///< not an instruction of the model
+};
+
+/// How an instruction is executed.
+enum class Unit : std::uint8_t { direct, integer, scheduler, reals, selected };
+
+/// The description of an instruction.
+struct Instruction {
+    std::string_view name; ///< as INMOS writes it
+    Word code;             ///< of a direct function, of an operation, or the selector of fpentry
+    Unit unit;
+    std::uint16_t cycles; ///< with code and data on the chip, without prefixes; of an operation on reals 1
+    std::uint16_t
+        extra_cycles;      ///< upper bound for what its effect adds; of an operation on reals what it adds to waits
+    std::uint8_t accesses; ///< upper bound for the words of data
+    Models models;
+    std::uint16_t real_cycles = 0; ///< cycles of the floating-point unit, of single length where it depends on that
+};
+
+/// Returns the description of an instruction; of `go_on` and `unknown` one without cycles.
+const Instruction& description_of(Operation);
+/// Returns the direct function of a code from 0 to 15, except of pfix, nfix and opr: these are `unknown`.
+Operation function_of(Word code);
+/// Returns the operation of a model; `unknown` if it has none of this code.
+Operation operation_of(Word code, Model);
+/// Returns the operation that fpentry selects.
+Operation selected_by(Word code);
+/// Returns the cycles of an instruction, beyond those that its effect adds. A T414 multiplies in 38 cycles (commonly
+/// stated), others in 40.
+unsigned cycles_of(Operation, Model);
+/// Returns whether execution never goes on with the next instruction of the block: a branch, or an instruction of the
+/// scheduler.
+bool ends_block(Operation);
+/// Returns whether the operand of a direct function counts words.
+bool counts_words(Operation);
+/// Returns whether the operand is the distance of a branch: j, cj and call.
+bool branches_by_operand(Operation);
+
+/// An instruction has at most so many prefixes. Ours: code needs 7, and compilers pad with some more.
+inline constexpr Word most_prefixes = 200;
+
+/// An instruction as it stands in memory.
+struct CodedInstruction {
+    Operation operation = Operation::unknown;
+    Word operand = 0; ///< with all prefixes; for an operation its code
+    Word length = 0;  ///< bytes with prefixes; 0: it does not end within the bytes
+};
+
+/// Returns the instruction that begins with the first of these bytes.
+CodedInstruction read_instruction(std::span<const std::uint8_t>, Model);
+
+} // namespace placedpar::transputer

@@ -1,0 +1,295 @@
+#include "runtime/transputer/node.hpp"
+
+#include "runtime/kernel.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace placedpar::transputer {
+namespace {
+
+Word word_of(std::span<const std::uint8_t, 4> bytes) {
+    Word result;
+    std::memcpy(&result, bytes.data(), sizeof result);
+    return result;
+}
+
+} // namespace
+
+Node::Node(Kernel& kernel, std::string name, Model model, std::uint64_t memory_bytes, const CoreTiming& timing)
+    : kernel_(kernel), name_(std::move(name)), core_(model, memory_bytes, timing, *this),
+      access_(duration_of(timing.memory_cycles, timing.clock_hz)),
+      access_half_cycles_(2 * static_cast<HalfCycles>(timing.memory_cycles)) {
+    for (int i = 0; i < links; ++i)
+        ports_[static_cast<std::size_t>(i)].belong_to(*this, i);
+}
+
+void Node::has_link(hardware::Link& link) {
+    link.from_a_to_b().move_messages_of(engines_);
+    link.from_b_to_a().move_messages_of(engines_);
+    wires_.push_back(&link);
+    core_.share_memory();
+}
+
+// Running
+
+void Node::happen() noexcept {
+    if (activity_ == Activity::listening)
+        return listen();
+    if (is_halted())
+        return;
+    if (std::exchange(is_idle_, false)) {
+        busy_ += core_.local_time() - core_.time_at(0);
+        core_.pass_idle_time(kernel_.now());
+        words_settled_ = words_moved();
+    }
+    if (settle())
+        run();
+}
+
+void Node::run() {
+    Core::Pause pause{};
+    do {
+        tell_core();
+        const bool punctual = core_.waits_for_links();
+        pause = core_.run(limit(), punctual);
+    } while (pause == Core::Pause::on_time && core_.local_time() == kernel_.now());
+    if (pause == Core::Pause::idle)
+        return be_idle();
+    if (pause == Core::Pause::stopped && core_.local_time() <= kernel_.now()) {
+        if (core_.stopped() == Stopped::by_analyse)
+            return end_analysis();
+        activity_ = Activity::stopped;
+        return when_stopped_();
+    }
+    kernel_.future().schedule(*this, core_.local_time(), EventQueue::turn);
+}
+
+/// Returns the local time up to which nothing else can act on the core.
+///
+/// While link engines take accesses, local time passes faster than instructions do, so only a part of the way is gone
+/// at once. It is exact unless the engines take more than three quarters of the time of the memory.
+HalfCycles Node::limit() const {
+    const EventQueue& future = kernel_.future();
+    const Time next_event = future.empty() ? Time::max() : future.next_time();
+    Time until = std::min({later(kernel_.now(), most_ahead_), halts_at_, analysed_at_});
+    if (core_.may_be_interrupted())
+        until = std::min(until, next_event);
+    const HalfCycles next = core_.local() + 1, end = std::max(core_.half_cycle_at(until), next);
+    if (wires_.empty())
+        return end;
+    const HalfCycles way = std::min(end, core_.next_attention()) - core_.local();
+    if (engines_.parts_under_way == 0 && core_.time_at(core_.local() + way) <= next_event)
+        return core_.local() + way;
+    const HalfCycles at_once = 2 * wires_.size() * access_half_cycles_;
+    return way > at_once + 4 ? core_.local() + (way - at_once) / 4 : next;
+}
+
+/// Adds the accesses that link engines took since the last call. Returns false if local time is now in the future; the
+/// node then continues at that time.
+bool Node::settle() {
+    const std::uint64_t words = words_moved();
+    core_.lose_accesses(words - std::exchange(words_settled_, words));
+    if (core_.local_time() <= kernel_.now())
+        return true;
+    kernel_.future().schedule(*this, core_.local_time(), EventQueue::turn);
+    return false;
+}
+
+std::uint64_t Node::words_moved() {
+    std::uint64_t words = engines_.words_of_ended_parts;
+    if (engines_.parts_under_way > 0)
+        for (hardware::Link* const link : wires_)
+            words += link->words_moved(engines_, kernel_.now());
+    return words;
+}
+
+/// Notes what a link has done, for the next turn of the core. An idle core has its turn at once, after all links.
+void Node::note(const Wake& wake) {
+    if (activity_ != Activity::booted || is_halted())
+        return;
+    wakes_.push_back(wake);
+    if (is_idle_)
+        kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
+}
+
+/// Tells the core what links have done since its last turn, and lets it attend to its timers, in the order of time.
+void Node::tell_core() {
+    std::ranges::sort(wakes_, std::less<>{});
+    for (const Wake& each : wakes_) {
+        if (each.at > core_.time_at(core_.next_attention()))
+            core_.attend_if_due();
+        if (each.transfer_ended)
+            core_.transfer_ended(each.channel);
+        else
+            core_.byte_has_come(each.channel, each.at);
+    }
+    wakes_.clear();
+    core_.attend_if_due();
+}
+
+void Node::be_idle() {
+    if (core_.local_time() > kernel_.now()) { // another process may become ready until then
+        kernel_.future().schedule(*this, core_.local_time(), EventQueue::turn);
+        return;
+    }
+    is_idle_ = true;
+    if (core_.next_timer() != Time::max())
+        kernel_.future().schedule(*this, core_.next_timer(), EventQueue::turn);
+}
+
+Time Node::memory_taken_by_links() { return times(static_cast<std::int64_t>(words_moved()), access_); }
+
+// Links
+
+void Node::Port::read(std::span<std::uint8_t> to) {
+    node_->core_.copy_from_memory(read_from, to);
+    read_from += static_cast<Word>(to.size());
+}
+
+void Node::Port::write(std::span<const std::uint8_t> bytes) {
+    if (node_->activity_ == Activity::listening)
+        return node_->hear(bytes);
+    node_->core_.copy_to_memory(write_to, bytes);
+    write_to += static_cast<Word>(bytes.size());
+}
+
+void Node::begin_transfer(int channel, Word address, Word bytes) {
+    if (channel >= 2 * links)
+        return; // the event channel: nothing is connected to its pin
+    Port& port = ports_[static_cast<std::size_t>(channel % links)];
+    if (channel < links && port.out && !port.out->is_giving()) {
+        port.read_from = NodeMemory::offset_of(address);
+        port.out->give(bytes);
+    } else if (channel >= links && port.in && !port.in->is_taking()) {
+        port.write_to = NodeMemory::offset_of(address);
+        port.in->take(bytes);
+    }
+}
+
+bool Node::byte_waits(int channel) {
+    const Port& port = ports_[static_cast<std::size_t>(channel % links)];
+    return port.in && port.in->has_byte();
+}
+
+void Node::reset(int channel) {
+    const Port& port = ports_[static_cast<std::size_t>(channel % links)];
+    if (channel < links && port.out)
+        port.out->reset_giving();
+    else if (channel >= links && channel < 2 * links && port.in)
+        port.in->reset_taking();
+}
+
+void Node::transfer_ended(int channel) {
+    if (activity_ == Activity::listening)
+        obey_next();
+    else
+        note({kernel_.now(), channel, true});
+}
+
+void Node::taken(int link) {
+    if (activity_ == Activity::listening)
+        obey(link);
+    else
+        transfer_ended(links + link);
+}
+
+void Node::byte_has_come(int link) {
+    if (activity_ == Activity::listening)
+        kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
+    else
+        note({kernel_.now(), links + link, false});
+}
+
+// Reset and boot
+
+/// Reads a command from the first link at which a byte waits, unless another command is being obeyed.
+void Node::listen() {
+    for (int link = 0; link < links && !heard_link_ && !is_halted(); ++link)
+        if (byte_waits(links + link)) {
+            heard_link_ = link;
+            heard_.clear();
+            listening_ = Listening::for_command;
+            ports_[static_cast<std::size_t>(link)].in->take(1);
+        }
+}
+
+/// A command has been obeyed: listens again, after all that happens at this time.
+void Node::obey_next() {
+    heard_link_.reset();
+    kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
+}
+
+void Node::hear(std::span<const std::uint8_t> bytes) { heard_.insert(heard_.end(), bytes.begin(), bytes.end()); }
+
+/// Returns the offset of a word. Addresses outside of the memory reach it again, as on most boards.
+Word Node::wrapped(Word address) const {
+    return NodeMemory::offset_of(address) % core_.memory().size() & ~Word{3};
+}
+
+/// Acts on a command, or on the bytes that belong to it.
+void Node::obey(int link) {
+    if (is_halted())
+        return;
+    Port& port = ports_[static_cast<std::size_t>(link)];
+    const std::vector<std::uint8_t> heard = std::exchange(heard_, {});
+    switch (listening_) {
+    case Listening::for_command: {
+        const std::uint8_t command = heard.front();
+        listening_ = command == 0 ? Listening::for_poke : command == 1 ? Listening::for_peek : Listening::for_code;
+        port.in->take(command == 0 ? 8u : command == 1 ? 4u : command);
+        return;
+    }
+    case Listening::for_poke:
+        core_.copy_to_memory(wrapped(word_of(std::span(heard).subspan<0, 4>())), std::span(heard).subspan<4, 4>());
+        return obey_next();
+    case Listening::for_peek:
+        listening_ = Listening::answering;
+        port.read_from = wrapped(word_of(std::span(heard).subspan<0, 4>()));
+        port.out->give(4);
+        return;
+    case Listening::for_code:
+        activity_ = Activity::booted;
+        heard_link_.reset();
+        core_.copy_to_memory(traits_of(core_.model()).memory_start, heard);
+        core_.boot(static_cast<Word>(heard.size()), links + link);
+        kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
+        return;
+    case Listening::answering: return;
+    }
+}
+
+// Halt and analyse
+
+Node::Activity Node::activity() const { return is_halted() ? Activity::halted : activity_; }
+
+bool Node::is_halted() const { return kernel_.now() >= halts_at_; }
+
+void Node::analyse_at(Time moment) {
+    analysed_at_ = moment;
+    kernel_.future().reschedule(analysis_, moment, EventQueue::timer);
+}
+
+void Node::begin_analysis() {
+    analysed_at_ = Time::max();
+    if (is_halted() || activity_ == Activity::listening)
+        return;
+    core_.stop_for_analyse();
+    if (activity_ == Activity::stopped)
+        end_analysis();
+    else if (activity_ == Activity::booted && is_idle_)
+        kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
+}
+
+/// Resets the links, and listens to them.
+void Node::end_analysis() {
+    core_.reset_after_analyse();
+    for (int channel = 0; channel < 2 * links; ++channel)
+        reset(channel);
+    wakes_.clear();
+    activity_ = Activity::listening;
+    is_idle_ = true;
+}
+
+} // namespace placedpar::transputer

@@ -1,0 +1,160 @@
+#pragma once
+
+#include "runtime/event.hpp"
+#include "runtime/hardware/link.hpp"
+#include "runtime/transputer/byte_lane.hpp"
+#include "runtime/transputer/core.hpp"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+class Kernel;
+} // namespace placedpar
+
+namespace placedpar::transputer {
+
+/// An emulated transputer as a device of a simulation. After reset it listens to its links. The first link that brings
+/// a byte boots it, reads its memory (peek) or writes it (poke), as the first byte says. Then the core executes.
+///
+/// The core runs ahead of virtual time as far as nothing can act on it: up to a link instruction; up to a change of its
+/// queues while a link may wake a process; up to the next event of any other device while a process of high priority
+/// waits for a link; up to the time at which a timer or a timeslice ends, or a clock is read; at most 100 us. So the
+/// results do not depend on how far it runs ahead, nor on the order of devices. They would if a program read bytes that
+/// a link is about to store, or changed bytes, or a channel word, that a link is about to read.
+///
+/// Processes that links wake at the same time become ready in the order of their channels.
+///
+/// Source: IMS T800 data sheet, "reset, bootstrap and analyse".
+class Node final : private Event, private LinkEngines {
+public:
+    static constexpr int links = 4;
+
+    /// The activity of a node. A node that was never booted is `listening` at the end of the run.
+    enum class Activity : std::uint8_t { listening, booted, stopped, halted };
+
+    /// Throws as the constructor of NodeMemory.
+    Node(Kernel&, std::string name, Model, std::uint64_t memory_bytes, const CoreTiming&);
+
+    /// Returns the end of a link for ByteLink. `number`: 0 to 3.
+    ByteEnd& end(int number) { return ports_[static_cast<std::size_t>(number)]; }
+    /// States that this link ends here, so that its engines use the memory of the node. REQUIRES: it outlives the run.
+    void has_link(hardware::Link&);
+    /// Sets a function to call when the core stops by an error.
+    void when_stopped(std::function<void()> f) { when_stopped_ = std::move(f); }
+    /// Executes one instruction at an event. Tests compare such a run with a usual one. REQUIRES: the run has not
+    /// begun.
+    void run_instruction_by_instruction() { most_ahead_ = Time{0}; }
+
+    /// Stops the node at a time. It executes nothing more, and takes no commands of a boot. Its link engines finish the
+    /// transfers that are under way. REQUIRES: the run has not begun.
+    void halt_at(Time moment) { halts_at_ = std::min(halts_at_, moment); }
+    /// Sets the pin analyse at a time, and then the pin reset: the core stops at its next j, lend or wait. Then the links
+    /// are reset, and the node listens to them as after reset. The memory stays as it is, except for the registers of
+    /// the process, which are saved below MemStart (Core::reset_after_analyse). Source: IMS T800 data sheet, "analyse".
+    /// REQUIRES: the run has not begun.
+    void analyse_at(Time);
+
+    const std::string& name() const { return name_; }
+    Activity activity() const;
+    Core& core() { return core_; }
+    const Core& core() const { return core_; }
+    /// Returns how long instructions were executed, with waits for the memory.
+    Time time_busy() const { return busy_ + core_.local_time() - core_.time_at(0); }
+    /// Returns how long the memory has served link engines so far.
+    Time memory_taken_by_links();
+    /// Returns whether no process can run, no timer is due, and no transfer is complete: only a link could wake it.
+    bool is_idle() const { return is_idle_; }
+
+private:
+    class Port final : public ByteEnd {
+    public:
+        void belong_to(Node& node, int number) {
+            node_ = &node;
+            number_ = number;
+        }
+        void read(std::span<std::uint8_t>) override;
+        void given() override { node_->transfer_ended(number_); }
+        void write(std::span<const std::uint8_t>) override;
+        void taken() override { node_->taken(number_); }
+        void byte_waits() override { node_->byte_has_come(number_); }
+
+        Word read_from = 0, write_to = 0; ///< offsets of the next bytes in memory
+
+    private:
+        Node* node_ = nullptr;
+        int number_ = 0;
+    };
+    /// What a node that listens does with the bytes of a link.
+    enum class Listening : std::uint8_t { for_command, for_poke, for_peek, for_code, answering };
+
+    /// What a link has done to a channel.
+    struct Wake {
+        Time at;
+        int channel;
+        bool transfer_ended; ///< otherwise a byte has come
+        bool operator<(const Wake& other) const { return at != other.at ? at < other.at : channel < other.channel; }
+    };
+
+    /// The moment at which the pin analyse is set.
+    struct Analysis final : Event {
+        explicit Analysis(Node& n) : node(n) {}
+        void happen() noexcept override { node.begin_analysis(); }
+        Node& node;
+    };
+
+    void happen() noexcept override;
+    void begin_analysis();
+    void end_analysis();
+    bool is_halted() const;
+    void run();
+    HalfCycles limit() const;
+    bool settle();
+    std::uint64_t words_moved();
+    void note(const Wake&);
+    void tell_core();
+    void be_idle();
+
+    // LinkEngines
+    void begin_transfer(int channel, Word address, Word bytes) override;
+    bool byte_waits(int channel) override;
+    void reset(int channel) override;
+
+    void transfer_ended(int channel);
+    void taken(int link);
+    void byte_has_come(int link);
+
+    // Reset and boot
+    void listen();
+    void obey_next();
+    Word wrapped(Word address) const;
+    void hear(std::span<const std::uint8_t>);
+    void obey(int link);
+
+    Kernel& kernel_;
+    std::string name_;
+    Core core_;
+    Time access_; ///< time of an access to a word of the memory
+    HalfCycles access_half_cycles_;
+    std::array<Port, links> ports_;
+    std::vector<hardware::Link*> wires_;
+    hardware::LinkEngineMemory engines_;
+    std::uint64_t words_settled_ = 0;
+    Time busy_{};
+    Time most_ahead_ = std::chrono::microseconds{100};
+    Time halts_at_ = Time::max(), analysed_at_ = Time::max();
+    Analysis analysis_{*this};
+    std::vector<Wake> wakes_; ///< since the last turn of the core
+    bool is_idle_ = true;
+    Activity activity_ = Activity::listening;
+    std::optional<int> heard_link_; ///< the link whose command is being obeyed
+    Listening listening_ = Listening::for_command;
+    std::vector<std::uint8_t> heard_;
+    std::function<void()> when_stopped_ = [] {};
+};
+
+} // namespace placedpar::transputer

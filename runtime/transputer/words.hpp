@@ -1,0 +1,65 @@
+#pragma once
+
+#include "runtime/transputer/model.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <tuple>
+
+/// Functions of words that instructions need, and values that the scheduler keeps in memory.
+namespace placedpar::transputer {
+
+inline constexpr Word sign_bit = 0x8000'0000;
+
+constexpr std::int32_t signed_of(Word word) { return static_cast<std::int32_t>(word); }
+
+/// Returns the number of the highest bit that is set; 0 for 0.
+constexpr Word top_bit(Word word) { return word == 0 ? 0 : static_cast<Word>(31 - std::countl_zero(word)); }
+
+/// Returns the cycles of a shift of two words by so many places, beyond the first 3.
+constexpr Word cycles_of_long_shift(Word places) {
+    if (places < 32)
+        return places;
+    return places < 64 ? places - 31 : 36 - 3;
+}
+
+/// Shifts data through a cyclic redundancy check. Returns A, B and C after crcword (32 bits) or crcbyte (8 bits).
+constexpr std::tuple<Word, Word, Word> crc(Word data, Word sum, Word generator, int bits) {
+    for (int i = 0; i < bits; ++i) {
+        const bool out = sum & sign_bit;
+        sum = sum << 1 | data >> 31;
+        data <<= 1;
+        if (out)
+            sum ^= generator;
+    }
+    return {sum, generator, sum};
+}
+
+/// Returns the bits of a word in the opposite order.
+constexpr Word reversed(Word word) {
+    Word result = 0;
+    for (int i = 0; i < 32; ++i, word >>= 1)
+        result = result << 1 | (word & 1);
+    return result;
+}
+
+/// The words below a workspace while its process waits, as offsets in bytes.
+namespace below {
+inline constexpr Word instruction = 4, link = 8, state = 12, pointer = 12, timer_link = 16, time = 20;
+} // namespace below
+
+/// Words of a process in an ALT.
+namespace alternative {
+inline constexpr Word enabling = most_negative + 1, waiting = most_negative + 2, ready = most_negative + 3;
+inline constexpr Word time_set = most_negative + 1, time_not_set = most_negative + 2;
+inline constexpr Word none_selected = ~Word{0};
+} // namespace alternative
+
+/// Addresses below MemStart.
+namespace reserved {
+inline constexpr Word outputs = most_negative, inputs = most_negative + 0x10, event = most_negative + 0x20;
+inline constexpr Word timer_heads = most_negative + 0x24; ///< of the high priority, then of the low
+inline constexpr Word saved = most_negative + 0x2C; ///< Wdesc, Iptr, A, B, C, Status, E of the interrupted process
+} // namespace reserved
+
+} // namespace placedpar::transputer

@@ -1,0 +1,21 @@
+// Tests that the results of a network of emulated transputers depend on the programs alone.
+
+#include "random_network.hpp"
+
+#include "tests/seeds.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace placedpar;
+using namespace placedpar::test;
+
+TEST_CASE("random networks do not depend on how far a transputer runs ahead, nor on the order in which it was made") {
+    for (const std::uint64_t seed : seeds(60)) {
+        INFO(replay(seed));
+        const RandomNetwork network = random_network(seed);
+        const std::vector<NodeOutcome> usual = run_network(network, {});
+        CHECK_EQ(difference(usual, run_network(network, {.instruction_by_instruction = true})), "");
+        CHECK_EQ(difference(usual, run_network(network, {.order = seed + 1})), "");
+        CHECK_EQ(difference(usual, run_network(network, {.order = seed + 1, .every_byte = true})), "");
+    }
+}

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "node_world.hpp"
+
+#include "runtime/hardware/link.hpp"
+#include "runtime/time.hpp"
+#include "runtime/transputer/core.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace placedpar::test {
+
+/// A network of emulated transputers with programs, which a seed decides. The programs compute, communicate by soft
+/// channels and links, alternate, and wait for clocks, at both priorities. They read clocks often and store what
+/// depends on them, so that a difference in time leads to one in memory. They never read what a link is about to write,
+/// nor write what a link reads.
+struct RandomNetwork {
+    struct Booted {
+        NodeWorld::Options options;
+        std::string source;
+        std::uint32_t origin;
+        std::uint32_t workspace;
+        Time boot_at;
+        std::vector<std::uint8_t> from_host; ///< bytes that the host sends after the boot, at `from_host_at`
+        Time from_host_at;
+    };
+    struct Wire {
+        std::size_t a, b;
+        int link_of_a, link_of_b;
+        hardware::LinkTiming timing;
+    };
+    std::vector<Booted> nodes;
+    std::vector<Wire> wires;
+};
+
+/// `scale`: about how long the programs are.
+RandomNetwork random_network(std::uint64_t seed, unsigned scale = 1);
+
+/// How a network is run; this must not matter.
+struct WayToRun {
+    std::uint64_t order = 0; ///< decides the order in which nodes, links and hosts are made; 0: the usual one
+    bool instruction_by_instruction = false;
+    bool every_byte = false; ///< LinkDirection::simulate_every_byte
+};
+
+/// What has become of a node.
+struct NodeOutcome {
+    transputer::Registers registers;
+    std::vector<std::uint8_t> memory, host_received;
+    std::vector<Time> host_received_at;
+    std::uint64_t instructions;
+    transputer::HalfCycles busy;
+    Time local_time, time_busy, taken_by_links;
+};
+
+std::vector<NodeOutcome> run_network(const RandomNetwork&, const WayToRun&);
+
+/// Describes the first difference between two outcomes; "" if there is none.
+std::string difference(const std::vector<NodeOutcome>&, const std::vector<NodeOutcome>&);
+
+} // namespace placedpar::test
