@@ -1,5 +1,6 @@
 #include "iserver/console.hpp"
 
+#include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -21,8 +22,21 @@ constexpr int look_every_ms = 100; ///< how often a wait looks for an interrupti
 
 } // namespace
 
-Console::Console(std::function<bool()> interrupted, int input, int output)
-    : interrupted_(std::move(interrupted)), input_(input), output_(output),
+void write_to_screen(std::string_view text) {
+    const int output = standard_output_takes_a_file() ? STDERR_FILENO : STDOUT_FILENO;
+    while (!text.empty()) {
+        const ssize_t count = ::write(output, text.data(), text.size());
+        if (count < 0 && errno == EPIPE)
+            return;
+        if (count < 0 && errno != EINTR && errno != EAGAIN)
+            throw UserError(
+                fmt::format("the program's output cannot be written: {}", std::generic_category().message(errno)));
+        text.remove_prefix(count < 0 ? 0 : static_cast<std::size_t>(count));
+    }
+}
+
+Console::Console(std::function<bool()> interrupted, int input)
+    : interrupted_(std::move(interrupted)), input_(input),
       is_terminal_(::isatty(input) != 0 && ::tcgetattr(input, &found_) == 0) {}
 
 Console::~Console() { set_mode(Mode::as_found); }
@@ -38,18 +52,6 @@ void Console::set_mode(Mode mode) {
         settings.c_cc[VTIME] = 0;
     }
     ::tcsetattr(input_, TCSANOW, &settings);
-}
-
-void Console::write(std::string_view text) {
-    while (!text.empty()) {
-        const ssize_t count = ::write(output_, text.data(), text.size());
-        if (count < 0 && errno == EPIPE)
-            return;
-        if (count < 0 && errno != EINTR && errno != EAGAIN)
-            throw UserError(
-                fmt::format("standard output cannot be written: {}", std::generic_category().message(errno)));
-        text.remove_prefix(count < 0 ? 0 : static_cast<std::size_t>(count));
-    }
 }
 
 /// An error counts as the end: a program in the background, for example, has no terminal to read from.
