@@ -104,6 +104,7 @@ template Option Options::add(const std::string&, double&, const std::string&);
 template Option Options::add(const std::string&, std::uint16_t&, const std::string&);
 template Option Options::add(const std::string&, std::uint64_t&, const std::string&);
 template Option Options::add(const std::string&, std::optional<std::uint64_t>&, const std::string&);
+template Option Options::add(const std::string&, std::optional<std::string>&, const std::string&);
 template Option Options::add(const std::string&, Time&, const std::string&);
 template Option Options::add(const std::string&, std::optional<Time>&, const std::string&);
 

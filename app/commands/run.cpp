@@ -121,8 +121,8 @@ bool others_are_meant(const RunOptions& options, std::chrono::steady_clock::time
 
 /// Runs the network with one seed after another until a run is interrupted. Returns no runs if the user does not
 /// confirm them.
-std::vector<FinishedRun> run_seeds(const Network& network, const RunOptions& options, TraceSink* trace) {
-    InterruptedBySignals interruption;
+std::vector<FinishedRun> run_seeds(const Network& network, const RunOptions& options, TraceSink* trace,
+                                   Interruption& interruption) {
     std::optional<ProgressLine> progress; // not with --watch, which the line would disturb
     if (options.seeds > 1 && !options.watch)
         progress.emplace();
@@ -207,9 +207,11 @@ ExitCode run(const RunOptions& options, const Options& command, const std::strin
     Manifest manifest = options.manifest(typed);
     require_outputs(options);
     Network network = load_network(command, options.netlist, options.booted);
+    InterruptedBySignals interruption;
+    network.host.terminal = terminal_for(options.booted, [&interruption] { return interruption.requested(); });
     require_fit(network, options);
     Recorders recorders(network, options.recorded);
-    std::vector<FinishedRun> runs = run_seeds(network, options, recorders.sink());
+    std::vector<FinishedRun> runs = run_seeds(network, options, recorders.sink(), interruption);
     if (runs.empty())
         return ExitCode::success;
     std::vector<SeededLog> logs = logs_of(runs);

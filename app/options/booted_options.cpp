@@ -4,6 +4,7 @@
 #include "app/standard_error.hpp"
 #include "explore/load.hpp"
 #include "explore/problems.hpp"
+#include "iserver/console.hpp"
 #include "netlist/kinds/bootable_file.hpp"
 #include "runtime/transputer/model.hpp"
 #include "text/output_file.hpp"
@@ -60,12 +61,10 @@ std::string keys_of(const std::string& typed) {
 HostServices services_of(const BootedOptions& options) {
     HostServices host;
     host.folder = options.folder;
-    host.keys = keys_of(options.keys);
     host.command_line = fmt::format("{}", fmt::join(options.arguments, " "));
     for (const auto& [name, value] : overrides_of(options.environment, "--env"))
         host.environment.emplace(name, value);
     host.write_limit_bytes = options.write_limit_megabytes << 20;
-    host.screen = [](std::string_view text) { print_out(std::string(text)); };
     return host;
 }
 
@@ -117,6 +116,16 @@ void add_booted(Options& command, BootedOptions& options) {
     add_count(command, "--host-limit", options.write_limit_megabytes, "Mbyte that the program can write to files")
         .show_default()
         .group(heading);
+}
+
+std::function<std::shared_ptr<iserver::Terminal>()> terminal_for(const BootedOptions& options,
+                                                                 std::function<bool()> interrupted) {
+    if (!options.keys)
+        return [interrupted] { return std::make_shared<iserver::Console>(interrupted); };
+    return [keys = keys_of(*options.keys)] {
+        return std::make_shared<iserver::ScriptedTerminal>(
+            keys, [](std::string_view text) { print_out(std::string(text)); });
+    };
 }
 
 Network load_network(const Options& typed, const NetlistOptions& netlist, const BootedOptions& options) {

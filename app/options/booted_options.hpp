@@ -4,6 +4,9 @@
 #include "app/options/netlist_options.hpp"
 
 #include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,12 +18,19 @@ struct BootedOptions {
     std::string processor = "T800", memory = "2M";
     std::uint64_t memory_cycles = 3;
     // These are for the host.
-    std::string folder, keys;
+    std::string folder;
+    std::optional<std::string> keys; ///< nothing: the keys are those of the terminal, or of standard input
     std::vector<std::string> environment;
     std::uint64_t write_limit_megabytes = 64;
     std::vector<std::string> arguments; ///< of the program
 };
 void add_booted(Options&, BootedOptions&);
+
+/// Returns a function that makes the terminal of a program: the keys that were typed as an option, or else the terminal
+/// of PlacedPar. Throws UserError if the keys cannot be read. `interrupted` ends the wait for a key; it is called while
+/// a terminal exists.
+std::function<std::shared_ptr<iserver::Terminal>()> terminal_for(const BootedOptions&,
+                                                                 std::function<bool()> interrupted);
 
 /// Reads the netlist. If the file is bootable, makes a network of one transputer with a host that boots it. The network
 /// gets the services of its hosts. Throws RefusedInput; throws UserError if an option does not fit the file.

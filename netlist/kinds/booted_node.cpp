@@ -31,9 +31,10 @@ iserver::ServerOptions server_options(const HostServices& host, const std::strin
     return options;
 }
 
-std::unique_ptr<iserver::Terminal> terminal_of(const HostServices& host) {
-    auto screen = host.screen ? host.screen : [](std::string_view) {};
-    return std::make_unique<iserver::ScriptedTerminal>(host.keys, std::move(screen));
+std::shared_ptr<iserver::Terminal> terminal_of(const HostServices& host) {
+    if (host.terminal)
+        return host.terminal();
+    return std::make_shared<iserver::ScriptedTerminal>("", [](std::string_view) {});
 }
 
 } // namespace
@@ -44,7 +45,7 @@ struct BootedNode::Host {
         : terminal(terminal_of(network.host)), server(server_options(network.host, node.boot_file), *terminal),
           end(read_bootable(node.boot_file), server, Time{1000 * node.integer("hosttime")}) {}
 
-    std::unique_ptr<iserver::Terminal> terminal;
+    std::shared_ptr<iserver::Terminal> terminal;
     iserver::Server server;
     BootHost end;
 };

@@ -19,6 +19,9 @@
 namespace placedpar {
 
 struct DeviceKind; // netlist/kinds/device_kind.hpp: what a device of some kind is and can do
+namespace iserver {
+class Terminal; // iserver/terminal.hpp
+} // namespace iserver
 
 /// These structures describe an elaborated netlist: every array unrolled, every name resolved, every channel placed.
 /// Indices are positions in the vectors of Network. Names are unique within their vector.
@@ -210,11 +213,11 @@ struct SetByOption {
 /// What the hosts of booted nodes give to their programs.
 struct HostServices {
     std::string folder = "";       ///< the only folder whose files a program can reach; "": none
-    std::string keys = "";         ///< the keys that are pressed, one after the other
     std::string command_line = ""; ///< arguments of the program
     std::map<std::string, std::string> environment = {};
     std::uint64_t write_limit_bytes = 64U << 20;
-    std::function<void(std::string_view)> screen = {}; ///< receives what a program prints; empty: it is dropped
+    /// Makes the terminal of a host. Empty: the screen shows nothing, and no key is pressed.
+    std::function<std::shared_ptr<iserver::Terminal>()> terminal = {};
 };
 
 struct Network {

@@ -150,15 +150,21 @@ public:
     /// Sets the registers of the running process, for tests and debuggers.
     void set_registers(const Registers&, int priority);
     void set_halts_on_error(bool halts) { halts_on_error_ = halts; }
-    /// Executes one instruction at a time, and calls this after each: for listings and debuggers.
+    /// Watches the instructions, for listings and debuggers. REQUIRES: it only reads the core.
     class Watcher {
     public:
-        /// `at`: address of the first byte with its prefixes. `spent`: half cycles.
+        /// An instruction will be executed: registers and memory are as it finds them. `at`: address of its first byte
+        /// with its prefixes.
+        virtual void begins(Word at) = 0;
+        /// An instruction was executed, and did not stop the core. Unless it is one of the scheduler, it is that which
+        /// began last. One of the scheduler has its effect only now, when its cycles have passed; other processes may
+        /// have interrupted it. `spent`: half cycles, without waits for a channel or a time, and without interrupts.
         virtual void executed(Word at, HalfCycles spent) = 0;
 
     protected:
         ~Watcher() = default;
     };
+    /// Executes one instruction at a time from now on, with the same results. REQUIRES: `watcher` outlives the run.
     void watch(Watcher* watcher) { watcher_ = watcher; }
 
 private:
@@ -169,6 +175,9 @@ private:
         Operation operation;
         HalfCycles left;
         bool begun = true; ///< false if its cycles are not known yet, since they depend on the moment
+        // These are for a watcher.
+        Word at = 0;
+        HalfCycles spent = 0; ///< the cycles known so far
     };
 
     // engine.cpp
@@ -178,6 +187,8 @@ private:
     void code_was_written(Block&, const Entry&, Word offset, Word bytes);
 
     // scheduler.cpp: processes, channels, moves
+    void execute_until(HalfCycles);
+    void act_on(Left);
     bool finish_pending(HalfCycles limit, bool punctual, Pause&);
     bool must_begin_on_time(Operation, bool punctual) const;
     bool must_be_on_time(Operation, bool punctual) const;
@@ -256,7 +267,6 @@ private:
     Registers registers_;
     int priority_ = 1;
     bool running_ = false, was_running_ = false; ///< the latter: when the core stopped
-    bool memory_is_shared_ = false;
     bool halts_on_error_ = false;
     bool analysed_ = false, breaks_at_j0_ = false;
     bool is_analysed_ = false; ///< the analyse pin is set
@@ -283,6 +293,7 @@ private:
     HalfCycles busy_before_ = 0;
     std::uint64_t instructions_ = 0;
     Word last_fetched_ = 1; ///< address of the word of code that was fetched last; odd: none
+    bool memory_is_shared_ = false;
     Watcher* watcher_ = nullptr;
 };
 

@@ -6,65 +6,20 @@
 namespace placedpar::transputer {
 namespace {
 
-constexpr unsigned longest_block = 48; // instructions
-constexpr Word most_prefixes = 200;    // of an instruction; ours
+constexpr unsigned longest_block = 48;                                                             // instructions
 constexpr Word longest_reach = (longest_block * (most_prefixes + 1)) / NodeMemory::page_bytes + 1; // pages
 constexpr std::uint32_t longest_wait_for_reals = 2 * 90; // half cycles; at the beginning of a block
-constexpr unsigned most_static_cost = 8000; // half cycles of a block
-
-/// Returns whether the operand of a direct function counts words.
-bool counts_words(Operation operation) {
-    switch (operation) {
-    case Operation::ldlp:
-    case Operation::ldnl:
-    case Operation::ldnlp:
-    case Operation::ldl:
-    case Operation::ajw:
-    case Operation::stl:
-    case Operation::stnl: return true;
-    default: return false;
-    }
-}
-
-bool branches_by_operand(Operation operation) {
-    return operation == Operation::j || operation == Operation::call || operation == Operation::cj;
-}
+constexpr unsigned most_static_cost = 8000;              // half cycles of a block
 
 std::uint64_t bytes_of(const Block& block) {
     return sizeof(Block) + (block.instructions + 1) * (sizeof(Entry) + sizeof(std::uint32_t));
 }
 
-/// An instruction as it stands in memory.
-struct Read {
-    Operation operation = Operation::unknown;
-    Word operand = 0;
-    Word length = 0; ///< 0: it does not end within the memory
-};
-
-Read read_instruction(const NodeMemory& memory, Word offset, Model model) {
-    Read result;
-    for (Word at = offset; at < memory.size() && at - offset <= most_prefixes; ++at) {
-        const std::uint8_t byte = memory.byte(at);
-        const Word function = byte >> 4;
-        result.operand |= byte & 15;
-        if (function == 2) {
-            result.operand <<= 4;
-        } else if (function == 6) {
-            result.operand = ~result.operand << 4;
-        } else {
-            result.length = at + 1 - offset;
-            // Bits above the tenth of the code of an operation are ignored: compilers pad with prefixes.
-            result.operation = function == 15 ? operation_of(result.operand & 0x3ff, model) : function_of(function);
-            return result;
-        }
-    }
-    return result;
-}
-
 } // namespace
 
 DecodedCode::DecodedCode(NodeMemory& memory, const CodeTiming& timing)
-    : memory_(memory), timing_(timing), pages_(memory.size() / NodeMemory::page_bytes), scratch_(longest_block + 1), scratch_bounds_(longest_block) {
+    : memory_(memory), timing_(timing), pages_(memory.size() / NodeMemory::page_bytes), scratch_(longest_block + 1),
+      scratch_bounds_(longest_block) {
     front_.entries = std::make_unique<Entry[]>(longest_block + 1);
 }
 
@@ -78,7 +33,7 @@ DecodedCode::Page& DecodedCode::page(Word offset) {
     return *result;
 }
 
-bool DecodedCode::fill(Block& block, Word address, unsigned most_instructions) {
+bool DecodedCode::fill(Block& block, Word address) {
     const Word begin = NodeMemory::offset_of(address);
     Word at = begin;
     const auto fetch = [this](Word word) { return word >= timing_.bytes_on_chip ? timing_.fetch : HalfCycles16{0}; };
@@ -89,8 +44,8 @@ bool DecodedCode::fill(Block& block, Word address, unsigned most_instructions) {
     std::uint32_t after = 0, extra = block.first_fetch + longest_wait_for_reals;
     std::size_t count = 0;
     bool ended = false;
-    while (!ended && count < most_instructions && after < most_static_cost) {
-        const Read read = read_instruction(memory_, at, timing_.model);
+    while (!ended && count < longest_block && after < most_static_cost) {
+        const CodedInstruction read = read_instruction(memory_.bytes(at, memory_.size() - at), timing_.model);
         if (read.length == 0)
             break;
         const Word next = at + read.length;
@@ -126,15 +81,6 @@ bool DecodedCode::fill(Block& block, Word address, unsigned most_instructions) {
     return true;
 }
 
-Block* DecodedCode::single(Word address) {
-    if (NodeMemory::offset_of(address) >= memory_.size() || !fill(front_, address, 1))
-        return nullptr;
-    std::copy_n(scratch_.begin(), 2, front_.entries.get());
-    front_.most = 0;
-    front_.is_forgotten = false;
-    return &front_;
-}
-
 Block* DecodedCode::front_of(const Block& block, std::uint64_t half_cycles) {
     const std::uint32_t* const bounds = block.bounds.get();
     const auto fit = std::upper_bound(bounds, bounds + block.instructions, half_cycles) - bounds;
@@ -150,13 +96,12 @@ Block* DecodedCode::front_of(const Block& block, std::uint64_t half_cycles) {
     front_.first_fetch = block.first_fetch;
     front_.last_word = NodeMemory::offset_of(block.start + bytes - 1) & ~Word{3};
     front_.instructions = static_cast<std::uint32_t>(count);
-    front_.is_forgotten = false;
     return &front_;
 }
 
 Block* DecodedCode::decode(Word address) {
     auto block = std::make_unique<Block>();
-    if (NodeMemory::offset_of(address) >= memory_.size() || !fill(*block, address, longest_block))
+    if (NodeMemory::offset_of(address) >= memory_.size() || !fill(*block, address))
         return nullptr;
     const std::uint64_t bytes = bytes_of(*block);
     if (bytes_used_ + bytes > std::max<std::uint64_t>(memory_.size(), 65'536))
@@ -180,7 +125,6 @@ void DecodedCode::forget_page(Word index) {
     if (!page)
         return;
     for (std::unique_ptr<Block>& block : page->starting) {
-        block->is_forgotten = true;
         bytes_used_ -= bytes_of(*block);
         forgotten_.push_back(std::move(block));
     }

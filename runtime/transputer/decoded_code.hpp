@@ -19,17 +19,16 @@ struct Entry {
     Word operand;
 };
 
-/// Decoded instructions that are executed one after the other. The last entry leads out of the block. The members are in
-/// the order of use.
+/// Decoded instructions that are executed one after the other. The last entry leads out of the block. The members are
+/// in the order of use.
 struct Block {
     std::unique_ptr<Entry[]> entries;
     std::uint32_t most = 0;             ///< upper bound for the half cycles of the block
     Word first_word = 0, last_word = 0; ///< offsets of the first and last word of code
     std::uint32_t instructions = 0;
-    std::uint16_t first_fetch = 0; ///< half cycles if the first word must be fetched
-    bool is_forgotten = false;     ///< its code was written to
-    Word start = 0;                ///< address of its first byte
-    Word bytes = 0;                ///< of its instructions
+    std::uint16_t first_fetch = 0;           ///< half cycles if the first word must be fetched
+    Word start = 0;                          ///< address of its first byte
+    Word bytes = 0;                          ///< of its instructions
     std::unique_ptr<std::uint32_t[]> bounds; ///< for each instruction: the most half cycles up to its end
 };
 
@@ -56,9 +55,6 @@ public:
                     return block;
         return decode(address);
     }
-    /// Returns a block of the one instruction at an address; null if it is outside of the memory. The block is valid
-    /// until the next call.
-    Block* single(Word address);
     /// Returns a block of the first instructions of a block, as many as surely end within so many half cycles. Returns
     /// the first instruction alone if none surely does. The result is valid until the next call.
     Block* front_of(const Block&, std::uint64_t half_cycles);
@@ -75,7 +71,7 @@ private:
         bool reached_from_before = false;             ///< a block of the page before may end in this page
     };
     Block* decode(Word address);
-    bool fill(Block&, Word address, unsigned most_instructions);
+    bool fill(Block&, Word address);
     Page& page(Word offset);
     void forget_page(Word index);
 
@@ -84,7 +80,7 @@ private:
     std::vector<std::unique_ptr<Page>> pages_;
     std::vector<std::unique_ptr<Block>> forgotten_;
     std::uint64_t bytes_used_ = 0;
-    Block front_; ///< the result of single() and front_of()
+    Block front_; ///< the result of front_of()
     std::vector<Entry> scratch_;
     std::vector<std::uint32_t> scratch_bounds_;
 };

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstring>
 #include <tuple>
+#include <utility>
 
 // Execution leads from one instruction to the next by the addresses of labels, which GCC and Clang know.
 #pragma GCC diagnostic ignored "-Wpedantic"
@@ -167,7 +168,7 @@ Core::Left Core::execute(HalfCycles budget) {
 begin_block:
     if (spent >= budget)
         goto leave;
-    block = watcher_ ? code_.single(next) : code_.at(next);
+    block = code_.at(next);
     if (!block) {
         left = Left::bad_address;
         bad = next;
@@ -214,15 +215,11 @@ begin_block:
 
 branch:
     spent += entry->after;
-    if (watcher_)
-        watcher_->executed(block->start, spent);
     if (code_.must_sweep())
         code_.sweep();
     goto begin_block;
 branch_or_give_way:
     spent += entry->after;
-    if (watcher_)
-        watcher_->executed(block->start, spent);
     if (!slice_is_over)
         goto begin_block;
     left = Left::timeslice;
@@ -250,6 +247,7 @@ unknown:
     goto leave;
 unknown_selector:
     next = place_of(*block, *entry);
+    spent += entry->after;
     instructions_ -= instructions_after(*block, *entry);
     left = Left::unknown_selector;
     goto leave;

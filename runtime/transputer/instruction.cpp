@@ -18,14 +18,17 @@ constexpr Instruction instruction_table[] = {
 #define OPERATION(code, name, cycles, extra, accesses, models, ...)                                                    \
     {NAME(name), code, Unit::integer, cycles, extra, accesses, models},
 // The integer unit waits for an operation on reals at most for the operations before it: each adds its own cycles.
-#define DOUBLE true
-#define REAL(code, name, cycles, accesses, ...) {NAME(name), code, Unit::reals, 1, cycles, accesses, with_reals},
-#define RESULT(code, name, cycles, accesses, ...) {NAME(name), code, Unit::reals, 1, 2 * (cycles), accesses, with_reals},
-#define SELECTED(code, name, cycles, ...) {NAME(name), code, Unit::selected, 1, cycles, 0, with_reals},
+#define CYCLES(cycles, is_double) [](bool DOUBLE [[maybe_unused]]) -> std::uint16_t { return cycles; }(is_double)
+#define REAL(code, name, cycles, accesses, ...)                                                                        \
+    {NAME(name), code, Unit::reals, 1, CYCLES(cycles, true), accesses, with_reals, CYCLES(cycles, false)},
+#define RESULT(code, name, cycles, accesses, ...)                                                                      \
+    {NAME(name), code, Unit::reals, 1, 2 * CYCLES(cycles, true), accesses, with_reals, CYCLES(cycles, false)},
+#define SELECTED(code, name, cycles, ...)                                                                              \
+    {NAME(name), code, Unit::selected, 1, CYCLES(cycles, true), 0, with_reals, CYCLES(cycles, false)},
 #define SCHEDULING(code, name, cycles, models) {NAME(name), code, Unit::scheduler, cycles, 0, 0, models},
 #include "runtime/transputer/instructions.inc"
 #undef NAME
-#undef DOUBLE
+#undef CYCLES
 #undef FUNCTION
 #undef OPERATION
 #undef REAL
@@ -95,6 +98,42 @@ bool ends_block(Operation operation) {
     case Operation::unknown: return true;
     default: return description_of(operation).unit == Unit::scheduler;
     }
+}
+
+bool counts_words(Operation operation) {
+    switch (operation) {
+    case Operation::ldlp:
+    case Operation::ldnl:
+    case Operation::ldnlp:
+    case Operation::ldl:
+    case Operation::ajw:
+    case Operation::stl:
+    case Operation::stnl: return true;
+    default: return false;
+    }
+}
+
+bool branches_by_operand(Operation operation) {
+    return operation == Operation::j || operation == Operation::call || operation == Operation::cj;
+}
+
+CodedInstruction read_instruction(std::span<const std::uint8_t> bytes, Model model) {
+    CodedInstruction result;
+    for (Word at = 0; at < bytes.size() && at <= most_prefixes; ++at) {
+        const Word function = bytes[at] >> 4u;
+        result.operand |= bytes[at] & 15;
+        if (function == 2) {
+            result.operand <<= 4;
+        } else if (function == 6) {
+            result.operand = ~result.operand << 4;
+        } else {
+            result.length = at + 1;
+            // Bits above the tenth of the code of an operation are ignored: compilers pad with prefixes.
+            result.operation = function == 15 ? operation_of(result.operand & 0x3ff, model) : function_of(function);
+            return result;
+        }
+    }
+    return result;
 }
 
 } // namespace placedpar::transputer

@@ -3,6 +3,7 @@
 #include "runtime/transputer/model.hpp"
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace placedpar::transputer {
@@ -36,10 +37,12 @@ struct Instruction {
     std::string_view name; ///< as INMOS writes it
     Word code;             ///< of a direct function, of an operation, or the selector of fpentry
     Unit unit;
-    std::uint16_t cycles;       ///< with code and data on the chip, without prefixes; of an operation on reals 1
-    std::uint16_t extra_cycles; ///< upper bound for what its effect adds; of an operation on reals what it adds to waits
-    std::uint8_t accesses;      ///< upper bound for the words of data
+    std::uint16_t cycles; ///< with code and data on the chip, without prefixes; of an operation on reals 1
+    std::uint16_t
+        extra_cycles;      ///< upper bound for what its effect adds; of an operation on reals what it adds to waits
+    std::uint8_t accesses; ///< upper bound for the words of data
     Models models;
+    std::uint16_t real_cycles = 0; ///< cycles of the floating-point unit, of single length where it depends on that
 };
 
 /// Returns the description of an instruction; of `go_on` and `unknown` one without cycles.
@@ -56,5 +59,22 @@ unsigned cycles_of(Operation, Model);
 /// Returns whether execution never goes on with the next instruction of the block: a branch, or an instruction of the
 /// scheduler.
 bool ends_block(Operation);
+/// Returns whether the operand of a direct function counts words.
+bool counts_words(Operation);
+/// Returns whether the operand is the distance of a branch: j, cj and call.
+bool branches_by_operand(Operation);
+
+/// An instruction has at most so many prefixes. Ours: code needs 7, and compilers pad with some more.
+inline constexpr Word most_prefixes = 200;
+
+/// An instruction as it stands in memory.
+struct CodedInstruction {
+    Operation operation = Operation::unknown;
+    Word operand = 0; ///< with all prefixes; for an operation its code
+    Word length = 0;  ///< bytes with prefixes; 0: it does not end within the bytes
+};
+
+/// Returns the instruction that begins with the first of these bytes.
+CodedInstruction read_instruction(std::span<const std::uint8_t>, Model);
 
 } // namespace placedpar::transputer

@@ -75,8 +75,13 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
         if (priority_ == 1 && running_ && front_[0] != not_a_process &&
             (!pending_ || can_be_interrupted(pending_->operation)))
             interrupt();
-        if (!running_ && !dispatch())
+        const bool has_process = running_ || dispatch();
+        if (stopped_ != Stopped::nothing)
+            return Pause::stopped;
+        if (!has_process)
             return Pause::idle;
+        if (local_ >= due_)
+            continue; // an interrupt or return took the time until a timer
         if (pending_) {
             if (!finish_pending(limit, punctual, pause))
                 return pause;
@@ -84,22 +89,41 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
         }
         if (local_ >= limit)
             return Pause::limit;
-        if (local_ >= due_)
-            continue; // an interrupt or return took the time until a timer
-        switch (execute(std::min(limit, due_) - local_)) {
-        case Left::budget: break;
-        case Left::scheduling: pending_ = Pending{begun_, 0, false}; break;
-        case Left::timeslice:
-            if (is_analysed_)
-                fault(Stopped::by_analyse, 0);
-            else
-                pending_ = Pending{Operation::go_on, 0};
-            break;
-        case Left::halt: fault(Stopped::by_error, registers_.instruction); break;
-        case Left::unknown:
-        case Left::unknown_selector: fault(Stopped::by_unknown_instruction, stopped_at_); break;
-        case Left::bad_address: fault(Stopped::by_bad_address, stopped_at_); break;
-        }
+        execute_until(std::min(limit, due_));
+    }
+}
+
+/// Executes up to a local time, or one instruction if they are watched.
+void Core::execute_until(HalfCycles until) {
+    if (!watcher_)
+        return act_on(execute(until - local_));
+    const Word at = registers_.instruction;
+    const HalfCycles began = local_;
+    watcher_->begins(at);
+    const Left left = execute(1);
+    act_on(left);
+    if (left == Left::scheduling) {
+        pending_->at = at;
+        pending_->spent = local_ - began;
+    } else if (left == Left::budget || left == Left::timeslice || left == Left::halt) {
+        watcher_->executed(at, local_ - began);
+    }
+}
+
+void Core::act_on(Left left) {
+    switch (left) {
+    case Left::budget: break;
+    case Left::scheduling: pending_ = Pending{begun_, 0, false}; break;
+    case Left::timeslice:
+        if (is_analysed_)
+            fault(Stopped::by_analyse, 0);
+        else
+            pending_ = Pending{Operation::go_on, 0};
+        break;
+    case Left::halt: fault(Stopped::by_error, registers_.instruction); break;
+    case Left::unknown:
+    case Left::unknown_selector: fault(Stopped::by_unknown_instruction, stopped_at_); break;
+    case Left::bad_address: fault(Stopped::by_bad_address, stopped_at_); break;
     }
 }
 
@@ -110,7 +134,11 @@ bool Core::finish_pending(HalfCycles limit, bool punctual, Pause& pause) {
             pause = Pause::on_time;
             return false;
         }
-        *pending_ = {pending_->operation, cost_of(pending_->operation)};
+        pending_->begun = true;
+        pending_->left = cost_of(pending_->operation);
+        pending_->spent += pending_->left;
+        if (stopped_ != Stopped::nothing)
+            return true;
     }
     const HalfCycles until = std::min(limit, due_);
     const HalfCycles room = until > local_ ? until - local_ : 0;
@@ -129,6 +157,8 @@ bool Core::finish_pending(HalfCycles limit, bool punctual, Pause& pause) {
     const Operation operation = pending_->operation;
     const bool link = concerns_link(operation);
     const HalfCycles due = due_;
+    if (watcher_ && operation != Operation::go_on)
+        watcher_->executed(pending_->at, pending_->spent);
     pending_.reset();
     perform(operation);
     pause = Pause::on_time; // if the caller's limit may be too late now
@@ -590,8 +620,8 @@ void Core::store(Word address, Word value) {
 void Core::write(Word offset, std::span<const std::uint8_t> bytes) {
     if (bytes.empty())
         return;
-    std::memmove(memory_.data() + offset, bytes.data(), bytes.size());
     const auto count = static_cast<Word>(bytes.size());
+    std::memmove(memory_.data() + offset, bytes.data(), bytes.size());
     if (memory_.has_code(offset, count))
         code_.forget(offset, count);
 }

@@ -3,9 +3,12 @@
 #include "hydraulics/data/parameters.hpp"
 #include "hydraulics/data/record_table.hpp"
 #include "iserver/server.hpp"
+#include "netlist/kinds/bootable_file.hpp"
 #include "netlist/kinds/csp_kinds.hpp"
 #include "netlist/print/print.hpp"
 #include "netlist/read.hpp"
+#include "runtime/transputer/assembler.hpp"
+#include "runtime/transputer/code_text.hpp"
 #include "tests/fuzz/reader.hpp"
 #include "text/load_source.hpp"
 #include "text/paint.hpp"
@@ -128,11 +131,34 @@ void serve_requests(const std::string& bytes) {
     std::filesystem::remove_all(folder);
 }
 
+/// Disassembles a file, which may be cut off or refused.
+void disassemble_file(const std::string& bytes) {
+    const std::span<const std::uint8_t> file(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+    why_not_bootable(file);
+    for (const transputer::Model model : {transputer::Model::t414, transputer::Model::t805})
+        transputer::print_bootable(file, model, {}, [](std::string_view text) {
+            require(std::ranges::none_of(text, moves_a_terminal), "no terminal is moved");
+        });
+}
+
+/// Assembles a program. What is accepted is listed in full; what is refused has its place in the text.
+void assemble_program(const std::string& text) {
+    try {
+        const transputer::Assembly program = transputer::assemble(text, 0x80000070, transputer::Model::t800);
+        require(program.listing().size() >= 3 * program.bytes.size(), "every byte is listed");
+    } catch (const transputer::AssemblyError& error) {
+        const auto lines = static_cast<std::size_t>(std::ranges::count(text, '\n')) + 1;
+        require(error.line >= 1 && error.line <= lines && error.column >= 1 && error.column <= text.size() + 1,
+                "an error has its place in the text");
+    }
+}
+
 } // namespace
 
 std::span<const Reader> readers() {
-    static const Reader all[] = {{"netlist", read_netlist}, {"options", read_options}, {"record", read_record},
-                                 {"machine", read_machine}, {"texts", show_texts},     {"requests", serve_requests}};
+    static const Reader all[] = {{"netlist", read_netlist},  {"options", read_options}, {"record", read_record},
+                                 {"machine", read_machine},  {"texts", show_texts},     {"requests", serve_requests},
+                                 {"code", disassemble_file}, {"program", assemble_program}};
     return all;
 }
 

@@ -78,7 +78,8 @@ TEST_CASE("names lead to files below the folder only") {
                                     std::string("."),
                                     std::string("own/own"),
                                     std::string("absent/own"),
-                                    std::string("/own"), std::string(256, 'x'),
+                                    std::string("/own"),
+                                    std::string(256, 'x'),
                                     std::string(400, 'y')})
         check_refused(program, name);
     CHECK(program.open(std::string(255, 'x'), 2) >= 3);

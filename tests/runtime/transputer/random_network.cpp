@@ -177,8 +177,7 @@ private:
         std::uint32_t turns = random_.below(4) * timer;
         for (const End& end : ends)
             turns += end.bytes / bytes;
-        const std::string begin = label("a"), base = label("b"), end = label("e"), quit = label("q"),
-                          late = label("t");
+        const std::string begin = label("a"), base = label("b"), end = label("e"), quit = label("q"), late = label("t");
         emit(fmt::format("ldc {}\nstl 10\n{}:", turns + 1, begin));
         if (random_.chance(0.5))
             work();
@@ -289,7 +288,7 @@ RandomNetwork random_network(std::uint64_t seed, unsigned scale) {
             program.add_busy(scale);
         node.source = program.source();
         // Code that is too long for the gap before the data comes behind them.
-        const std::size_t code_bytes = assemble(node.source, from_start(0x4000)).bytes.size();
+        const std::size_t code_bytes = transputer::assemble(node.source, from_start(0x4000)).bytes.size();
         node.origin = from_start(data_outside && code_bytes < 0x1e00 ? 0x200 : 0x4000);
         node.workspace = program.main_workspace();
         network.nodes.push_back(std::move(node));
@@ -316,7 +315,7 @@ std::vector<NodeOutcome> run_network(const RandomNetwork& network, const WayToRu
     std::vector<transputer::Node*> nodes(network.nodes.size());
     for (const std::size_t i : shuffled(nodes.size(), random, shuffles)) {
         nodes[i] = &world.node(fmt::format("n{}", i), network.nodes[i].options);
-        NodeWorld::put(*nodes[i], assemble(network.nodes[i].source, network.nodes[i].origin));
+        NodeWorld::put(*nodes[i], transputer::assemble(network.nodes[i].source, network.nodes[i].origin));
         if (way.instruction_by_instruction)
             nodes[i]->run_instruction_by_instruction();
     }

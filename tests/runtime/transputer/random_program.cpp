@@ -143,7 +143,7 @@ private:
     }
 
     void move() {
-        const int count = one_in(2) ? below(8) : below(100);
+        const int count = one_in(2) ? below(8) : below(250);
         write("ldc #{:X}; ldc #{:X}; ldc {}; move", place(0, count), place(1, count), count);
     }
 
@@ -263,23 +263,29 @@ private:
 
     /// Uses operations on queues and channels that change nothing for others.
     void use_queues() {
-        switch (below(4)) {
+        switch (below(kind_.model & (t425 | t400 | t805) ? 6 : 4)) {
         case 0: return write("ldc #{:X}; {}", word_place(1), any(std::array{"saveh", "savel"}));
         case 1: return write("ldc {}; resetch; stl {}", channel(process_, process_), variable());
         case 2: return write("testerr; stoperr");
-        default: return write("seterr");
+        case 3: return write("seterr");
+        default:
+            const char queue = one_in(2) ? 'h' : 'l';
+            write("timerdisable{}", queue);
+            operate();
+            write("timerenable{}", queue);
         }
     }
 
     void use_clock() {
-        if (one_in(2))
+        if (one_in(3))
             write("ldtimer; stl {}", variable());
         else
-            write("ldtimer; adc {}; tin", below(6) - 2);
+            write("ldtimer; adc {}; tin", below(high_[static_cast<std::size_t>(process_)] ? 60 : 6) - 2);
     }
 
     void piece(int depth) {
-        const int choice = below(24);
+        const bool interrupts = high_[static_cast<std::size_t>(process_)] && one_in(2);
+        const int choice = interrupts ? 6 : below(24);
         if (choice > 16)
             return operate();
         if (choice == 0 && depth < 3)
@@ -288,7 +294,7 @@ private:
             loop(depth);
         else if (choice == 2 && depth < 2)
             call(depth);
-        else if (choice == 3)
+        else if (choice == 3 || choice == 12)
             move();
         else if (choice == 4 && kind_.model != t414)
             move_block();

@@ -1,0 +1,104 @@
+#include "iserver/console.hpp"
+
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+namespace placedpar::iserver {
+
+namespace {
+
+constexpr int look_every_ms = 100; ///< how often a wait looks for an interruption
+
+} // namespace
+
+Console::Console(std::function<bool()> interrupted, int input, int output)
+    : interrupted_(std::move(interrupted)), input_(input), output_(output),
+      is_terminal_(::isatty(input) != 0 && ::tcgetattr(input, &found_) == 0) {}
+
+Console::~Console() { set_mode(Mode::as_found); }
+
+void Console::set_mode(Mode mode) {
+    if (!is_terminal_ || mode == std::exchange(mode_, mode))
+        return;
+    termios settings = found_;
+    if (mode == Mode::keys) {
+        settings.c_iflag &= ~static_cast<tcflag_t>(ICRNL);
+        settings.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
+        settings.c_cc[VMIN] = 1;
+        settings.c_cc[VTIME] = 0;
+    }
+    ::tcsetattr(input_, TCSANOW, &settings);
+}
+
+void Console::write(std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t count = ::write(output_, text.data(), text.size());
+        if (count < 0 && errno == EPIPE)
+            return;
+        if (count < 0 && errno != EINTR && errno != EAGAIN)
+            throw UserError(
+                fmt::format("standard output cannot be written: {}", std::generic_category().message(errno)));
+        text.remove_prefix(count < 0 ? 0 : static_cast<std::size_t>(count));
+    }
+}
+
+/// An error counts as the end: a program in the background, for example, has no terminal to read from.
+void Console::read_more(bool waits) {
+    pollfd source{.fd = input_, .events = POLLIN, .revents = 0};
+    int ready = 0;
+    do
+        ready = ::poll(&source, 1, waits ? look_every_ms : 0);
+    while (waits && ready <= 0 && !interrupted_());
+    if (ready <= 0) {
+        ended_ = ended_ || waits;
+        return;
+    }
+    std::array<char, 512> bytes;
+    const std::size_t most = mode_ == Mode::keys ? 1 : bytes.size(); // later bytes may be of a line
+    const ssize_t count = ::read(input_, bytes.data(), most);
+    ended_ = ended_ || count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR);
+    read_.append(bytes.data(), count > 0 ? static_cast<std::size_t>(count) : 0);
+}
+
+std::optional<std::uint8_t> Console::next_key() {
+    if (read_.empty())
+        return std::nullopt;
+    const auto key = static_cast<std::uint8_t>(read_.front());
+    read_.erase(0, 1);
+    return key;
+}
+
+std::optional<std::uint8_t> Console::wait_for_key() {
+    set_mode(Mode::keys);
+    while (read_.empty() && !ended_)
+        read_more(true);
+    return next_key();
+}
+
+std::optional<std::uint8_t> Console::pressed_key() {
+    set_mode(Mode::keys);
+    if (read_.empty() && !ended_)
+        read_more(false);
+    return next_key();
+}
+
+std::string Console::line() {
+    set_mode(Mode::as_found);
+    while (read_.find('\n') == std::string::npos && !ended_)
+        read_more(true);
+    const std::size_t newline = read_.find('\n');
+    std::string line = read_.substr(0, newline == std::string::npos ? newline : newline + 1);
+    read_.erase(0, line.size());
+    return line;
+}
+
+} // namespace placedpar::iserver

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "runtime/transputer/instruction.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+
+/// Machine code as text.
+namespace placedpar::transputer {
+
+/// Returns an instruction as an assembler has it: "ldl     3". `target` replaces the operand if it is not empty.
+std::string print_instruction(const CodedInstruction&, std::string_view target);
+/// Returns bytes in hexadecimal, at most six: "21 F5".
+std::string print_bytes(std::span<const std::uint8_t>);
+/// Returns an address: "#80000070".
+std::string print_address(Word);
+/// Returns the lines of memory that begins at an address, for at most `most_lines`.
+std::string print_memory(std::span<const std::uint8_t>, Word address, std::span<const Word> entries, Model,
+                         std::size_t most_lines = std::numeric_limits<std::size_t>::max());
+
+/// Positions in a file.
+struct FileRange {
+    std::size_t from = 0, until = std::numeric_limits<std::size_t>::max(); ///< `until` is not included
+};
+/// Writes a bootable file as text: the loader at its beginning, which is code at MemStart, then what the loader reads.
+/// Packets in which INMOS's collectors cut the code are put together. What the file has no address for is shown with
+/// its position in the file.
+void print_bootable(std::span<const std::uint8_t> file, Model, const FileRange&,
+                    const std::function<void(std::string_view)>& write);
+
+} // namespace placedpar::transputer

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "runtime/transputer/core.hpp"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace placedpar::transputer {
+
+/// Counts how often each instruction of a core was executed, and its half cycles. An instruction that was overwritten
+/// by another is counted apart.
+class Listing final : public Core::Watcher {
+public:
+    /// An instruction that was executed.
+    struct Line {
+        Word address = 0;
+        CodedInstruction instruction;
+        std::vector<std::uint8_t> bytes;
+        std::uint64_t times = 0;
+        HalfCycles spent = 0;
+        bool is_replaced = false; ///< memory has other code there now
+    };
+
+    /// Counts from now on: watches the core. REQUIRES: both stay where they are during the run.
+    explicit Listing(Core&);
+    Listing(const Listing&) = delete;
+    Listing& operator=(const Listing&) = delete;
+
+    /// Returns the instructions that were executed, by address; those that were replaced follow.
+    std::vector<Line> lines() const;
+    Model model() const { return core_.model(); }
+
+private:
+    struct Count {
+        std::string bytes; // short strings need no further memory
+        std::uint64_t times = 0;
+        HalfCycles spent = 0;
+    };
+    /// The code that was executed at an address, in the order in which it stood there.
+    struct Place {
+        Count now;
+        std::vector<Count> before;
+    };
+    using Page = std::array<Place, NodeMemory::page_bytes>;
+
+    void begins(Word at) override;
+    void executed(Word at, HalfCycles spent) override;
+    Place& place(Word offset);
+    bool is_in_memory(const std::string& bytes, Word offset) const;
+    void code_has_changed(Place&, Word offset);
+
+    Core& core_;
+    std::vector<std::unique_ptr<Page>> pages_;
+};
+
+/// Prints the code that ran, by address: bytes, instruction, times, cycles and share of all cycles, with sums for each
+/// block of instructions that were executed one after the other. The blocks with most cycles come first, in a table.
+std::string print_listing(const Listing&);
+
+} // namespace placedpar::transputer

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "runtime/transputer/core.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <iosfwd>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace placedpar::transputer {
+
+/// Executes a core's instructions step by step, as lines of a stream command, and shows the state between them. It
+/// stops before the first instruction. Addresses are hexadecimal, such as #80000070.
+class Stepper final : public Core::Watcher {
+public:
+    /// Watches the core. `print` gets lines of text. `quit` is called once, at the command `quit` or at the end of the
+    /// commands; nothing stops afterwards. REQUIRES: all stay where they are during the run.
+    Stepper(Core&, std::istream& commands, std::function<void(std::string_view)> print, std::function<void()> quit);
+    Stepper(const Stepper&) = delete;
+    Stepper& operator=(const Stepper&) = delete;
+
+private:
+    void begins(Word at) override;
+    void executed(Word, HalfCycles) override {}
+
+    /// Carries out a command. Returns whether instructions are executed then.
+    bool obey(const std::string& line);
+    void break_at(const std::string& address);
+    void leave();
+
+    std::string here() const;
+    std::string code(std::uint64_t lines) const;
+    std::string registers() const;
+    std::string workspace(std::uint64_t words) const;
+    std::string queues() const;
+    std::string words(Word address, std::uint64_t count) const;
+    std::string queue(std::string_view name, Word front, Word back, Word link) const;
+
+    Core& core_;
+    std::istream& commands_;
+    std::function<void(std::string_view)> print_;
+    std::function<void()> quit_;
+    std::set<Word> breaks_;
+    std::uint64_t steps_ = 1; ///< instructions until the next stop
+    bool has_left_ = false;
+};
+
+} // namespace placedpar::transputer
