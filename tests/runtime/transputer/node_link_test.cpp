@@ -16,7 +16,6 @@
 
 #include <array>
 #include <deque>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -27,6 +26,8 @@ using namespace placedpar;
 using namespace placedpar::test;
 using hardware::LinkFault;
 using hardware::LinkTiming;
+using transputer::assemble;
+using transputer::Assembly;
 
 namespace {
 
@@ -106,17 +107,6 @@ GoingOn on_processors(const LinkCase& all) {
     simulation.run();
     return times;
 }
-
-/// Notes when the instructions at some addresses began.
-struct InstructionTimes final : transputer::Core::Watcher {
-    explicit InstructionTimes(transputer::Core& c) : core(c) { core.watch(this); }
-    void executed(transputer::Word at, transputer::HalfCycles spent) override {
-        if (const auto found = times.find(at); found != times.end() && !found->second)
-            found->second = core.time_at(core.local() + spent) - Time{50'000}; // each is `ldc 0`, one cycle
-    }
-    transputer::Core& core;
-    std::map<transputer::Word, std::optional<Time>> times;
-};
 
 constexpr std::uint32_t send_buffer = 0x700, receive_buffer = 0x800, first_workspace = 0x600, second_workspace = 0x680;
 
