@@ -1,6 +1,7 @@
 #include "iserver/console.hpp"
 
 #include "iserver/host_folder.hpp"
+#include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -73,7 +74,7 @@ bool not_interrupted() { return false; }
 TEST_CASE("keys of a terminal come at once and without echo, lines are echoed, and the terminal is restored") {
     Typist typist;
     {
-        Console console(not_interrupted, typist.terminal(), typist.terminal());
+        Console console(not_interrupted, typist.terminal());
         CHECK(console.is_interactive());
         CHECK(typist.is_as_usual());
         CHECK_FALSE(console.pressed_key());
@@ -83,7 +84,7 @@ TEST_CASE("keys of a terminal come at once and without echo, lines are echoed, a
         CHECK(soon(console) == 13);
         CHECK(typist.screen() == "");
         std::thread later([&] {
-            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+            std::this_thread::sleep_for(std::chrono::milliseconds(250));
             typist.type("a linx\x7f"
                         "e\r");
         });
@@ -91,16 +92,47 @@ TEST_CASE("keys of a terminal come at once and without echo, lines are echoed, a
         later.join();
         CHECK(typist.screen().starts_with("a linx"));
         CHECK(typist.is_as_usual());
-        console.write("shown\n");
-        CHECK(typist.screen().ends_with("shown\r\n"));
         CHECK_FALSE(console.pressed_key());
     }
     CHECK(typist.is_as_usual());
 }
 
+TEST_CASE("the screen is standard output, and gets every byte unchanged") {
+    Typist typist;
+    const OpenFile usual(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3));
+    ::dup2(typist.terminal(), STDOUT_FILENO);
+    Console(not_interrupted, typist.terminal()).write("\x1b[2Jshown\a\n");
+    ::dup2(usual.descriptor(), STDOUT_FILENO);
+    CHECK(typist.screen() == "\x1b[2Jshown\a\r\n");
+}
+
+TEST_CASE("an output that cannot be written is reported") {
+    const OpenFile usual(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3));
+    const OpenFile full(::open("/dev/full", O_WRONLY | O_CLOEXEC));
+    ::dup2(full.descriptor(), STDOUT_FILENO);
+    std::string message;
+    try {
+        iserver::write_to_screen("lost");
+    } catch (const UserError& error) {
+        message = error.what();
+    }
+    ::dup2(usual.descriptor(), STDOUT_FILENO);
+    CHECK(message == "the program's output cannot be written: No space left on device");
+}
+
+TEST_CASE("a line that was typed ahead of a program which reads keys is a line") {
+    Typist typist;
+    Console console(not_interrupted, typist.terminal());
+    CHECK_FALSE(console.pressed_key());
+    typist.type("kline\rmore\r");
+    CHECK(console.wait_for_key() == 'k');
+    CHECK(console.line() == "line\n");
+    CHECK(console.line() == "more\n");
+}
+
 TEST_CASE("the end of a terminal's input is met where lines are read") {
     Typist typist;
-    Console console(not_interrupted, typist.terminal(), typist.terminal());
+    Console console(not_interrupted, typist.terminal());
     typist.type("last\x04\x04");
     CHECK(console.line() == "last");
     CHECK(console.at_end());
@@ -113,10 +145,10 @@ TEST_CASE("keys and lines also come from a pipe, until its end") {
     REQUIRE(::pipe(ends.data()) == 0);
     const OpenFile reader(ends[0]);
     OpenFile writer(ends[1]);
-    Console console(not_interrupted, reader.descriptor(), writer.descriptor());
+    Console console(not_interrupted, reader.descriptor());
     CHECK_FALSE(console.is_interactive());
     CHECK_FALSE(console.pressed_key());
-    console.write("kfirst\nsecond");
+    CHECK(::write(writer.descriptor(), "kfirst\nsecond", 13) == 13);
     CHECK(console.wait_for_key() == 'k');
     CHECK(console.line() == "first\n");
     CHECK_FALSE(console.at_end());
@@ -129,7 +161,7 @@ TEST_CASE("keys and lines also come from a pipe, until its end") {
 TEST_CASE("an interruption ends the input, so that a run can end") {
     Typist typist;
     std::atomic<int> questions = 0;
-    Console console([&] { return ++questions > 2; }, typist.terminal(), typist.terminal());
+    Console console([&] { return ++questions > 2; }, typist.terminal());
     CHECK_FALSE(console.wait_for_key());
     CHECK(console.line() == "");
     CHECK(console.at_end());

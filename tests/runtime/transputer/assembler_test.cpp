@@ -88,7 +88,7 @@ TEST_CASE("the assembler says where an error is") {
     CHECK(assembly_error("ldc 4294967296") == "1:5: \"4294967296\" is neither a number of 32 bits nor a name");
     CHECK(assembly_error(".byte 1, 256") == "1:10: 256 does not fit into 8 bits");
     CHECK(assembly_error(".byte -129") == "1:7: -129 does not fit into 8 bits");
-    CHECK(assembly_error(".word") == "1:1: a number or a name is missing");
+    CHECK(assembly_error(".word") == "1:6: a number or a name is missing");
     CHECK(assembly_error("dup", placedpar::transputer::Model::t800) == "");
     CHECK(assembly_error("dup", placedpar::transputer::Model::t414) == "1:1: the T414 has no instruction \"dup\"");
 }
