@@ -25,8 +25,8 @@ namespace {
 using ByteString = std::vector<std::uint8_t>;
 
 ByteString word_bytes(std::uint32_t word) {
-    return {static_cast<std::uint8_t>(word), static_cast<std::uint8_t>(word >> 8), static_cast<std::uint8_t>(word >> 16),
-            static_cast<std::uint8_t>(word >> 24)};
+    return {static_cast<std::uint8_t>(word), static_cast<std::uint8_t>(word >> 8),
+            static_cast<std::uint8_t>(word >> 16), static_cast<std::uint8_t>(word >> 24)};
 }
 
 ByteString joined(const std::vector<ByteString>& parts) {
@@ -36,10 +36,10 @@ ByteString joined(const std::vector<ByteString>& parts) {
     return all;
 }
 
-ByteString poke(std::uint32_t address, std::uint32_t value) {
+ByteString poke_command(std::uint32_t address, std::uint32_t value) {
     return joined({{0}, word_bytes(address), word_bytes(value)});
 }
-ByteString peek(std::uint32_t address) { return joined({{1}, word_bytes(address)}); }
+ByteString peek_command(std::uint32_t address) { return joined({{1}, word_bytes(address)}); }
 
 constexpr std::uint32_t memory_start = 0x70;
 
@@ -87,7 +87,7 @@ TEST_CASE("any link boots a node, with low priority, its workspace behind the co
 
 TEST_CASE("a node that nobody boots listens for ever") {
     ManyHosts all;
-    all.hosts[1]->will_give(1us, poke(from_start(0x200), 5));
+    all.hosts[1]->will_give(1us, poke_command(from_start(0x200), 5));
     all.world.run();
     CHECK(all.node.activity() == Node::Activity::listening);
     CHECK_EQ(word_at(all.node, 0x200), 5);
@@ -98,7 +98,7 @@ TEST_CASE("the first link that brings a byte boots the node, and the bytes of ot
     for (const Time later_by : {Time{0}, Time{1ns}, Time{400ns}, Time{20us}}) {
         CAPTURE(later_by.count());
         ManyHosts all;
-        // Of simultaneous ones, that with the lowest number is the first.
+        // Link 2 is the first of two that begin together.
         all.hosts[3]->will_give(5us + later_by, {9, 8, 7, 6});
         all.hosts[2]->will_give(5us, boot_stream("ajw 20\nldlp 1\nldc #8000001C\nldc 4\nin\nstopp"));
         all.world.run();
@@ -116,12 +116,12 @@ TEST_CASE("the first link that brings a byte boots the node, and the bytes of ot
 
 TEST_CASE("hosts at any links read and write the memory in turn, and then one of them boots the node") {
     ManyHosts all;
-    all.hosts[0]->will_give(0us, poke(from_start(0x400), 0x12345678));
-    all.hosts[0]->will_give(0us, poke(from_start(0x404), 0x9abcdef0));
-    all.hosts[1]->will_give(100us, peek(from_start(0x404)));
-    all.hosts[2]->will_give(100us, peek(from_start(0x400)));
-    all.hosts[2]->will_give(100us, peek(from_start(0x2000 + 0x404))); // the memory of 8 Kbyte wraps
-    all.hosts[3]->will_give(200us, poke(from_start(0x408), 7));
+    all.hosts[0]->will_give(0us, poke_command(from_start(0x400), 0x12345678));
+    all.hosts[0]->will_give(0us, poke_command(from_start(0x404), 0x9abcdef0));
+    all.hosts[1]->will_give(100us, peek_command(from_start(0x404)));
+    all.hosts[2]->will_give(100us, peek_command(from_start(0x400)));
+    all.hosts[2]->will_give(100us, peek_command(from_start(0x2000 + 0x404))); // the memory of 8 Kbyte wraps
+    all.hosts[3]->will_give(200us, poke_command(from_start(0x408), 7));
     all.hosts[1]->will_give(300us, boot_stream(stores_registers));
     all.world.run();
     CHECK_EQ(all.hosts[1]->received(), word_bytes(0x9abcdef0));
@@ -137,17 +137,19 @@ TEST_CASE("a program that the host sends boots the neighbour, whose answer comes
     ScriptedEnd& host = world.host(root);
     world.connect(root, 2, other, 3);
     // The neighbour takes a word from the link that booted it, doubles it, and outputs it there. C is the channel.
-    const ByteString for_other = boot_stream("ajw 20\nstl 1\nstl 1\nstl 1\nldlp 2\nldl 1\nldc 4\nin\nldl 2\nldl 2\nsum\nstl 2\n"
-                                             "ldlp 2\nldl 1\nldnlp -4\nldc 4\nout\nstopp");
+    const ByteString for_other =
+        boot_stream("ajw 20\nstl 1\nstl 1\nstl 1\nldlp 2\nldl 1\nldc 4\nin\nldl 2\nldl 2\nsum\nstl 2\n"
+                    "ldlp 2\nldl 1\nldnlp -4\nldc 4\nout\nstopp");
     // The second stage sends these bytes and a word to link 2, and what comes back to the host.
-    const std::string second_stage = fmt::format(
-        "ldc code\nldc #80000008\nldc {}\nout\nldc 21\nstl 1\nldlp 1\nldc #80000008\nldc 4\nout\n"
-        "ldlp 1\nldc #80000018\nldc 4\nin\nldlp 1\nldc #80000000\nldc 4\nout\nstopp\ncode: ",
-        for_other.size());
+    const std::string second_stage =
+        fmt::format("ldc code\nldc #80000008\nldc {}\nout\nldc 21\nstl 1\nldlp 1\nldc #80000008\nldc 4\nout\n"
+                    "ldlp 1\nldc #80000018\nldc 4\nin\nldlp 1\nldc #80000000\nldc 4\nout\nstopp\ncode: ",
+                    for_other.size());
     const ByteString stage = joined({assemble(second_stage, from_start(0x400)).bytes, for_other});
     // The first stage takes a length, and so many bytes to #80000400, where it goes on.
-    host.will_give(0us, boot_stream("ajw 20\nldlp 1\nldc #80000010\nldc 4\nin\nldc #80000400\nldc #80000010\nldl 1\nin\n"
-                                    "ldc #80000400\ngcall"));
+    host.will_give(0us,
+                   boot_stream("ajw 20\nldlp 1\nldc #80000010\nldc 4\nin\nldc #80000400\nldc #80000010\nldl 1\nin\n"
+                               "ldc #80000400\ngcall"));
     host.will_give(0us, joined({word_bytes(static_cast<std::uint32_t>(stage.size())), stage}));
     world.run();
     CHECK(other.activity() == Node::Activity::booted);
@@ -213,7 +215,7 @@ TEST_CASE("analyse stops a process at its next jump, and its registers are read 
         if (one_by_one)
             counting.node.run_instruction_by_instruction();
         for (const std::uint32_t offset : {0x2Cu, 0x30u, 0x804u, 0x808u})
-            counting.host.will_give(600us, peek(from_start(offset)));
+            counting.host.will_give(600us, peek_command(from_start(offset)));
         counting.world.run();
         CHECK(counting.node.activity() == Node::Activity::listening);
         const ByteString& seen = counting.host.received();
@@ -259,7 +261,7 @@ TEST_CASE("analyse of a node whose process waits for a link keeps the channel wo
     NodeWorld::put(node, assemble("ldc #80000900\nldc #80000010\nldc 4\nin\nstopp", from_start(0x200)));
     world.boot(host, from_start(0x200), from_start(0x800));
     node.analyse_at(500us);
-    host.will_give(600us, joined({peek(from_start(0x10)), peek(from_start(0x2C))}));
+    host.will_give(600us, joined({peek_command(from_start(0x10)), peek_command(from_start(0x2C))}));
     world.run();
     CHECK_EQ(host.received(), joined({word_bytes(from_start(0x801)), word_bytes(transputer::not_a_process)}));
 }
@@ -273,7 +275,7 @@ TEST_CASE("a node that an error has stopped is analysed, too") {
     NodeWorld::put(node, assemble("sethalterr\nldc 0\nldc 0\nseterr\nldc 0\nstopp", from_start(0x200)));
     world.boot(host, from_start(0x200), from_start(0x800));
     node.analyse_at(500us);
-    host.will_give(600us, peek(from_start(0x30)));
+    host.will_give(600us, peek_command(from_start(0x30)));
     world.run();
     CHECK_EQ(told, 1);
     CHECK_EQ(host.received(), word_bytes(from_start(0x206))); // after seterr

@@ -24,28 +24,28 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr std::uint32_t there_out = 0x04, here_in = 0x14; ///< channels of link 1
-constexpr std::uint32_t buffer = 0x900;
+constexpr std::uint32_t message_at = 0x900;
 
-/// Returns instructions for a communication of bytes of the buffer.
+/// Returns instructions for a communication of bytes of the message_at.
 std::string communication(const char* instruction, std::uint32_t channel, std::uint32_t from, std::uint32_t bytes) {
-    return fmt::format("ldc #{:X}\nldc #{:X}\nldc {}\n{}\n", from_start(buffer + from), from_start(channel), bytes,
+    return fmt::format("ldc #{:X}\nldc #{:X}\nldc {}\n{}\n", from_start(message_at + from), from_start(channel), bytes,
                        instruction);
 }
 
 /// Returns instructions that store a word at an offset.
-std::string note(std::uint32_t offset, std::uint32_t value) {
+std::string note_word(std::uint32_t offset, std::uint32_t value) {
     return fmt::format("ldc {}\nldc #{:X}\nstnl 0\n", value, from_start(offset));
 }
 
 /// Returns a delay of 4 cycles and more for each turn.
-std::string delay(std::uint32_t turns, const char* name) {
+std::string delay_loop(std::uint32_t turns, const char* name) {
     return fmt::format("ldc {}\nstl 1\n{}: ldl 1\nadc -1\nstl 1\nldl 1\ncj {}x\nj {}\n{}x:\n", turns, name, name, name,
                        name);
 }
 
 /// Two nodes that are connected by their links 1.
-struct TwoNodes {
-    explicit TwoNodes(const std::string& a_program, const std::string& b_program) {
+struct LinkedPair {
+    explicit LinkedPair(const std::string& a_program, const std::string& b_program) {
         for (const std::size_t i : {0u, 1u}) {
             nodes[i] = &world.node("n", {});
             programs[i] = assemble(i == 0 ? a_program : b_program, from_start(0x200));
@@ -56,18 +56,16 @@ struct TwoNodes {
         }
         std::array<std::uint8_t, 64> message;
         std::iota(message.begin(), message.end(), std::uint8_t{1});
-        nodes[0]->core().copy_to_memory(buffer, message);
+        nodes[0]->core().copy_to_memory(message_at, message);
         world.connect(*nodes[0], 1, *nodes[1], 1);
         for (transputer::Node* each : nodes)
             world.boot(world.host(*each), from_start(0x200), from_start(0x800));
     }
-    std::optional<Time> began(std::size_t node, const char* label) {
-        return times[node]->times[programs[node][label]];
-    }
+    std::optional<Time> began(std::size_t node, const char* label) { return times[node]->times[programs[node][label]]; }
     std::string received(std::uint32_t bytes) const {
         std::string text;
         for (std::uint32_t i = 0; i < bytes; ++i)
-            text += fmt::format("{} ", nodes[1]->core().memory().byte(buffer + i));
+            text += fmt::format("{} ", nodes[1]->core().memory().byte(message_at + i));
         return text;
     }
 
@@ -102,7 +100,7 @@ std::string in_parts(const char* instruction, std::uint32_t channel, const std::
         text += communication(instruction, channel, from, each);
         from += each;
     }
-    return text + "done: " + note(0x8f0, 1) + "stopp\n";
+    return text + "done: " + note_word(0x8f0, 1) + "stopp\n";
 }
 
 } // namespace
@@ -115,8 +113,9 @@ TEST_CASE("bytes arrive whatever the counts of the instructions at both ends are
                 CAPTURE(sent);
                 CAPTURE(received);
                 const bool sender_first = (sent + received) % 2 == 0;
-                TwoNodes two((sender_first ? "" : delay(60, "a")) + in_parts("out", there_out, parts_of(total, sent)),
-                             (sender_first ? delay(60, "a") : "") + in_parts("in", here_in, parts_of(total, received)));
+                LinkedPair two(
+                    (sender_first ? "" : delay_loop(60, "a")) + in_parts("out", there_out, parts_of(total, sent)),
+                    (sender_first ? delay_loop(60, "a") : "") + in_parts("in", here_in, parts_of(total, received)));
                 two.world.run();
                 REQUIRE_EQ(two.received(total), first_numbers(total));
                 REQUIRE_EQ(word_at(*two.nodes[0], 0x8f0), 1);
@@ -125,10 +124,10 @@ TEST_CASE("bytes arrive whatever the counts of the instructions at both ends are
 }
 
 TEST_CASE("the channel word of a link decides the direction, not the instruction") {
-    TwoNodes two(communication("in", there_out, 0, 5) + "stopp", communication("out", here_in, 0, 5) + "stopp");
+    LinkedPair two(communication("in", there_out, 0, 5) + "stopp", communication("out", here_in, 0, 5) + "stopp");
     two.world.run();
     CHECK_EQ(two.received(5), first_numbers(5));
-    CHECK_EQ(two.nodes[0]->core().memory().byte(buffer), 1);
+    CHECK_EQ(two.nodes[0]->core().memory().byte(message_at), 1);
 }
 
 TEST_CASE("the process whose descriptor stands in the channel word goes on") {
@@ -136,11 +135,11 @@ TEST_CASE("the process whose descriptor stands in the channel word goes on") {
     const std::string other = fmt::format("ldc other\nldc #{:X}\nstnl -1\nldc starter\nldc #{:X}\nstnl -1\n"
                                           "ldc #{:X}\nrunp\n",
                                           from_start(0x880), from_start(0x840), from_start(0x841));
-    TwoNodes two(other + communication("out", there_out, 0, 5) + note(0x8f0, 1) + "stopp\nstarter: " +
-                     fmt::format("ldc #{:X}\nldc #{:X}\nstnl 0\nstopp\nother: ", from_start(0x881),
-                                 from_start(there_out)) +
-                     note(0x8f4, 1) + "stopp",
-                 delay(100, "a") + communication("in", here_in, 0, 5) + "stopp");
+    LinkedPair two(
+        other + communication("out", there_out, 0, 5) + note_word(0x8f0, 1) + "stopp\nstarter: " +
+            fmt::format("ldc #{:X}\nldc #{:X}\nstnl 0\nstopp\nother: ", from_start(0x881), from_start(there_out)) +
+            note_word(0x8f4, 1) + "stopp",
+        delay_loop(100, "a") + communication("in", here_in, 0, 5) + "stopp");
     two.world.run();
     CHECK_EQ(word_at(*two.nodes[0], 0x8f0), 0);
     CHECK_EQ(word_at(*two.nodes[0], 0x8f4), 1);
@@ -148,10 +147,11 @@ TEST_CASE("the process whose descriptor stands in the channel word goes on") {
 }
 
 TEST_CASE("an input of a byte that has come gives way to a process that is ready") {
-    const std::string other = fmt::format("ldc other\nldc #{:X}\nstnl -1\nldc #{:X}\nrunp\n", from_start(0x840),
-                                          from_start(0x841));
-    TwoNodes two(communication("out", there_out, 0, 1) + "stopp",
-                 delay(100, "a") + other + communication("in", here_in, 0, 1) + "goes_on: ldc 0\nstopp\nother: ldc 0\nstopp");
+    const std::string other =
+        fmt::format("ldc other\nldc #{:X}\nstnl -1\nldc #{:X}\nrunp\n", from_start(0x840), from_start(0x841));
+    LinkedPair two(communication("out", there_out, 0, 1) + "stopp", delay_loop(100, "a") + other +
+                                                                        communication("in", here_in, 0, 1) +
+                                                                        "goes_on: ldc 0\nstopp\nother: ldc 0\nstopp");
     two.world.run();
     REQUIRE(two.began(1, "goes_on").has_value());
     CHECK_LT(*two.began(1, "other"), *two.began(1, "goes_on"));
@@ -165,10 +165,10 @@ TEST_CASE("an alternation is ready with the first byte, which stays in the engin
             const std::string alternation =
                 fmt::format("alt\nldc #{:X}\nldc 1\nenbc\naltwt\nldc #{:X}\nldc 1\nldc 0\ndisc\naltend\n",
                             from_start(here_in), from_start(here_in));
-            TwoNodes two((waits ? delay(100, "a") : "") + communication("out", there_out, 0, bytes) +
-                             "sent: ldc 0\nstopp",
-                         (waits ? "" : delay(100, "a")) + alternation + "selected: ldc 0\n" + delay(50, "b") +
-                             "asks: ldc 0\n" + communication("in", here_in, 0, bytes) + "stopp");
+            LinkedPair two(
+                (waits ? delay_loop(100, "a") : "") + communication("out", there_out, 0, bytes) + "sent: ldc 0\nstopp",
+                (waits ? "" : delay_loop(100, "a")) + alternation + "selected: ldc 0\n" + delay_loop(50, "b") +
+                    "asks: ldc 0\n" + communication("in", here_in, 0, bytes) + "stopp");
             two.world.run();
             REQUIRE(two.began(0, "sent").has_value());
             CHECK_EQ(two.received(bytes), first_numbers(bytes));
@@ -181,9 +181,9 @@ TEST_CASE("an alternation that takes another guard leaves the byte in the engine
     const std::string alternation = fmt::format(
         "alt\nldc 1\nenbs\nldc #{0:X}\nldc 1\nenbc\naltwt\nldc 1\nldc skip - base\ndiss\nldc #{0:X}\nldc 1\n"
         "ldc link - base\ndisc\naltend\nbase:\nskip: {1}\nj on\nlink: {2}on:\n",
-        from_start(here_in), note(0x8f0, 1), note(0x8f4, 1));
-    TwoNodes two(communication("out", there_out, 0, 4) + "sent: ldc 0\nstopp",
-                 delay(100, "a") + alternation + "asks: ldc 0\n" + communication("in", here_in, 0, 4) + "stopp");
+        from_start(here_in), note_word(0x8f0, 1), note_word(0x8f4, 1));
+    LinkedPair two(communication("out", there_out, 0, 4) + "sent: ldc 0\nstopp",
+                   delay_loop(100, "a") + alternation + "asks: ldc 0\n" + communication("in", here_in, 0, 4) + "stopp");
     two.world.run();
     CHECK_EQ(word_at(*two.nodes[1], 0x8f0), 1);
     CHECK_EQ(word_at(*two.nodes[1], 0x8f4), 0);
@@ -233,7 +233,7 @@ TEST_CASE("a process of high priority that waits for a link interrupts after 19 
     // The interrupt waits for the end of the instruction under way.
     const Latencies simple = latencies("ldc 0\nldc 0\nldc 0\nldc 0\nldc 0\nldc 0\nldc 0\nldc 0");
     CHECK_GE(simple.least, 19);
-    CHECK_LT(simple.least, 19.5); // the byte arrives within a half cycle
+    CHECK_LT(simple.least, 19.5);        // the byte arrives within a half cycle
     CHECK_LT(simple.most, 19 + 4 + 0.5); // j with a prefix
     const Latencies division = latencies("ldc 7\nldc 3\ndiv");
     CHECK_LT(division.least, 19.5);
@@ -252,17 +252,17 @@ TEST_CASE("resetch forgets the output of a process, which can then be made ready
     // The partner is busy and has not asked for the bytes; it resets its end, too.
     const std::string rescue =
         fmt::format("ldc rescue\nldc #{0:X}\nstnl -1\nldc #{1:X}\nrunp\n", from_start(0x840), from_start(0x841)) +
-        communication("out", there_out, 10, 4) + "goes_on: ldc 0\n" + delay(400, "b") +
-        communication("out", there_out, 0, 4) + "sent: ldc 0\nstopp\nrescue: " + delay(100, "a") +
+        communication("out", there_out, 10, 4) + "goes_on: ldc 0\n" + delay_loop(400, "b") +
+        communication("out", there_out, 0, 4) + "sent: ldc 0\nstopp\nrescue: " + delay_loop(100, "a") +
         fmt::format("ldc #{:X}\nresetch\nrunp\nstopp\n", from_start(there_out));
     for (const bool asked : {false, true}) {
         CAPTURE(asked);
         // The receiver has taken 2 of the 4 bytes when it is reset, or none.
-        const std::string other = fmt::format("ldc second\nldc #{:X}\nstnl -1\nldc #{:X}\nrunp\n", from_start(0x840),
-                                              from_start(0x841));
-        TwoNodes two(rescue, other + (asked ? communication("in", here_in, 20, 2) : "") + "stopp\nsecond: " +
-                                 delay(200, "c") + fmt::format("ldc #{:X}\nresetch\n", from_start(here_in)) +
-                                 communication("in", here_in, 0, 4) + "received: ldc 0\nstopp");
+        const std::string other =
+            fmt::format("ldc second\nldc #{:X}\nstnl -1\nldc #{:X}\nrunp\n", from_start(0x840), from_start(0x841));
+        LinkedPair two(rescue, other + (asked ? communication("in", here_in, 20, 2) : "") + "stopp\nsecond: " +
+                                   delay_loop(200, "c") + fmt::format("ldc #{:X}\nresetch\n", from_start(here_in)) +
+                                   communication("in", here_in, 0, 4) + "received: ldc 0\nstopp");
         two.world.run();
         REQUIRE(two.began(0, "goes_on").has_value());
         CHECK(two.began(0, "sent").has_value());
@@ -275,13 +275,13 @@ TEST_CASE("resetch forgets the output of a process, which can then be made ready
 
 TEST_CASE("resetch forgets an input in the middle, and keeps the bytes that have come") {
     // The sender gives 2 bytes of the 4 that the receiver asks for.
-    const std::string other = fmt::format("ldc second\nldc #{:X}\nstnl -1\nldc #{:X}\nrunp\n", from_start(0x840),
-                                          from_start(0x841));
-    TwoNodes two(communication("out", there_out, 0, 2) + delay(300, "a") + communication("out", there_out, 2, 3) +
-                     "sent: ldc 0\nstopp",
-                 other + communication("in", here_in, 0, 4) + "goes_on: ldc 0\n" + communication("in", here_in, 2, 3) +
-                     "received: ldc 0\nstopp\nsecond: " + delay(100, "b") +
-                     fmt::format("ldc #{:X}\nresetch\nrunp\nstopp", from_start(here_in)));
+    const std::string other =
+        fmt::format("ldc second\nldc #{:X}\nstnl -1\nldc #{:X}\nrunp\n", from_start(0x840), from_start(0x841));
+    LinkedPair two(communication("out", there_out, 0, 2) + delay_loop(300, "a") +
+                       communication("out", there_out, 2, 3) + "sent: ldc 0\nstopp",
+                   other + communication("in", here_in, 0, 4) + "goes_on: ldc 0\n" +
+                       communication("in", here_in, 2, 3) + "received: ldc 0\nstopp\nsecond: " + delay_loop(100, "b") +
+                       fmt::format("ldc #{:X}\nresetch\nrunp\nstopp", from_start(here_in)));
     two.world.run();
     CHECK(two.began(1, "goes_on").has_value());
     CHECK(two.began(1, "received").has_value());

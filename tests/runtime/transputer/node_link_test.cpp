@@ -116,8 +116,8 @@ std::string process_of(const std::vector<LinkUse>& uses, bool receives, const st
     int number = 0;
     const std::uint32_t buffer = from_start(receives ? receive_buffer : send_buffer);
     for (const LinkUse& each : uses) {
-        const std::string operands = fmt::format("ldc #{:X}\nldc #{:X}\nldc {}\n", buffer,
-                                                 from_start(receives ? 0x14 : 0x04), each.bytes);
+        const std::string operands =
+            fmt::format("ldc #{:X}\nldc #{:X}\nldc {}\n", buffer, from_start(receives ? 0x14 : 0x04), each.bytes);
         auto left = static_cast<std::uint32_t>(each.cycles - assemble(operands).bytes.size());
         text += fmt::format("{}{}: ldc 0\n", name, number++);
         --left;
@@ -144,12 +144,11 @@ GoingOn on_nodes(const LinkCase& all, Time& began) {
     std::array<Assembly, 2> programs;
     for (const std::size_t i : {0u, 1u}) {
         nodes[i] = &world.node("n", {.memory = 8192, .timing = {.memory_cycles = all.memory_cycles}});
-        programs[i] = assemble(
-            fmt::format("ldc second\nldc #{:X}\nstnl -1\nldc #{:X}\nrunp\n", from_start(second_workspace),
-                        from_start(second_workspace | 1)) +
-                process_of(all.directions[i].sent, false, "s") + "second:\n" +
-                process_of(all.directions[1 - i].received, true, "r"),
-            from_start(0xb00));
+        programs[i] = assemble(fmt::format("ldc second\nldc #{:X}\nstnl -1\nldc #{:X}\nrunp\n",
+                                           from_start(second_workspace), from_start(second_workspace | 1)) +
+                                   process_of(all.directions[i].sent, false, "s") + "second:\n" +
+                                   process_of(all.directions[1 - i].received, true, "r"),
+                               from_start(0xb00));
         NodeWorld::put(*nodes[i], programs[i]);
         std::array<std::uint8_t, 64> message;
         std::iota(message.begin(), message.end(), std::uint8_t{1});
@@ -182,7 +181,7 @@ GoingOn on_nodes(const LinkCase& all, Time& began) {
     return times;
 }
 
-std::string text_of(const GoingOn& times) {
+std::string times_as_text(const GoingOn& times) {
     std::string text;
     for (const auto& direction : times)
         for (const auto& end : direction) {
@@ -223,7 +222,7 @@ TEST_CASE("in and out of 1 to 64 bytes take the picosecond that two C++ processe
                     all.directions[0] = {{{cycles[0], bytes}, {200, bytes}}, {{cycles[1], bytes}, {130, bytes}}};
                     if (both_ways && bytes > 1) // see below
                         all.directions[1] = {{{cycles[0] + 30, bytes}}, {{cycles[1], bytes}}};
-                    REQUIRE_EQ(text_of(on_nodes(all, began)), text_of(on_processors(all)));
+                    REQUIRE_EQ(times_as_text(on_nodes(all, began)), times_as_text(on_processors(all)));
                 }
 }
 
@@ -252,7 +251,7 @@ TEST_CASE("random communications by a link take the picosecond that C++ processe
                 all.faults.push_back({.from = from, .until = from + Time{1000 * (1 + random.below(1500))}});
         }
         const GoingOn times = on_nodes(all, began);
-        CHECK_EQ(text_of(times), text_of(on_processors(all)));
+        CHECK_EQ(times_as_text(times), times_as_text(on_processors(all)));
         for (std::size_t d : {0u, 1u})
             stuck += times[d][0].size() < all.directions[d].sent.size();
     }
