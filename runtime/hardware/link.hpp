@@ -108,8 +108,8 @@ public:
     void take(std::uint32_t bytes);
     /// Returns whether a first byte waits that no receiver has asked for.
     bool byte_waits() const;
-    /// Forget what this end still has to give or take. Bytes that arrived of a part that was under way are lost, and the
-    /// other end gets no further until it is reset, too. Return how many bytes of the part had arrived.
+    /// Forget what this end still has to give or take. Bytes that arrived of a part that was under way are lost, and
+    /// the other end gets no further until it is reset, too. Return how many bytes of the part had arrived.
     std::uint32_t reset_giving();
     std::uint32_t reset_taking();
 

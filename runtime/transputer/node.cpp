@@ -224,9 +224,7 @@ void Node::obey_next() {
 void Node::hear(std::span<const std::uint8_t> bytes) { heard_.insert(heard_.end(), bytes.begin(), bytes.end()); }
 
 /// Returns the offset of a word. Addresses outside of the memory reach it again, as on most boards.
-Word Node::wrapped(Word address) const {
-    return NodeMemory::offset_of(address) % core_.memory().size() & ~Word{3};
-}
+Word Node::wrapped(Word address) const { return NodeMemory::offset_of(address) % core_.memory().size() & ~Word{3}; }
 
 /// Acts on a command, or on the bytes that belong to it.
 void Node::obey(int link) {

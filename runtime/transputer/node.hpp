@@ -53,10 +53,10 @@ public:
     /// Stops the node at a time. It executes nothing more, and takes no commands of a boot. Its link engines finish the
     /// transfers that are under way. REQUIRES: the run has not begun.
     void halt_at(Time moment) { halts_at_ = std::min(halts_at_, moment); }
-    /// Sets the pin analyse at a time, and then the pin reset: the core stops at its next j, lend or wait. Then the links
-    /// are reset, and the node listens to them as after reset. The memory stays as it is, except for the registers of
-    /// the process, which are saved below MemStart (Core::reset_after_analyse). Source: IMS T800 data sheet, "analyse".
-    /// REQUIRES: the run has not begun.
+    /// Sets the pin analyse at a time, and then the pin reset: the core stops at its next j, lend or wait. Then the
+    /// links are reset, and the node listens to them as after reset. The memory stays as it is, except for the
+    /// registers of the process, which are saved below MemStart (Core::reset_after_analyse). Source: IMS T800 data
+    /// sheet, "analyse". REQUIRES: the run has not begun.
     void analyse_at(Time);
 
     const std::string& name() const { return name_; }

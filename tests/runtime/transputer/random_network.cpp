@@ -177,8 +177,7 @@ private:
         std::uint32_t turns = random_.below(4) * timer;
         for (const End& end : ends)
             turns += end.bytes / bytes;
-        const std::string begin = label("a"), base = label("b"), end = label("e"), quit = label("q"),
-                          late = label("t");
+        const std::string begin = label("a"), base = label("b"), end = label("e"), quit = label("q"), late = label("t");
         emit(fmt::format("ldc {}\nstl 10\n{}:", turns + 1, begin));
         if (random_.chance(0.5))
             work();
