@@ -1,5 +1,6 @@
 #include "iserver/console.hpp"
 
+#include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -7,6 +8,7 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <system_error>
@@ -20,8 +22,21 @@ constexpr int look_every_ms = 100; ///< how often a wait looks for an interrupti
 
 } // namespace
 
-Console::Console(std::function<bool()> interrupted, int input, int output)
-    : interrupted_(std::move(interrupted)), input_(input), output_(output),
+void write_to_screen(std::string_view text) {
+    const int output = standard_output_takes_a_file() ? STDERR_FILENO : STDOUT_FILENO;
+    while (!text.empty()) {
+        const ssize_t count = ::write(output, text.data(), text.size());
+        if (count < 0 && errno == EPIPE)
+            return;
+        if (count < 0 && errno != EINTR && errno != EAGAIN)
+            throw UserError(
+                fmt::format("the program's output cannot be written: {}", std::generic_category().message(errno)));
+        text.remove_prefix(count < 0 ? 0 : static_cast<std::size_t>(count));
+    }
+}
+
+Console::Console(std::function<bool()> interrupted, int input)
+    : interrupted_(std::move(interrupted)), input_(input),
       is_terminal_(::isatty(input) != 0 && ::tcgetattr(input, &found_) == 0) {}
 
 Console::~Console() { set_mode(Mode::as_found); }
@@ -39,18 +54,6 @@ void Console::set_mode(Mode mode) {
     ::tcsetattr(input_, TCSANOW, &settings);
 }
 
-void Console::write(std::string_view text) {
-    while (!text.empty()) {
-        const ssize_t count = ::write(output_, text.data(), text.size());
-        if (count < 0 && errno == EPIPE)
-            return;
-        if (count < 0 && errno != EINTR && errno != EAGAIN)
-            throw UserError(
-                fmt::format("standard output cannot be written: {}", std::generic_category().message(errno)));
-        text.remove_prefix(count < 0 ? 0 : static_cast<std::size_t>(count));
-    }
-}
-
 /// An error counts as the end: a program in the background, for example, has no terminal to read from.
 void Console::read_more(bool waits) {
     pollfd source{.fd = input_, .events = POLLIN, .revents = 0};
@@ -63,8 +66,7 @@ void Console::read_more(bool waits) {
         return;
     }
     std::array<char, 512> bytes;
-    const std::size_t most = mode_ == Mode::keys ? 1 : bytes.size(); // later bytes may be of a line
-    const ssize_t count = ::read(input_, bytes.data(), most);
+    const ssize_t count = ::read(input_, bytes.data(), bytes.size());
     ended_ = ended_ || count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR);
     read_.append(bytes.data(), count > 0 ? static_cast<std::size_t>(count) : 0);
 }
@@ -92,6 +94,10 @@ std::optional<std::uint8_t> Console::pressed_key() {
 }
 
 std::string Console::line() {
+    if (mode_ == Mode::keys && is_terminal_) { // what was typed ahead has Enter as 13
+        read_more(false);
+        std::ranges::replace(read_, '\r', '\n');
+    }
     set_mode(Mode::as_found);
     while (read_.find('\n') == std::string::npos && !ended_)
         read_more(true);

@@ -8,6 +8,10 @@
 
 namespace placedpar::iserver {
 
+/// Writes a text unchanged to standard output, or to standard error if standard output receives a file. Throws
+/// UserError if it cannot be written, except if its reader has gone. REQUIRES: SIGPIPE is ignored.
+void write_to_screen(std::string_view text);
+
 /// The terminal on which PlacedPar was started, or the files and pipes that stand in for it. Keys are read as INMOS's
 /// server for Unix reads them: each at once, without echo, Enter as 13. Lines are edited and echoed by the terminal.
 class Console : public Terminal {
@@ -15,14 +19,13 @@ public:
     /// While the console waits for input, it asks several times a second whether the program was interrupted. If so,
     /// the input has ended. REQUIRES: a handler catches the signals that would end the program, or the terminal stays
     /// as it is for keys.
-    explicit Console(std::function<bool()> interrupted, int input = 0, int output = 1);
+    explicit Console(std::function<bool()> interrupted, int input = 0);
     /// Restores the terminal.
     ~Console() override;
     Console(const Console&) = delete;
     Console& operator=(const Console&) = delete;
 
-    /// Throws UserError if the text cannot be written, except if its reader has gone.
-    void write(std::string_view text) override;
+    void write(std::string_view text) override { write_to_screen(text); }
     std::optional<std::uint8_t> wait_for_key() override;
     std::optional<std::uint8_t> pressed_key() override;
     std::string line() override;
@@ -38,9 +41,9 @@ private:
     std::optional<std::uint8_t> next_key();
 
     std::function<bool()> interrupted_;
-    int input_, output_;
-    bool is_terminal_;
+    int input_;
     termios found_{}; ///< the terminal's settings at the start
+    bool is_terminal_;
     Mode mode_ = Mode::as_found;
     bool ended_ = false;
     std::string read_; ///< bytes that were read, and not yet used

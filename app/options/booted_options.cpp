@@ -7,7 +7,6 @@
 #include "iserver/console.hpp"
 #include "netlist/kinds/bootable_file.hpp"
 #include "runtime/transputer/model.hpp"
-#include "text/output_file.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -26,8 +25,9 @@ constexpr std::array machine_options = {"--processor", "--memory", "--memorycycl
 
 std::string not_a_size(const std::string& text) {
     const std::size_t digits = text.find_first_not_of("0123456789");
-    const bool good = !text.empty() && digits != 0 &&
-                      (digits == std::string::npos || (digits + 1 == text.size() && (text[digits] == 'K' || text[digits] == 'M')));
+    const bool good =
+        !text.empty() && digits != 0 &&
+        (digits == std::string::npos || (digits + 1 == text.size() && (text[digits] == 'K' || text[digits] == 'M')));
     return good ? "" : fmt::format("\"{}\" is not a size such as 32K or 2M", text);
 }
 
@@ -58,29 +58,21 @@ std::string keys_of(const std::string& typed) {
     return keys;
 }
 
-HostServices services_of(const BootedOptions& options) {
-    HostServices host;
-    host.folder = options.folder;
-    host.command_line = fmt::format("{}", fmt::join(options.arguments, " "));
-    for (const auto& [name, value] : overrides_of(options.environment, "--env"))
-        host.environment.emplace(name, value);
-    host.write_limit_bytes = options.write_limit_megabytes << 20;
-    return host;
-}
-
 /// Returns a netlist with one transputer that the file boots.
 std::string netlist_around(const std::filesystem::path& file, const BootedOptions& options) {
-    return fmt::format("{} (memory = {}, memorycycles = {}) root;\nconnect root.link[0] to host;\nuse \"{}\" for root;\n",
-                       options.processor, options.memory, options.memory_cycles, file.filename().string());
+    return fmt::format(
+        "{} (memory = {}, memorycycles = {}) root;\nconnect root.link[0] to host;\nuse \"{}\" for root;\n",
+        options.processor, options.memory, options.memory_cycles, file.filename().string());
 }
 
 void refuse_for_netlists(const Options& typed, const NetlistOptions& netlist, const BootedOptions& options,
                          const Network& network) {
     for (const char* option : machine_options)
         if (typed.is_given(option))
-            throw UserError(fmt::format("{}: only a bootable file can be run with this option, but {} is a netlist, which "
-                                        "states its processors itself",
-                                        option, netlist.file));
+            throw UserError(
+                fmt::format("{}: only a bootable file can be run with this option, but {} is a netlist, which "
+                            "states its processors itself",
+                            option, netlist.file));
     if (has_bootable_file(network))
         return;
     if (!options.arguments.empty())
@@ -92,22 +84,20 @@ void refuse_for_netlists(const Options& typed, const NetlistOptions& netlist, co
 
 } // namespace
 
-void add_booted(Options& command, BootedOptions& options) {
-    const std::string heading = "Transputers that execute their own code";
-    std::vector<std::string> models;
-    for (const transputer::Traits& each : transputer::all_traits)
-        models.emplace_back(each.name);
+HostServices services_of(const BootedOptions& options) {
+    HostServices host;
+    host.folder = options.folder;
+    host.command_line = fmt::format("{}", fmt::join(options.arguments, " "));
+    for (const auto& [name, value] : overrides_of(options.environment, "--env"))
+        host.environment.emplace(name, value);
+    host.write_limit_bytes = options.write_limit_megabytes << 20;
+    return host;
+}
+
+void add_host(Options& command, BootedOptions& options, const std::string& heading) {
     command.add("ARGUMENTS", options.arguments, "behind --: the command line of the booted program");
-    command.add("--processor", options.processor, "type of the transputer that a bootable file boots")
-        .one_of(models)
-        .show_default()
+    add_file(command, "--host-folder", options.folder, "the only folder whose files the program can use")
         .group(heading);
-    command.add("--memory", options.memory, "its memory").type("SIZE").check(not_a_size).show_default().group(heading);
-    add_count(command, "--memorycycles", options.memory_cycles, "cycles of an access to its external memory")
-        .check(not_at_least_one)
-        .show_default()
-        .group(heading);
-    add_file(command, "--host-folder", options.folder, "the only folder whose files the program can use").group(heading);
     command.add("--keys", options.keys, "the keys that are pressed for the program; \\r is the return key")
         .type("KEYS")
         .group(heading);
@@ -118,13 +108,29 @@ void add_booted(Options& command, BootedOptions& options) {
         .group(heading);
 }
 
+void add_booted(Options& command, BootedOptions& options) {
+    const std::string heading = "Transputers that execute their own code";
+    std::vector<std::string> models;
+    for (const transputer::Traits& each : transputer::all_traits)
+        models.emplace_back(each.name);
+    command.add("--processor", options.processor, "type of the transputer that a bootable file boots")
+        .one_of(models)
+        .show_default()
+        .group(heading);
+    command.add("--memory", options.memory, "its memory").type("SIZE").check(not_a_size).show_default().group(heading);
+    add_count(command, "--memorycycles", options.memory_cycles, "cycles of an access to its external memory")
+        .check(not_at_least_one)
+        .show_default()
+        .group(heading);
+    add_host(command, options, heading);
+}
+
 std::function<std::shared_ptr<iserver::Terminal>()> terminal_for(const BootedOptions& options,
                                                                  std::function<bool()> interrupted) {
     if (!options.keys)
         return [interrupted] { return std::make_shared<iserver::Console>(interrupted); };
     return [keys = keys_of(*options.keys)] {
-        return std::make_shared<iserver::ScriptedTerminal>(
-            keys, [](std::string_view text) { print_out(std::string(text)); });
+        return std::make_shared<iserver::ScriptedTerminal>(keys, iserver::write_to_screen);
     };
 }
 
@@ -133,7 +139,8 @@ Network load_network(const Options& typed, const NetlistOptions& netlist, const 
     const auto parsed = [&] {
         if (!bootable)
             return ParsedNetlist(netlist.file, read_options_of(netlist.read));
-        return ParsedNetlist::of_text(netlist_around(netlist.file, options), netlist.file, read_options_of(netlist.read));
+        return ParsedNetlist::of_text(netlist_around(netlist.file, options), netlist.file,
+                                      read_options_of(netlist.read));
     }();
     if (bootable)
         read_bootable(netlist.file); // a refusal names the file alone

@@ -38,22 +38,26 @@ bool has_host(const Network& network, std::size_t node) {
     return false;
 }
 
-void check_type(Completion& c, const Node& node) {
+/// Checks that a node's code can be executed. `booted` is the node with the file by which this one is reached.
+void check_type(Completion& c, const Node& node, const Node& booted) {
+    const std::vector<SecondPlace> reason{{"the file is named here", booted.boot_stated}};
     if (!is_emulated(node))
         c.reporter.error(
             node.declared,
             fmt::format("\"{}\" is a {}, whose code cannot be executed: T414, T425, T400, T800 and T805 can", node.name,
-                        node.type));
+                        node.type),
+            "", reason);
     else if (const std::int64_t bytes = node.integer("memory"); bytes < 2048 || bytes > 0xffff'ff00 || bytes % 256 != 0)
         c.reporter.error(node.declared,
                          fmt::format("\"{}\" has {} bytes of memory, but code can be executed with 2K to "
                                      "just below 4G, in steps of 256 bytes",
-                                     node.name, bytes));
+                                     node.name, bytes),
+                         "", reason);
 }
 
 void check_boot(Completion& c, std::size_t index) {
     const Node& node = c.network.nodes[index];
-    check_type(c, node);
+    check_type(c, node, node);
     if (const DraftProcess* process = process_on(c, index))
         c.reporter.error(process->placed,
                          fmt::format("\"{}\" is booted with a file, so no process can be placed on it", node.name), "",
@@ -80,7 +84,7 @@ void reach(Completion& c, std::size_t from) {
             Node& node = c.network.nodes[each];
             if (node.runs_own_code || node.kind->name != "processor" || process_on(c, each) != nullptr)
                 continue;
-            check_type(c, node);
+            check_type(c, node, c.network.nodes[from]);
             node.runs_own_code = true;
             reached.push_back(each);
         }

@@ -1,7 +1,9 @@
 #include "netlist/kinds/bootable_file.hpp"
 
+#include "text/counted.hpp"
 #include "text/load_source.hpp"
 #include "text/user_error.hpp"
+#include "text/utf8.hpp"
 
 #include <fmt/format.h>
 
@@ -20,13 +22,26 @@ bool begins_with(std::span<const std::uint8_t> bytes, std::string_view text) {
                       [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
 }
 
-/// Returns whether the first bytes are text: printable characters, tabs and ends of lines.
+bool is_control(char32_t code) {
+    return code == 0x7f ||
+           (code < ' ' && code != '\t' && code != '\n' && code != '\r' && code != 26); // 26 ends DOS files
+}
+
+/// Returns whether the first bytes are text: no control characters, and hardly a byte that is not UTF-8, as in old
+/// files.
 bool is_text(std::span<const std::uint8_t> bytes) {
     const auto begin = bytes.first(std::min<std::size_t>(bytes.size(), 512));
-    return std::ranges::all_of(begin, [](std::uint8_t byte) {
-        return byte >= 0x80 || (byte >= ' ' && byte < 0x7f) || byte == '\t' || byte == '\n' || byte == '\r' ||
-               byte == 26;
-    });
+    std::string_view rest(reinterpret_cast<const char*>(begin.data()), begin.size());
+    std::size_t strange = 0;
+    while (!rest.empty()) {
+        const Utf8Character next = first_character(rest);
+        if (next.bytes == 0)
+            ++strange;
+        else if (is_control(next.code))
+            return false;
+        rest.remove_prefix(std::max<std::size_t>(next.bytes, 1));
+    }
+    return 8 * strange <= begin.size();
 }
 
 /// Returns whether the file is in INMOS's format for objects. Its first record says which file it is.
@@ -69,8 +84,8 @@ std::string why_not_bootable(std::span<const std::uint8_t> bytes) {
     if (is_text(bytes))
         return "this is text, not code for a transputer";
     if (bytes[0] >= 2 && bytes.size() <= bytes[0])
-        return fmt::format("the file is cut off: its first byte announces {} bytes of a loader, but only {} follow",
-                           bytes[0], bytes.size() - 1);
+        return fmt::format("the file is cut off: its first byte announces a loader of {}, but the file ends after {}",
+                           counted(bytes[0], "byte"), counted(bytes.size() - 1, "byte"));
     return "";
 }
 

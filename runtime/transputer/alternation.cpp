@@ -180,7 +180,8 @@ void Core::wake_timers(int priority) {
         const Word workspace = load(head);
         if (left == 0)
             return fault(Stopped::by_bad_address, workspace);
-        if (workspace == not_a_process || !is_after(clock(priority), load(workspace - below::time)))
+        if (workspace == not_a_process || timers_disabled_[static_cast<std::size_t>(priority)] ||
+            !is_after(clock(priority), load(workspace - below::time)))
             return;
         store(head, load(workspace - below::timer_link));
         store(workspace - below::timer_link, alternative::time_set);

@@ -13,7 +13,7 @@
 namespace placedpar::transputer {
 namespace {
 
-using CodeBytes = std::span<const std::uint8_t>;
+using CodeView = std::span<const std::uint8_t>;
 
 std::string print_operand(const CodedInstruction& instruction) {
     const std::int32_t operand = signed_of(instruction.operand);
@@ -29,14 +29,14 @@ std::string print_cycles(const CycleRange& cycles) {
                                         : fmt::format("{}-{}", cycles.least, *cycles.most);
 }
 
-std::string print_text(CodeBytes bytes) {
+std::string print_text(CodeView bytes) {
     std::string result;
     for (const std::uint8_t byte : bytes)
         result += byte >= ' ' && byte < 0x7f ? static_cast<char>(byte) : '.';
     return result;
 }
 
-std::string print_data(CodeBytes bytes) {
+std::string print_data(CodeView bytes) {
     if (bytes.size() > 8)
         return fmt::format("{:<17}   data    {} bytes #{:02X}", print_bytes(bytes), bytes.size(), bytes.front());
     std::string hexadecimal;
@@ -49,12 +49,12 @@ std::string print_data(CodeBytes bytes) {
 class CodePrinter {
 public:
     /// `label` returns the address of a byte by its number.
-    CodePrinter(CodeBytes bytes, Model model, std::function<std::string(Word)> label)
+    CodePrinter(CodeView bytes, Model model, std::function<std::string(Word)> label)
         : bytes_(bytes), model_(model), label_(std::move(label)) {}
 
     std::string print(std::span<const CodeLine> lines, std::size_t i) const {
         const CodeLine& line = lines[i];
-        const CodeBytes bytes = bytes_.subspan(line.at, line.instruction.length);
+        const CodeView bytes = bytes_.subspan(line.at, line.instruction.length);
         std::string result = fmt::format("  {:<9}  ", label_(line.at));
         if (line.content == Content::data)
             result += print_data(bytes);
@@ -86,7 +86,7 @@ private:
         return sum;
     }
 
-    CodeBytes bytes_;
+    CodeView bytes_;
     Model model_;
     std::function<std::string(Word)> label_;
 };
@@ -112,7 +112,7 @@ struct BootStage {
 /// Splits a bootable file.
 class BootStages {
 public:
-    explicit BootStages(CodeBytes file) : file_(file) {}
+    explicit BootStages(CodeView file) : file_(file) {}
 
     std::vector<BootStage> split() {
         if (file_.empty())
@@ -149,7 +149,7 @@ private:
     bool is_packets(std::size_t at) const { return is_full_packet(at) && is_full_packet(at + packet_bytes + 1); }
 
     std::size_t add(std::string_view name, std::size_t first, std::size_t bytes) {
-        const CodeBytes part = file_.subspan(first, bytes);
+        const CodeView part = file_.subspan(first, bytes);
         stages_.push_back({.name = name, .first = first, .bytes = {part.begin(), part.end()}});
         return first + bytes;
     }
@@ -165,7 +165,7 @@ private:
             const std::size_t bytes = file_[at];
             if (bytes == 0 || bytes > packet_bytes || at + bytes >= file_.size())
                 break;
-            const CodeBytes packet = file_.subspan(at + 1, bytes);
+            const CodeView packet = file_.subspan(at + 1, bytes);
             stage.bytes.insert(stage.bytes.end(), packet.begin(), packet.end());
             at += 1 + bytes;
             more = bytes == packet_bytes;
@@ -174,7 +174,7 @@ private:
         return at;
     }
 
-    CodeBytes file_;
+    CodeView file_;
     std::vector<BootStage> stages_;
 };
 
@@ -198,7 +198,7 @@ std::string print_instruction(const CodedInstruction& instruction, std::string_v
     return operand.empty() ? std::string(description.name) : fmt::format("{:<7} {}", description.name, operand);
 }
 
-std::string print_bytes(CodeBytes bytes) {
+std::string print_bytes(CodeView bytes) {
     std::string result;
     const bool all = bytes.size() <= 6;
     for (const std::uint8_t byte : bytes.first(all ? bytes.size() : 5))
@@ -208,7 +208,7 @@ std::string print_bytes(CodeBytes bytes) {
 
 std::string print_address(Word address) { return fmt::format("#{:08X}", address); }
 
-std::string print_memory(CodeBytes bytes, Word address, std::span<const Word> entries, Model model,
+std::string print_memory(CodeView bytes, Word address, std::span<const Word> entries, Model model,
                          std::size_t most_lines) {
     std::vector<Word> offsets;
     for (const Word entry : entries)
@@ -221,7 +221,7 @@ std::string print_memory(CodeBytes bytes, Word address, std::span<const Word> en
     return result;
 }
 
-void print_bootable(CodeBytes file, Model model, const FileRange& range,
+void print_bootable(CodeView file, Model model, const FileRange& range,
                     const std::function<void(std::string_view)>& write) {
     for (const BootStage& stage : BootStages(file).split()) {
         if (stage.last() < range.from || stage.first >= range.until)

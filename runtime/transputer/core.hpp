@@ -1,7 +1,6 @@
 #pragma once
 
 #include "runtime/time.hpp"
-#include "runtime/transputer/core_state.hpp"
 #include "runtime/transputer/decoded_code.hpp"
 #include "runtime/transputer/fpu.hpp"
 #include "runtime/transputer/memory.hpp"
@@ -12,9 +11,12 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace placedpar::transputer {
+
+/// Half a cycle of the processor's clock: the unit of local time. A word of code that is fetched from outside of the
+/// chip costs half of the additional cycles of an access.
+using HalfCycles = std::uint64_t;
 
 /// The constants of time of a node.
 struct CoreTiming {
@@ -40,6 +42,17 @@ protected:
     ~LinkEngines() = default;
 };
 
+/// The registers that a process can see. After a change of process, only those that the instruction set keeps matter.
+struct Registers {
+    Word instruction = most_negative; ///< Iptr, an address
+    Word workspace = most_negative;   ///< Wptr, an address
+    Word a = 0, b = 0, c = 0;
+    bool error = false;
+};
+
+/// Why a core no longer executes. `nothing`: it does.
+enum class Stopped : std::uint8_t { nothing, by_error, by_unknown_instruction, by_bad_address, by_break, by_analyse };
+
 /// The processor core of an emulated transputer: registers, memory, both queues of processes, both timer queues. It
 /// executes instructions with the cycles of the published table, and knows neither the kernel nor the wires.
 ///
@@ -48,7 +61,7 @@ protected:
 /// end.
 ///
 /// Source: IMS T800 data sheet; "Transputer instruction set: a compiler writer's guide" (INMOS 1988).
-class Core : private CoreState {
+class Core {
 public:
     Core(Model, std::uint64_t memory_bytes, const CoreTiming&, LinkEngines&);
 
@@ -134,13 +147,6 @@ public:
     HalfCycles busy() const { return busy_before_ + local_; }
     std::uint64_t instructions() const { return instructions_; }
 
-    /// Keeps the state of the core, and from now on what is overwritten in its memory, until one of the next functions
-    /// is called. What links write is not kept.
-    void keep_state();
-    /// Returns to the state that was kept.
-    void return_to_kept_state();
-    void forget_kept_state();
-
     /// Sets the registers of the running process, for tests and debuggers.
     void set_registers(const Registers&, int priority);
     void set_halts_on_error(bool halts) { halts_on_error_ = halts; }
@@ -162,14 +168,18 @@ public:
     void watch(Watcher* watcher) { watcher_ = watcher; }
 
 private:
-    /// Up to eight bytes of memory as they were before they were overwritten.
-    struct Overwritten {
-        Word offset;
-        Word bytes;
-        std::uint64_t contents;
-    };
     /// Why execute() has returned to the scheduler.
     enum class Left : std::uint8_t { budget, scheduling, timeslice, halt, unknown, unknown_selector, bad_address };
+    /// An instruction of the scheduler whose cycles pass before its effect.
+    struct Pending {
+        Operation operation;
+        HalfCycles left;
+        bool begun = true; ///< false if its cycles are not known yet, since they depend on the moment
+        // These are for a watcher.
+        Word at = 0;
+        HalfCycles spent = 0; ///< the cycles known so far
+    };
+
     // engine.cpp
     Left execute(HalfCycles budget);
     Word place_of(const Block&, const Entry&) const;
@@ -214,7 +224,6 @@ private:
     static HalfCycles words_touched(Word address, Word bytes);
     HalfCycles outside_words(Word address, Word bytes) const;
     void fault(Stopped, Word address);
-    void keep_bytes(Word offset, Word bytes);
 
     // alternation.cpp: ALT, clocks and timers
     bool is_ready(Word channel);
@@ -255,11 +264,37 @@ private:
     Clock half_cycles_;
     HalfCycles penalty_; ///< of an access to data outside of the chip
 
+    Registers registers_;
+    int priority_ = 1;
+    bool running_ = false, was_running_ = false; ///< the latter: when the core stopped
+    bool halts_on_error_ = false;
+    bool analysed_ = false, breaks_at_j0_ = false;
+    bool is_analysed_ = false; ///< the analyse pin is set
+    Stopped stopped_ = Stopped::nothing;
+    Word stopped_at_ = 0;      ///< the address that was bad
+    bool other_error_ = false; ///< Error of the interrupted process
+    Fpu fpu_, interrupted_fpu_;
+    HalfCycles fpu_free_ = 0;    ///< local time at which the floating-point unit has finished
+    std::array<Word, 3> move_{}; ///< rows, stride of the target, stride of the source: move2dinit
+
+    std::array<Word, 2> front_{not_a_process, not_a_process}, back_{not_a_process, not_a_process};
+    std::optional<Pending> pending_, interrupted_pending_;
+    bool clocks_run_ = false;
+    Word clock_start_ = 0;
+    Time clocks_since_{};
+    std::array<bool, 2> timers_disabled_{};
+    Time next_timer_ = Time::max(), slice_ends_{};
+    Operation begun_{};   ///< the instruction of the scheduler at which execute() has left
+    int slices_seen_ = 0; ///< ends of timeslice periods since the running process got the processor
+    int interrupted_slices_ = 0;
+
+    Time origin_{};
+    HalfCycles local_ = 0, due_ = 0, on_time_at_ = 0;
+    HalfCycles busy_before_ = 0;
+    std::uint64_t instructions_ = 0;
+    Word last_fetched_ = 1; ///< address of the word of code that was fetched last; odd: none
     bool memory_is_shared_ = false;
     Watcher* watcher_ = nullptr;
-    CoreState kept_; ///< the state at the last keep_state()
-    std::vector<Overwritten> overwritten_;
-    bool keeps_state_ = false;
 };
 
 } // namespace placedpar::transputer

@@ -67,9 +67,6 @@ namespace placedpar::transputer {
         offset %= size;                                                                                                \
     }                                                                                                                  \
     spent += offset >= on_chip ? penalty : 0
-#define KEEP(bytes)                                                                                                    \
-    if (keeps_state)                                                                                                   \
-    keep_bytes(offset, bytes)
 #define NOTE_WRITE(bytes)                                                                                              \
     if (code_flags[offset / NodeMemory::page_bytes]) [[unlikely]]                                                      \
     code_was_written(*block, *entry, offset, bytes)
@@ -82,7 +79,6 @@ namespace placedpar::transputer {
     do {                                                                                                               \
         const Word stored = static_cast<Word>(value_);                                                                 \
         REACH(address, 4, wraps);                                                                                      \
-        KEEP(4);                                                                                                       \
         std::memcpy(memory + offset, &stored, 4);                                                                      \
         NOTE_WRITE(4);                                                                                                 \
     } while (false)
@@ -98,7 +94,6 @@ namespace placedpar::transputer {
 #define STORE_BYTE(address, value_)                                                                                    \
     do {                                                                                                               \
         REACH(address, 1, timing_.wraps);                                                                              \
-        KEEP(1);                                                                                                       \
         memory[offset] = static_cast<std::uint8_t>(value_);                                                            \
         NOTE_WRITE(1);                                                                                                 \
     } while (false)
@@ -161,7 +156,6 @@ Core::Left Core::execute(HalfCycles budget) {
     const std::uint8_t* const code_flags = memory_.code_flags();
     const Word size = memory_.size(), on_chip = traits_.bytes_on_chip;
     const HalfCycles penalty = penalty_;
-    const bool keeps_state = keeps_state_;
     const bool slice_is_over = is_analysed_ || (priority_ == 1 && slices_seen_ >= 2 && front_[1] != not_a_process);
     Word A = registers_.a, B = registers_.b, C = registers_.c, W = registers_.workspace;
     Word next = registers_.instruction, value = 0, bad = 0, last_fetched = last_fetched_;
@@ -253,6 +247,7 @@ unknown:
     goto leave;
 unknown_selector:
     next = place_of(*block, *entry);
+    spent += entry->after;
     instructions_ -= instructions_after(*block, *entry);
     left = Left::unknown_selector;
     goto leave;
@@ -312,7 +307,6 @@ void Core::code_was_written(Block& block, const Entry& entry, Word offset, Word 
 #undef POP
 #undef CHECK
 #undef REACH
-#undef KEEP
 #undef NOTE_WRITE
 #undef LOAD_BY
 #undef STORE_BY

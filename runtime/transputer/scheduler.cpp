@@ -75,8 +75,13 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
         if (priority_ == 1 && running_ && front_[0] != not_a_process &&
             (!pending_ || can_be_interrupted(pending_->operation)))
             interrupt();
-        if (!running_ && !dispatch())
+        const bool has_process = running_ || dispatch();
+        if (stopped_ != Stopped::nothing)
+            return Pause::stopped;
+        if (!has_process)
             return Pause::idle;
+        if (local_ >= due_)
+            continue; // an interrupt or return took the time until a timer
         if (pending_) {
             if (!finish_pending(limit, punctual, pause))
                 return pause;
@@ -84,8 +89,6 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
         }
         if (local_ >= limit)
             return Pause::limit;
-        if (local_ >= due_)
-            continue; // an interrupt or return took the time until a timer
         execute_until(std::min(limit, due_));
     }
 }
@@ -134,6 +137,8 @@ bool Core::finish_pending(HalfCycles limit, bool punctual, Pause& pause) {
         pending_->begun = true;
         pending_->left = cost_of(pending_->operation);
         pending_->spent += pending_->left;
+        if (stopped_ != Stopped::nothing)
+            return true;
     }
     const HalfCycles until = std::min(limit, due_);
     const HalfCycles room = until > local_ ? until - local_ : 0;
@@ -616,8 +621,6 @@ void Core::write(Word offset, std::span<const std::uint8_t> bytes) {
     if (bytes.empty())
         return;
     const auto count = static_cast<Word>(bytes.size());
-    if (keeps_state_)
-        keep_bytes(offset, count);
     std::memmove(memory_.data() + offset, bytes.data(), bytes.size());
     if (memory_.has_code(offset, count))
         code_.forget(offset, count);
@@ -632,40 +635,10 @@ void Core::copy_from_memory(Word offset, std::span<std::uint8_t> to) {
 }
 
 void Core::copy_to_memory(Word offset, std::span<const std::uint8_t> bytes) {
-    const bool keeps = std::exchange(keeps_state_, false);
     if (memory_.holds(offset, static_cast<Word>(bytes.size())))
         write(offset, bytes);
     else
         fault(Stopped::by_bad_address, most_negative + offset);
-    keeps_state_ = keeps;
-}
-
-// Keeping the state
-
-void Core::keep_state() {
-    kept_ = *this;
-    overwritten_.clear();
-    keeps_state_ = true;
-}
-
-void Core::forget_kept_state() { keeps_state_ = false; }
-
-void Core::return_to_kept_state() {
-    keeps_state_ = false;
-    static_cast<CoreState&>(*this) = kept_;
-    for (auto each = overwritten_.rbegin(); each != overwritten_.rend(); ++each)
-        write(each->offset, {reinterpret_cast<const std::uint8_t*>(&each->contents), each->bytes});
-    overwritten_.clear();
-}
-
-void Core::keep_bytes(Word offset, Word bytes) {
-    while (bytes > 0) {
-        Overwritten each{offset, std::min<Word>(bytes, 8), 0};
-        std::memcpy(&each.contents, memory_.data() + offset, each.bytes);
-        overwritten_.push_back(each);
-        offset += each.bytes;
-        bytes -= each.bytes;
-    }
 }
 
 /// Returns the number of words that an interval touches, with part words at its ends.

@@ -88,6 +88,8 @@ class Explain(unittest.TestCase):
             with self.subTest(netlist):
                 if netlist.endswith(("thin.cfs", "tin.cfs", "genetic/own-policy/islands.cfs")):
                     continue  # these netlists need a program with more kinds
+                if "/transputer/" in netlist:
+                    continue  # the bootable files of these are made by their pages
                 run, document = explained(netlist, "--no-what-if")
                 self.assertIn(run.returncode, (0, 2), run.stderr)
                 moment = 0

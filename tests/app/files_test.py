@@ -110,7 +110,7 @@ class Files(unittest.TestCase):
         for arguments in (["replay", "table-e1", "--json"], ["replay", "table-e1", "--plots"],
                           ["record", "scenario-a", "--out"], ["record", "scenario-a", "--machine"],
                           ["identify", RECORD, "--json"], ["identify", RECORD, "--machine"],
-                          ["identify", RECORD, "--on"], ["monitor", "--state"], ["run"], ["check"], ["show"]):
+                          ["identify", RECORD, "--on"], ["monitor", "--state"], ["assemble", "x.tas", "--out"], ["run"], ["check"], ["show"]):
             run = placedpar(*arguments, "")
             self.assertEqual(run.returncode, 1, arguments)
             what = arguments[-1] if arguments[-1].startswith("-") else "FILE"

@@ -116,7 +116,8 @@ def xml(text):
 
 
 # Examples with kinds or problems that only their own programs have, and machines whose links lead to a bus or a switch.
-OTHERS = {"own-process", "own-problem", "own-policy", "busy-bus", "figure-d1", "faults-of-a-machine", "crossbar-at-run-time"}
+OTHERS = {"own-process", "own-problem", "own-policy", "busy-bus", "figure-d1", "faults-of-a-machine", "crossbar-at-run-time",
+          "hello", "peek-and-poke", "network"} # the bootable files of these are made by their pages
 
 
 class Pictures(unittest.TestCase):

@@ -7,6 +7,7 @@
 #include "netlist/kinds/csp_kinds.hpp"
 #include "netlist/print/print.hpp"
 #include "netlist/read.hpp"
+#include "runtime/transputer/assembler.hpp"
 #include "runtime/transputer/code_text.hpp"
 #include "tests/fuzz/reader.hpp"
 #include "text/load_source.hpp"
@@ -140,12 +141,24 @@ void disassemble_file(const std::string& bytes) {
         });
 }
 
+/// Assembles a program. What is accepted is listed in full; what is refused has its place in the text.
+void assemble_program(const std::string& text) {
+    try {
+        const transputer::Assembly program = transputer::assemble(text, 0x80000070, transputer::Model::t800);
+        require(program.listing().size() >= 3 * program.bytes.size(), "every byte is listed");
+    } catch (const transputer::AssemblyError& error) {
+        const auto lines = static_cast<std::size_t>(std::ranges::count(text, '\n')) + 1;
+        require(error.line >= 1 && error.line <= lines && error.column >= 1 && error.column <= text.size() + 1,
+                "an error has its place in the text");
+    }
+}
+
 } // namespace
 
 std::span<const Reader> readers() {
-    static const Reader all[] = {{"netlist", read_netlist}, {"options", read_options}, {"record", read_record},
-                                 {"machine", read_machine}, {"texts", show_texts},     {"requests", serve_requests},
-                                 {"code", disassemble_file}};
+    static const Reader all[] = {{"netlist", read_netlist},  {"options", read_options},    {"record", read_record},
+                                 {"machine", read_machine},  {"texts", show_texts},        {"requests", serve_requests},
+                                 {"code", disassemble_file}, {"program", assemble_program}};
     return all;
 }
 

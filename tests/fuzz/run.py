@@ -81,6 +81,7 @@ SEEDS = {
                         + [OPENED + request(17, STREAM + bytes([0, 8, 0, 0, 1, 0, 0, 0])) + request(13, STREAM + text(b"\x1b[2Jend"))],
     "code": lambda: [bytes([4, 0x24, 0xF2, 0x60, 0x0E]) + (bytes([60]) + bytes(range(0x40, 0x7C))) * 3
                      + bytes([3, 0x2A, 0xFB, 0x20, 0]) + bytes([0x44, 0x60, 0x5F, 0x21, 0xFB]) + b"text of a program" + bytes(20)],
+    "program": lambda: files("examples/transputer/**/*.tas") + texts_of("tests/runtime/transputer/assembler_test.cpp"),
     "arguments": lambda: texts_of("tests/explore/**/*.cpp", "tests/report/*.cpp"),
 }
 

@@ -2,7 +2,7 @@
 
 #include "runtime/transputer/disassembler.hpp"
 
-#include "assembler.hpp"
+#include "runtime/transputer/assembler.hpp"
 #include "random_program.hpp"
 #include "runtime/transputer/code_text.hpp"
 #include "tests/seeds.hpp"
@@ -18,6 +18,7 @@
 
 using namespace placedpar;
 using namespace placedpar::test;
+using transputer::assemble;
 using transputer::CodeLine;
 using transputer::Content;
 using transputer::Model;
@@ -152,7 +153,7 @@ TEST_CASE("random programs are disassembled into the instructions that were asse
                 found[line.at] = text.substr(0, text.find(' ')) + ' ';
             }
         std::size_t followed = 0, all = 0;
-        for (const Assembly::Line& line : program.lines) {
+        for (const transputer::Assembly::Line& line : program.lines) {
             const std::uint32_t begin = line.address - code.origin;
             const auto end = begin + static_cast<std::uint32_t>(line.bytes.size());
             all += line.bytes.size();

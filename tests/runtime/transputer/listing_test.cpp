@@ -2,7 +2,7 @@
 
 #include "runtime/transputer/listing.hpp"
 
-#include "assembler.hpp"
+#include "runtime/transputer/assembler.hpp"
 #include "plain_transputer.hpp"
 #include "random_program.hpp"
 #include "tests/seeds.hpp"
@@ -19,6 +19,7 @@
 
 using namespace placedpar;
 using namespace placedpar::test;
+using transputer::assemble;
 using transputer::Core;
 using transputer::Listing;
 using transputer::Model;

@@ -84,12 +84,13 @@ ScriptedEnd& NodeWorld::host(transputer::Node& node, int number, const hardware:
     return host;
 }
 
-void NodeWorld::put(transputer::Node& node, const Assembly& program) {
+void NodeWorld::put(transputer::Node& node, const transputer::Assembly& program) {
     node.core().copy_to_memory(transputer::NodeMemory::offset_of(program.origin), program.bytes);
 }
 
 void NodeWorld::boot(ScriptedEnd& host, std::uint32_t code, std::uint32_t workspace, Time at) {
-    const Assembly loader = assemble(fmt::format("ldc #{:X}\ngajw\nldc #{:X}\ngcall", workspace, code));
+    const transputer::Assembly loader =
+        transputer::assemble(fmt::format("ldc #{:X}\ngajw\nldc #{:X}\ngcall", workspace, code));
     std::vector<std::uint8_t> bytes{static_cast<std::uint8_t>(loader.bytes.size())};
     bytes.insert(bytes.end(), loader.bytes.begin(), loader.bytes.end());
     host.will_give(at, std::move(bytes));
@@ -97,7 +98,7 @@ void NodeWorld::boot(ScriptedEnd& host, std::uint32_t code, std::uint32_t worksp
 
 void NodeWorld::run_at_boot(transputer::Node& node, std::string_view source, std::uint32_t workspace,
                             std::uint32_t origin) {
-    put(node, assemble(source, origin));
+    put(node, transputer::assemble(source, origin));
     boot(host(node), origin, workspace);
 }
 

@@ -1,11 +1,10 @@
 #pragma once
 
-#include "assembler.hpp"
-
 #include "runtime/event.hpp"
 #include "runtime/hardware/link.hpp"
 #include "runtime/kernel.hpp"
 #include "runtime/simulation.hpp"
+#include "runtime/transputer/assembler.hpp"
 #include "runtime/transputer/byte_lane.hpp"
 #include "runtime/transputer/node.hpp"
 
@@ -71,7 +70,7 @@ public:
     ScriptedEnd& host(transputer::Node&, int link = 0, const hardware::LinkTiming& = {});
 
     /// Puts a program into the memory.
-    static void put(transputer::Node&, const Assembly&);
+    static void put(transputer::Node&, const transputer::Assembly&);
     /// Lets the host boot the node at a time: it then goes to the code, with this workspace, at low priority.
     void boot(ScriptedEnd& host, std::uint32_t code, std::uint32_t workspace, Time at = Time{0});
     /// Puts a program into the memory, at `origin`, and boots a node with a host of its own.

@@ -232,15 +232,4 @@ bool PlainTransputer::execute_from(std::span<const PlainOperation> table, unsign
     return false;
 }
 
-std::string_view PlainTransputer::operation(unsigned code) const {
-    for (const auto& table : {plain_integer_operations, plain_scheduling_operations})
-        for (const auto& row : table)
-            if (row.code == code && row.models & settings.model)
-                return row.name;
-    for (const auto& row : plain_real_operations)
-        if (row.code == code && settings.model & (t800 | t805))
-            return row.name;
-    return "";
-}
-
 } // namespace placedpar::test

@@ -39,8 +39,10 @@ struct PlainOperation;
 /// 8. A process that becomes ready passes through its queue, even if it runs at once.
 /// 9. dist compares with the time that the process was woken at, or found at taltwt. This is the word W-5.
 /// 10. A process gives way if the periods had passed when its instruction began. Processes that were woken meanwhile
-/// come
-///    before it in the queue. While it is interrupted, no periods are counted.
+///     come before it in the queue. While it is interrupted, no periods are counted.
+/// 11. Timers that are due when an operation of the first kind ends wake before its effect.
+/// 12. FPError belongs to the registers of the unit, which an interrupt saves. A load from outside the chip delays the
+///     integer unit alone.
 ///
 /// Links are left out: an instruction that uses the channel of a link stops the processor.
 struct PlainTransputer {
@@ -73,8 +75,6 @@ struct PlainTransputer {
     Word peek(Word address) const;
     /// Returns the clock of a priority.
     Word clock(unsigned of_priority) const;
-    /// Returns the name of an operation, or "" if the model does not have it.
-    std::string_view operation(unsigned code) const;
 
     PlainSettings settings;
     std::vector<std::uint8_t> memory;

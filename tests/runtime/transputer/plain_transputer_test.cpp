@@ -1,9 +1,9 @@
-// Tests of the plain transputer and its assembler by answers that are known from elsewhere.
+// Tests of the plain transputer by answers that are known from elsewhere.
 
-#include "assembler.hpp"
 #include "edges.hpp"
 #include "plain_transputer.hpp"
 #include "runtime/random.hpp"
+#include "runtime/transputer/assembler.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,6 +13,8 @@
 #include <string>
 
 using namespace placedpar::test;
+using placedpar::transputer::assemble;
+using placedpar::transputer::Assembly;
 
 namespace {
 
@@ -87,51 +89,6 @@ const std::string comstime = R"(
 )";
 
 } // namespace
-
-TEST_CASE("the assembler makes the shortest code for each operand") {
-    using Bytes = std::vector<std::uint8_t>;
-    CHECK(assemble("ldc #754").bytes == Bytes{0x27, 0x25, 0x44}); // the databook's examples
-    CHECK(assemble("ldc -31").bytes == Bytes{0x61, 0x41});
-    CHECK(assemble("ldc -1").bytes == Bytes{0x60, 0x4F});
-    CHECK(assemble("ldc -256").bytes == Bytes{0x6F, 0x40});
-    CHECK(assemble("mint\nadd").bytes == Bytes{0x24, 0xF2, 0xF5});
-    CHECK(assemble("fpusqrtfirst").bytes == Bytes{0x41, 0x2A, 0xFB});
-    CHECK(assemble("here: j here").bytes == Bytes{0x60, 0x0E});
-    CHECK(assemble("j next\nldc 0\nnext: .word next - 1").bytes == Bytes{0x01, 0x40, 1, 0, 0, 0});
-    for (const Word value : edges())
-        for (std::size_t least : {1U, 3U, 8U}) {
-            PlainTransputer t({.memory = 4096});
-            const auto code = instruction(4, static_cast<std::int32_t>(value), least);
-            t.poke(t.iptr, code);
-            CHECK(t.step() == 2 * code.size());
-            CHECK(t.a == value);
-        }
-}
-
-TEST_CASE("the assembler names the line of an error") {
-    const auto message = [](const char* source) -> std::string {
-        try {
-            assemble(source);
-        } catch (const AssemblyError& error) {
-            return error.what();
-        }
-        return "";
-    };
-    CHECK(message("ldc 1\nadd 3") == "line 2: \"add\" has no operand");
-    CHECK(message("\n\nfrob") == "line 3: \"frob\" is no instruction");
-    CHECK(message("j nowhere") == "line 1: no line has the label \"nowhere\"");
-    CHECK(message("x:\nx: rev") == "line 2: \"x\" is no name, or a name that another line has: choose another label");
-    CHECK(message("ldc") == "line 1: the operand is missing");
-    CHECK(message("ldc 4294967296") == "line 1: \"4294967296\" is neither a number of 32 bits nor a label");
-}
-
-TEST_CASE("the assembler and the plain transputer give an operation the same code") {
-    for (const auto& table : {plain_integer_operations, plain_scheduling_operations})
-        for (const auto& row : table)
-            CHECK_MESSAGE(operation_code(row.name) == static_cast<int>(row.code), row.name);
-    for (const auto& row : plain_real_operations)
-        CHECK_MESSAGE(assemble(row.name).bytes.back() >= 0xF0, row.name);
-}
 
 TEST_CASE("plain arithmetic agrees with 128-bit arithmetic") {
     for (const Word a : edges())

@@ -288,7 +288,7 @@ RandomNetwork random_network(std::uint64_t seed, unsigned scale) {
             program.add_busy(scale);
         node.source = program.source();
         // Code that is too long for the gap before the data comes behind them.
-        const std::size_t code_bytes = assemble(node.source, from_start(0x4000)).bytes.size();
+        const std::size_t code_bytes = transputer::assemble(node.source, from_start(0x4000)).bytes.size();
         node.origin = from_start(data_outside && code_bytes < 0x1e00 ? 0x200 : 0x4000);
         node.workspace = program.main_workspace();
         network.nodes.push_back(std::move(node));
@@ -315,7 +315,7 @@ std::vector<NodeOutcome> run_network(const RandomNetwork& network, const WayToRu
     std::vector<transputer::Node*> nodes(network.nodes.size());
     for (const std::size_t i : shuffled(nodes.size(), random, shuffles)) {
         nodes[i] = &world.node(fmt::format("n{}", i), network.nodes[i].options);
-        NodeWorld::put(*nodes[i], assemble(network.nodes[i].source, network.nodes[i].origin));
+        NodeWorld::put(*nodes[i], transputer::assemble(network.nodes[i].source, network.nodes[i].origin));
         if (way.instruction_by_instruction)
             nodes[i]->run_instruction_by_instruction();
     }

@@ -263,11 +263,16 @@ private:
 
     /// Uses operations on queues and channels that change nothing for others.
     void use_queues() {
-        switch (below(4)) {
+        switch (below(kind_.model & (t425 | t400 | t805) ? 6 : 4)) {
         case 0: return write("ldc #{:X}; {}", word_place(1), any(std::array{"saveh", "savel"}));
         case 1: return write("ldc {}; resetch; stl {}", channel(process_, process_), variable());
         case 2: return write("testerr; stoperr");
-        default: return write("seterr");
+        case 3: return write("seterr");
+        default:
+            const char queue = one_in(2) ? 'h' : 'l';
+            write("timerdisable{}", queue);
+            operate();
+            write("timerenable{}", queue);
         }
     }
 

@@ -2,7 +2,7 @@
 
 #include "runtime/transputer/stepper.hpp"
 
-#include "assembler.hpp"
+#include "runtime/transputer/assembler.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,6 +12,7 @@
 
 using namespace placedpar;
 using namespace placedpar::test;
+using transputer::assemble;
 using transputer::Core;
 
 namespace {

@@ -1,35 +1,41 @@
 #pragma once
 
+#include "runtime/transputer/model.hpp"
+
+#include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace placedpar::test {
+namespace placedpar::transputer {
 
 /// A program that an assembler made.
 struct Assembly {
     struct Line {
-        std::uint32_t address;
+        Word address;
         std::vector<std::uint8_t> bytes; ///< empty for a label or comment
         std::string source;
     };
-    std::uint32_t origin;
+    Word origin;
     std::vector<std::uint8_t> bytes; ///< from the origin on
-    std::map<std::string, std::uint32_t, std::less<>> labels;
+    std::map<std::string, Word, std::less<>> labels;
     std::vector<Line> lines;
 
     /// Returns the address of a label. Throws std::out_of_range if the program has no such label.
-    std::uint32_t operator[](std::string_view label) const;
-    /// Returns a line of text for each line of the source: address, bytes, source.
+    Word operator[](std::string_view label) const;
+    /// Returns the source with the address and the bytes of each line.
     std::string listing() const;
 };
 
-/// An error in a program; the message begins with the line's number.
+/// An error in a program, with its place. Lines and columns count from 1.
 struct AssemblyError : std::runtime_error {
-    using std::runtime_error::runtime_error;
+    AssemblyError(const std::string& what, std::size_t at_line, std::size_t at_column)
+        : runtime_error(what), line(at_line), column(at_column) {}
+    std::size_t line, column;
 };
 
 /// Assembles a program for the transputer, to be loaded at `origin`. Each line has the form
@@ -38,20 +44,20 @@ struct AssemblyError : std::runtime_error {
 ///
 /// with any number of instructions; label and comment may be missing. Mnemonics are in lower case.
 ///
-/// - A direct function (`ldc`, `stl`, ...) has an operand: a sum of numbers and labels such as `table - start + 4`.
+/// - A direct function (`ldc`, `stl`, ...) has an operand: a sum of numbers and names such as `table - start + 4`.
 ///   Numbers are decimal, or hexadecimal after `#`. Prefixes are added as needed; they make the shortest code.
 /// - `j`, `cj` and `call` go to a label: `j loop`. An operand without labels is the distance from the next instruction.
+/// - `ldpi` with an operand loads the address of a label, wherever the program lies: `ldc label - here; ldpi; here:`.
 /// - Other operations (`add`, `startp`, `fpadd`, ...) have no operand. `opr #17C` executes any code.
 /// - An operation that the floating-point unit selects by a number, such as `fpusqrtfirst`, becomes `ldc 1; fpentry`.
-/// - `.byte` and `.word` store sums that are separated by commas. `.align` stores zeros up to the next whole word.
+/// - `.byte`, `.half` and `.word` store values of 1, 2 and 4 bytes: sums, separated by commas. `.byte` also stores the
+///   characters of a text in quotes. `.align` stores zeros up to the next whole word.
+/// - `size = 4 + 1` gives a number a name, for the lines that follow.
 ///
-/// Throws AssemblyError.
-Assembly assemble(std::string_view source, std::uint32_t origin = 0);
+/// If a model is given, other models' operations are errors. Throws AssemblyError.
+Assembly assemble(std::string_view source, Word origin = 0, std::optional<Model> = std::nullopt);
 
 /// Returns the bytes of one instruction with its prefixes: the shortest that has at least `least` bytes.
-std::vector<std::uint8_t> instruction(unsigned function, std::int32_t operand, std::size_t least = 1);
+std::vector<std::uint8_t> encoded(unsigned function, std::int32_t operand, std::size_t least = 1);
 
-/// Returns the operation's code for `opr`, or -1 if there is no such operation.
-int operation_code(std::string_view mnemonic);
-
-} // namespace placedpar::test
+} // namespace placedpar::transputer

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "iserver/server.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace placedpar::iserver {
+
+/// What happened on a real board, with measured times.
+struct BoardRun {
+    ServerState state = ServerState::running; ///< running: the run was interrupted
+    std::int32_t exit = 0;                    ///< the program's exit status
+    std::size_t requests = 0;                 ///< the number of requests that were served
+    std::chrono::microseconds boot_time{};    ///< until the last byte of the program was sent
+    std::chrono::microseconds run_time{};     ///< from then to the end
+};
+
+/// Is asked several times a second, and returns whether to stop.
+using Interrupted = std::function<bool()>;
+
+/// Connects to a board: "tcp:HOST:PORT" is a link adapter on a network, anything else the name of a character device. A
+/// serial line or pseudo terminal then passes all bytes unchanged. Throws UserError, with the name and the reason. The
+/// result has no file if the attempt was interrupted.
+OpenFile connect_board(const std::string& name, const Interrupted&);
+
+/// Sends a bootable program to a board and serves its requests until the program ends. Throws UserError if the board
+/// takes no bytes for `patience`, stops within a request, sends a wrong request or closes the connection. The message
+/// begins with `name`. REQUIRES: the board has been reset, which each interface does in a way of its own, and waits to
+/// be booted; SIGPIPE is ignored.
+BoardRun serve_board(std::string_view program, const OpenFile& board, const std::string& name, Server&,
+                     const Interrupted&, std::chrono::milliseconds patience = std::chrono::seconds(10));
+
+} // namespace placedpar::iserver
