@@ -225,6 +225,7 @@ TEST_CASE("code that other code replaced is listed apart") {
             found.emplace_back(line.instruction.operand, line.is_replaced);
         }
     CHECK(found == std::vector<std::pair<std::uint32_t, bool>>{{2, false}, {1, true}});
+    CHECK(print_listing(run.listing).find("  21 FB              ldpi    #80000102 ") != std::string::npos);
     CHECK(print_listing(run.listing).find("\nreplaced by other code\n#80000102  41 ") != std::string::npos);
 }
 
