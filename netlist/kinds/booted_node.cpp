@@ -3,6 +3,7 @@
 #include "iserver/terminal.hpp"
 #include "netlist/kinds/bootable_file.hpp"
 #include "netlist/kinds/device_kind.hpp"
+#include "netlist/kinds/fault_kinds.hpp"
 #include "netlist/kinds/memory_access.hpp"
 
 #include <fmt/format.h>
@@ -107,12 +108,19 @@ void BootedNode::tell_hosts() {
             booted->host_->end.abandon();
 }
 
+FaultEffects BootedNode::suffer(const Fault& halts) {
+    device_.halt_at(begin_of(halts));
+    return {};
+}
+
 std::string BootedNode::state() const {
     const std::string limit = host_ && host_->server.exceeded_write_limit() ? "; it reached the limit of --host-limit" : "";
     return state_of_program() + limit;
 }
 
 std::string BootedNode::state_of_program() const {
+    if (device_.activity() == transputer::Node::Activity::halted)
+        return "halted by a fault";
     if (device_.activity() == transputer::Node::Activity::listening)
         return "was never booted";
     if (device_.activity() == transputer::Node::Activity::stopped)

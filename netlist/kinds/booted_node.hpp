@@ -21,6 +21,7 @@ public:
 
     void has_link(hardware::Link&) override;
     void report(MachineUse&) const override;
+    FaultEffects suffer(const Fault& halts) override;
 
     transputer::Node& device() { return device_; }
 

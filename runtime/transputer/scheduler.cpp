@@ -283,7 +283,7 @@ bool Core::dispatch() {
         take_front(0);
         return true;
     }
-    if (load(reserved::saved) != not_a_process) {
+    if (priority_ == 0 && load(reserved::saved) != not_a_process) { // after analyse the word may be an old one
         resume_interrupted();
         return true;
     }

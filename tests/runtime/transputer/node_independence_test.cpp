@@ -14,8 +14,8 @@ TEST_CASE("random networks do not depend on how far a transputer runs ahead, nor
         INFO(replay(seed));
         const RandomNetwork network = random_network(seed);
         const std::vector<NodeOutcome> usual = run_network(network, {});
-        CHECK_EQ(difference(usual, run_network(network, {.instruction_by_instruction = true})), "");
-        CHECK_EQ(difference(usual, run_network(network, {.order = seed + 1})), "");
-        CHECK_EQ(difference(usual, run_network(network, {.order = seed + 1, .every_byte = true})), "");
+        CHECK_EQ(difference_of(usual, run_network(network, {.instruction_by_instruction = true})), "");
+        CHECK_EQ(difference_of(usual, run_network(network, {.order = seed + 1})), "");
+        CHECK_EQ(difference_of(usual, run_network(network, {.order = seed + 1, .every_byte = true})), "");
     }
 }

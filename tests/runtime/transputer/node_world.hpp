@@ -9,6 +9,8 @@
 #include "runtime/transputer/node.hpp"
 
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -81,6 +83,20 @@ public:
     Time run(Time limit = Time::max());
 
     Simulation simulation;
+};
+
+/// Notes when the instructions at some addresses began for the first time.
+struct InstructionTimes final : transputer::Core::Watcher {
+    explicit InstructionTimes(transputer::Core& c) : core(c) { core.watch(this); }
+    InstructionTimes(const InstructionTimes&) = delete;
+    void begins(transputer::Word at) override {
+        if (const auto found = times.find(at); found != times.end() && !found->second)
+            found->second = core.local_time();
+    }
+    void executed(transputer::Word, transputer::HalfCycles) override {}
+
+    transputer::Core& core;
+    std::map<transputer::Word, std::optional<Time>> times;
 };
 
 /// Returns the word at this offset from the beginning of the memory.

@@ -216,7 +216,7 @@ private:
     std::string text_;
 };
 
-hardware::LinkTiming random_timing(RandomStream& random) {
+hardware::LinkTiming random_wire_timing(RandomStream& random) {
     hardware::LinkTiming timing;
     constexpr std::int64_t speeds[] = {5'000'000, 10'000'000, 20'000'000};
     timing.bits_per_second = speeds[random.below(3)];
@@ -225,7 +225,7 @@ hardware::LinkTiming random_timing(RandomStream& random) {
     return timing;
 }
 
-NodeWorld::Options random_options(RandomStream& random) {
+NodeWorld::Options random_node_options(RandomStream& random) {
     NodeWorld::Options options;
     options.model = random.chance(0.7) ? transputer::Model::t800 : transputer::Model::t425;
     options.memory = 32768;
@@ -244,10 +244,10 @@ RandomNetwork random_network(std::uint64_t seed, unsigned scale) {
     const std::size_t count = 2 + random.below(3);
     std::vector<std::vector<NodeProgram::End>> ends(count);
     std::vector<int> next_link(count, 1);
-    // The same timing on all links, and equal nodes, make simultaneous events likely.
+    // Simultaneous events are likely if all links have the same timing, and all nodes are equal.
     const bool alike = random.chance(0.5);
-    const hardware::LinkTiming timing = random_timing(random);
-    const NodeWorld::Options options = random_options(random);
+    const hardware::LinkTiming timing = random_wire_timing(random);
+    const NodeWorld::Options options = random_node_options(random);
     for (std::size_t a = 0; a < count; ++a)
         for (std::size_t b = a; b < count; ++b) {
             if (a == b ? !random.chance(0.05) : !random.chance(0.8))
@@ -255,7 +255,7 @@ RandomNetwork random_network(std::uint64_t seed, unsigned scale) {
             if (next_link[a] > 3 - (a == b) || next_link[b] > 3)
                 continue;
             const int of_a = next_link[a]++, of_b = next_link[b]++;
-            network.wires.push_back({a, b, of_a, of_b, alike ? timing : random_timing(random)});
+            network.wires.push_back({a, b, of_a, of_b, alike ? timing : random_wire_timing(random)});
             for (const bool there : {true, false}) {
                 if (random.chance(0.15))
                     continue;
@@ -267,7 +267,7 @@ RandomNetwork random_network(std::uint64_t seed, unsigned scale) {
         }
     for (std::size_t i = 0; i < count; ++i) {
         RandomNetwork::Booted node;
-        node.options = alike ? options : random_options(random);
+        node.options = alike ? options : random_node_options(random);
         node.boot_at = random.chance(0.5) ? Time{0} : Time{std::chrono::nanoseconds{random.below(50'000)}};
         const bool data_outside = random.chance(0.3);
         NodeProgram program(random, data_outside ? 0x2000 : 0x200, node.options.model == transputer::Model::t800);
@@ -298,7 +298,7 @@ RandomNetwork random_network(std::uint64_t seed, unsigned scale) {
 
 namespace {
 
-std::vector<std::size_t> shuffled(std::size_t count, RandomStream& random, bool shuffles) {
+std::vector<std::size_t> order_of_making(std::size_t count, RandomStream& random, bool shuffles) {
     std::vector<std::size_t> order(count);
     std::iota(order.begin(), order.end(), std::size_t{0});
     for (std::size_t i = count; shuffles && i > 1; --i)
@@ -313,7 +313,7 @@ std::vector<NodeOutcome> run_network(const RandomNetwork& network, const WayToRu
     RandomStream random(way.order, "order");
     const bool shuffles = way.order != 0;
     std::vector<transputer::Node*> nodes(network.nodes.size());
-    for (const std::size_t i : shuffled(nodes.size(), random, shuffles)) {
+    for (const std::size_t i : order_of_making(nodes.size(), random, shuffles)) {
         nodes[i] = &world.node(fmt::format("n{}", i), network.nodes[i].options);
         NodeWorld::put(*nodes[i], transputer::assemble(network.nodes[i].source, network.nodes[i].origin));
         if (way.instruction_by_instruction)
@@ -321,7 +321,7 @@ std::vector<NodeOutcome> run_network(const RandomNetwork& network, const WayToRu
     }
     // Hosts come among the links.
     std::vector<ScriptedEnd*> hosts(nodes.size());
-    for (const std::size_t i : shuffled(network.wires.size() + nodes.size(), random, shuffles)) {
+    for (const std::size_t i : order_of_making(network.wires.size() + nodes.size(), random, shuffles)) {
         if (i < nodes.size()) {
             const RandomNetwork::Booted& booted = network.nodes[i];
             hosts[i] = &world.host(*nodes[i]);
@@ -360,7 +360,7 @@ std::vector<NodeOutcome> run_network(const RandomNetwork& network, const WayToRu
     return outcomes;
 }
 
-std::string difference(const std::vector<NodeOutcome>& all, const std::vector<NodeOutcome>& others) {
+std::string difference_of(const std::vector<NodeOutcome>& all, const std::vector<NodeOutcome>& others) {
     for (std::size_t i = 0; i < all.size(); ++i) {
         const NodeOutcome &a = all[i], &b = others[i];
         if (a.memory != b.memory) {

@@ -58,6 +58,6 @@ struct NodeOutcome {
 std::vector<NodeOutcome> run_network(const RandomNetwork&, const WayToRun&);
 
 /// Describes the first difference between two outcomes; "" if there is none.
-std::string difference(const std::vector<NodeOutcome>&, const std::vector<NodeOutcome>&);
+std::string difference_of(const std::vector<NodeOutcome>&, const std::vector<NodeOutcome>&);
 
 } // namespace placedpar::test
