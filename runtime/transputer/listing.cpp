@@ -173,7 +173,7 @@ std::vector<Listing::Line> Listing::lines() const {
                 add(address, count);
             add(address, (*page)[i].now);
         }
-    std::ranges::stable_partition(result, [](const Line& line) { return !line.is_replaced; });
+    std::stable_partition(result.begin(), result.end(), [](const Line& line) { return !line.is_replaced; });
     return result;
 }
 
