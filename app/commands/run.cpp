@@ -26,6 +26,7 @@
 #include <array>
 #include <chrono>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 #include <optional>
 #include <span>
@@ -46,6 +47,7 @@ struct RunOptions {
     std::optional<std::uint64_t> shuffle = {};
     std::size_t seeds = 1; ///< number of seeds, from the first on
     bool watch = false, yes = false;
+    bool listing = false, step = false; ///< of transputers that execute their own code
 
     std::array<std::filesystem::path, 5> outputs() const {
         return {json, recorded.trace, recorded.page, log, convergence};
@@ -208,7 +210,9 @@ ExitCode run(const RunOptions& options, const Options& command, const std::strin
     require_outputs(options);
     Network network = load_network(command, options.netlist, options.booted);
     InterruptedBySignals interruption;
-    network.host.terminal = terminal_for(options.booted, [&interruption] { return interruption.requested(); });
+    network.host.lists_code = options.listing;
+    network.host.steps = options.step ? &std::cin : nullptr;
+    network.host.terminal = terminal_for(options.booted, [&interruption] { return interruption.requested(); }, !options.step);
     require_fit(network, options);
     Recorders recorders(network, options.recorded);
     std::vector<FinishedRun> runs = run_seeds(network, options, recorders.sink(), interruption);
@@ -217,6 +221,9 @@ ExitCode run(const RunOptions& options, const Options& command, const std::strin
     std::vector<SeededLog> logs = logs_of(runs);
     print_out(options.seeds == 1 ? print_report(runs.front().report, network, logs.front().log)
                                  : print_runs(network, runs, logs, options.seeds));
+    for (const ProgramUse& program : runs.front().report.programs)
+        if (!program.listing.empty())
+            print_out(fmt::format("\n{}\n{}", program.name, program.listing));
     write_files(network, runs, logs, options, manifest);
     recorders.finish({network, runs.front().report, manifest, logs.front().log});
     return exit_code_of(runs, options.seeds);
@@ -261,6 +268,9 @@ Action declare_run(Options& command, const std::string& typed) {
     add_file(command, "--page", options->recorded.page, "writes one self-contained HTML page that shows the run");
     add_trace(command, *options);
     add_booted(command, options->booted);
+    command.add_flag("--listing", options->listing, "prints the code that booted transputers executed, with its cycles");
+    command.add_flag("--step", options->step,
+                     "executes a booted program step by step, by commands of standard input: s, c, b, r, w, q, m, l, quit");
     return [options, command, typed] { return run(*options, command, typed); };
 }
 

@@ -126,10 +126,11 @@ void add_booted(Options& command, BootedOptions& options) {
 }
 
 std::function<std::shared_ptr<iserver::Terminal>()> terminal_for(const BootedOptions& options,
-                                                                 std::function<bool()> interrupted) {
-    if (!options.keys)
+                                                                 std::function<bool()> interrupted,
+                                                                 bool uses_standard_input) {
+    if (!options.keys && uses_standard_input)
         return [interrupted] { return std::make_shared<iserver::Console>(interrupted); };
-    return [keys = keys_of(*options.keys)] {
+    return [keys = keys_of(options.keys.value_or(""))] {
         return std::make_shared<iserver::ScriptedTerminal>(keys, iserver::write_to_screen);
     };
 }

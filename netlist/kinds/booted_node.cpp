@@ -5,6 +5,7 @@
 #include "netlist/kinds/device_kind.hpp"
 #include "netlist/kinds/fault_kinds.hpp"
 #include "netlist/kinds/memory_access.hpp"
+#include "text/output_file.hpp"
 
 #include <fmt/format.h>
 
@@ -68,6 +69,12 @@ BootedNode::BootedNode(MachineParts& parts, std::size_t index)
                                                  static_cast<std::uint64_t>(node().integer("memory")),
                                                  timing_of(node()))) {
     device_.when_stopped([this] { tell_hosts(); });
+    if (network().host.lists_code)
+        listing_ = std::make_unique<transputer::Listing>(device_.core());
+    if (network().host.steps && !node().boot_file.empty())
+        stepper_ = std::make_unique<transputer::Stepper>(
+            device_.core(), *network().host.steps, [](std::string_view text) { print_out(std::string(text)); },
+            [this] { simulation().interrupt(); });
 }
 
 BootedNode::~BootedNode() = default;
@@ -141,7 +148,7 @@ void BootedNode::report(MachineUse& use) const {
         host_ && host_->end.state() == iserver::ServerState::exited && host_->end.exit_status() == 1;
     const bool stopped = device_.activity() == transputer::Node::Activity::stopped;
     use.programs.push_back({node().name, device_.core().instructions(), host_ ? host_->end.requests() : 0, state(),
-                            exited_badly || stopped});
+                            listing_ ? print_listing(*listing_) : "", exited_badly || stopped});
     use.processors.push_back({node().name, node().type, device_.time_busy(), device_.memory_taken_by_links()});
 }
 

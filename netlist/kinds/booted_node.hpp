@@ -2,7 +2,9 @@
 
 #include "netlist/kinds/boot_host.hpp"
 #include "netlist/kinds/machine_node.hpp"
+#include "runtime/transputer/listing.hpp"
 #include "runtime/transputer/node.hpp"
+#include "runtime/transputer/stepper.hpp"
 
 #include <memory>
 #include <optional>
@@ -35,6 +37,8 @@ private:
     transputer::Node& device_;
     hardware::Link* last_link_ = nullptr; ///< the last link that was told to end here
     std::vector<std::unique_ptr<transputer::ByteLink>> lanes_;
+    std::unique_ptr<transputer::Listing> listing_;
+    std::unique_ptr<transputer::Stepper> stepper_;
     std::unique_ptr<Host> host_;
 };
 

@@ -106,6 +106,7 @@ struct ProgramUse {
     std::uint64_t instructions = 0;
     std::uint64_t requests = 0; ///< requests to its host
     std::string state;          ///< "exited with success", "was never booted"
+    std::string listing = "";   ///< the code that was executed; "" if it was not counted
     bool failed = false;        ///< the program exited with failure, or the transputer stopped
 };
 
