@@ -149,15 +149,14 @@ std::vector<std::uint8_t> memory_after_traffic(int memory_cycles, bool one_by_on
         processes += fmt::format("{}: ldc #{:X}\nldc #{:X}\nldc {}\nout\nstopp\n", out, from_start(0x4000),
                                  from_start(4 * link), 700 + link);
     }
-    program += starts("notes", 0xc40, 0) + starts("counts", 0xc80) + "stopp\n" + processes +
-               "counts: ldl 1\nadc 1\nstl 1\nldlp 6\nfpldnlsn\nfpdup\nfpdiv\nldl 1\nldlp 7\nfpstnlsn\nj counts\n"
-               "notes: ldtimer\nstl 1\nldc 0\nstl 2\nagain: ldl 1\nadc 3\nstl 1\nldl 1\ntin\n"
-               "ldtimer\nldl 2\nldc #80002000\nwsub\nstnl 0\nldc #80000c84\nldnl 0\nldl 2\nldc #80002400\nwsub\nstnl 0\n"
-               "ldl 2\nadc 1\nldc 255\nand\nstl 2\nj again";
+    program +=
+        starts("notes", 0xc40, 0) + starts("counts", 0xc80) + "stopp\n" + processes +
+        "counts: ldl 1\nadc 1\nstl 1\nldlp 6\nfpldnlsn\nfpdup\nfpdiv\nldl 1\nldlp 7\nfpstnlsn\nj counts\n"
+        "notes: ldtimer\nstl 1\nldc 0\nstl 2\nagain: ldl 1\nadc 3\nstl 1\nldl 1\ntin\n"
+        "ldtimer\nldl 2\nldc #80002000\nwsub\nstnl 0\nldc #80000c84\nldnl 0\nldl 2\nldc #80002400\nwsub\nstnl 0\n"
+        "ldl 2\nadc 1\nldc 255\nand\nstl 2\nj again";
     TimedNode timed(program, one_by_one,
-                    {.model = transputer::Model::t800,
-                     .memory = 32768,
-                     .timing = {.memory_cycles = memory_cycles}});
+                    {.model = transputer::Model::t800, .memory = 32768, .timing = {.memory_cycles = memory_cycles}});
     for (int link = 0; link < 4; ++link) {
         ScriptedEnd& host = timed.world.host(timed.node, link);
         if (link == 0)
@@ -176,4 +175,17 @@ TEST_CASE("timers are attended to at their times while the links take accesses t
         CAPTURE(memory_cycles);
         CHECK(memory_after_traffic(memory_cycles, false) == memory_after_traffic(memory_cycles, true));
     }
+}
+
+TEST_CASE("instructions are counted once although a program overwrites those that follow") {
+    std::array<std::uint64_t, 2> counted;
+    for (const bool one_by_one : {false, true}) {
+        TimedNode timed("ldc #43\nldc changes\nsb\nldc 0\nldc 0\nchanges: ldc 7\nstl 1\nstopp", one_by_one);
+        timed.boot();
+        timed.world.run();
+        CHECK_EQ(word_at(timed.node, 0x804), 3);
+        counted[one_by_one] = timed.node.core().instructions();
+    }
+    CHECK_EQ(counted[0], 4 + 8); // the loader, the program
+    CHECK_EQ(counted[1], counted[0]);
 }
