@@ -119,7 +119,7 @@ Action declare_assemble(Options& command, const std::string&) {
 extern const Command assemble_command{
     .name = "assemble",
     .about = "Makes a bootable file from a program in the transputer's instructions",
-    .place = 45,
+    .place = 44,
     .declare = declare_assemble,
 };
 

@@ -58,16 +58,6 @@ std::string keys_of(const std::string& typed) {
     return keys;
 }
 
-HostServices services_of(const BootedOptions& options) {
-    HostServices host;
-    host.folder = options.folder;
-    host.command_line = fmt::format("{}", fmt::join(options.arguments, " "));
-    for (const auto& [name, value] : overrides_of(options.environment, "--env"))
-        host.environment.emplace(name, value);
-    host.write_limit_bytes = options.write_limit_megabytes << 20;
-    return host;
-}
-
 /// Returns a netlist with one transputer that the file boots.
 std::string netlist_around(const std::filesystem::path& file, const BootedOptions& options) {
     return fmt::format(
@@ -94,21 +84,18 @@ void refuse_for_netlists(const Options& typed, const NetlistOptions& netlist, co
 
 } // namespace
 
-void add_booted(Options& command, BootedOptions& options) {
-    const std::string heading = "Transputers that execute their own code";
-    std::vector<std::string> models;
-    for (const transputer::Traits& each : transputer::all_traits)
-        models.emplace_back(each.name);
+HostServices services_of(const BootedOptions& options) {
+    HostServices host;
+    host.folder = options.folder;
+    host.command_line = fmt::format("{}", fmt::join(options.arguments, " "));
+    for (const auto& [name, value] : overrides_of(options.environment, "--env"))
+        host.environment.emplace(name, value);
+    host.write_limit_bytes = options.write_limit_megabytes << 20;
+    return host;
+}
+
+void add_host(Options& command, BootedOptions& options, const std::string& heading) {
     command.add("ARGUMENTS", options.arguments, "behind --: the command line of the booted program");
-    command.add("--processor", options.processor, "type of the transputer that a bootable file boots")
-        .one_of(models)
-        .show_default()
-        .group(heading);
-    command.add("--memory", options.memory, "its memory").type("SIZE").check(not_a_size).show_default().group(heading);
-    add_count(command, "--memorycycles", options.memory_cycles, "cycles of an access to its external memory")
-        .check(not_at_least_one)
-        .show_default()
-        .group(heading);
     add_file(command, "--host-folder", options.folder, "the only folder whose files the program can use")
         .group(heading);
     command.add("--keys", options.keys, "the keys that are pressed for the program; \\r is the return key")
@@ -119,6 +106,23 @@ void add_booted(Options& command, BootedOptions& options) {
     add_count(command, "--host-limit", options.write_limit_megabytes, "Mbyte that the program can write to files")
         .show_default()
         .group(heading);
+}
+
+void add_booted(Options& command, BootedOptions& options) {
+    const std::string heading = "Transputers that execute their own code";
+    std::vector<std::string> models;
+    for (const transputer::Traits& each : transputer::all_traits)
+        models.emplace_back(each.name);
+    command.add("--processor", options.processor, "type of the transputer that a bootable file boots")
+        .one_of(models)
+        .show_default()
+        .group(heading);
+    command.add("--memory", options.memory, "its memory").type("SIZE").check(not_a_size).show_default().group(heading);
+    add_count(command, "--memorycycles", options.memory_cycles, "cycles of an access to its external memory")
+        .check(not_at_least_one)
+        .show_default()
+        .group(heading);
+    add_host(command, options, heading);
 }
 
 std::function<std::shared_ptr<iserver::Terminal>()> terminal_for(const BootedOptions& options,

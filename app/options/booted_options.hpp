@@ -24,7 +24,13 @@ struct BootedOptions {
     std::uint64_t write_limit_megabytes = 64;
     std::vector<std::string> arguments; ///< of the program
 };
+/// Declares all of these options.
 void add_booted(Options&, BootedOptions&);
+/// Declares the options for the host alone.
+void add_host(Options&, BootedOptions&, const std::string& heading);
+
+/// Returns what the host gives to its program, apart from a terminal. Throws UserError for a variable that is set twice.
+HostServices services_of(const BootedOptions&);
 
 /// Returns a function that makes the terminal of a program: the keys that were typed as an option, or else the terminal
 /// of PlacedPar. Throws UserError if the keys cannot be read. `interrupted` ends the wait for a key; it is called while

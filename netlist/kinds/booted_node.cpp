@@ -22,6 +22,14 @@ transputer::CoreTiming timing_of(const Node& node) {
             .switch_cycles = static_cast<int>(node.integer("switching"))};
 }
 
+std::shared_ptr<iserver::Terminal> terminal_of(const HostServices& host) {
+    if (host.terminal)
+        return host.terminal();
+    return std::make_shared<iserver::ScriptedTerminal>("", [](std::string_view) {});
+}
+
+} // namespace
+
 iserver::ServerOptions server_options(const HostServices& host, const std::string& file) {
     iserver::ServerOptions options;
     options.host_folder = host.folder;
@@ -32,10 +40,13 @@ iserver::ServerOptions server_options(const HostServices& host, const std::strin
     return options;
 }
 
-std::shared_ptr<iserver::Terminal> terminal_of(const HostServices& host) {
-    if (host.terminal)
-        return host.terminal();
-    return std::make_shared<iserver::ScriptedTerminal>("", [](std::string_view) {});
+namespace {
+
+/// Returns the options of the node's host. Programs of INMOS's tools ask for the size of their memory by IBOARDSIZE.
+iserver::ServerOptions options_of(const HostServices& host, const Node& node) {
+    iserver::ServerOptions options = server_options(host, node.boot_file);
+    options.environment.emplace("IBOARDSIZE", fmt::format("#{:X}", node.integer("memory")));
+    return options;
 }
 
 } // namespace
@@ -43,7 +54,7 @@ std::shared_ptr<iserver::Terminal> terminal_of(const HostServices& host) {
 /// The host that boots the node: its terminal, its server, and its end of the link.
 struct BootedNode::Host {
     Host(const Network& network, const Node& node)
-        : terminal(terminal_of(network.host)), server(server_options(network.host, node.boot_file), *terminal),
+        : terminal(terminal_of(network.host)), server(options_of(network.host, node), *terminal),
           end(read_bootable(node.boot_file), server, Time{1000 * node.integer("hosttime")}) {}
 
     std::shared_ptr<iserver::Terminal> terminal;
@@ -103,6 +114,11 @@ FaultEffects BootedNode::suffer(const Fault& halts) {
 }
 
 std::string BootedNode::state() const {
+    const std::string limit = host_ && host_->server.exceeded_write_limit() ? "; it reached the limit of --host-limit" : "";
+    return state_of_program() + limit;
+}
+
+std::string BootedNode::state_of_program() const {
     if (device_.activity() == transputer::Node::Activity::halted)
         return "halted by a fault";
     if (device_.activity() == transputer::Node::Activity::listening)

@@ -9,6 +9,9 @@
 
 namespace placedpar {
 
+/// Returns the options of the server for a program that this file boots.
+iserver::ServerOptions server_options(const HostServices&, const std::string& file);
+
 /// A transputer in a run that executes its own code. If the netlist names a bootable file for it, a host at one of its
 /// links sends the file and serves the program.
 class BootedNode final : public MachineNode {
@@ -26,6 +29,7 @@ private:
     struct Host;
     void tell_hosts();
     std::string state() const;
+    std::string state_of_program() const;
     void connect_host(hardware::Link&, const LinkEnd& own, bool own_is_a);
 
     transputer::Node& device_;

@@ -117,25 +117,6 @@ private:
         }
     }
 
-    /// Finds where an instruction leads, or what it selects. Instructions before it may have loaded a constant.
-    static void find_target(CodeLine& line, const std::array<CodeLine, 2>& before) {
-        const CodedInstruction& last = before[0].instruction;
-        const Word next = line.at + line.instruction.length;
-        const Operation operation = line.instruction.operation;
-        if (branches_by_operand(operation))
-            line.target = next + line.instruction.operand;
-        else if (operation == Operation::startp && before[1].instruction.operation == Operation::ldc)
-            line.target = next + before[1].instruction.operand;
-        if (last.operation != Operation::ldc)
-            return;
-        if (operation == Operation::lend)
-            line.target = next - last.operand;
-        else if (operation == Operation::ldpi)
-            line.target = next + last.operand;
-        else if (operation == Operation::fpentry)
-            line.selected = selected_by(last.operand);
-    }
-
     void search_gap(Word at, Word end) {
         const Word begin = at;
         while (at < end) {
@@ -251,6 +232,24 @@ std::vector<CodeLine> disassemble(Bytes bytes, std::span<const Word> entries, Mo
     disassembly.follow(entries);
     disassembly.search();
     return disassembly.lines();
+}
+
+void find_target(CodeLine& line, const std::array<CodeLine, 2>& before) {
+    const CodedInstruction& last = before[0].instruction;
+    const Word next = line.at + line.instruction.length;
+    const Operation operation = line.instruction.operation;
+    if (branches_by_operand(operation))
+        line.target = next + line.instruction.operand;
+    else if (operation == Operation::startp && before[1].instruction.operation == Operation::ldc)
+        line.target = next + before[1].instruction.operand;
+    if (last.operation != Operation::ldc)
+        return;
+    if (operation == Operation::lend)
+        line.target = next - last.operand;
+    else if (operation == Operation::ldpi)
+        line.target = next + last.operand;
+    else if (operation == Operation::fpentry)
+        line.selected = selected_by(last.operand);
 }
 
 bool leads_away(Operation operation) {

@@ -2,6 +2,7 @@
 
 #include "runtime/transputer/instruction.hpp"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -24,6 +25,10 @@ struct CodeLine {
     Operation selected = Operation::unknown; ///< of fpentry after a constant
     bool begins_block = false;               ///< the line before does not lead here alone, or it is not code
 };
+
+/// Finds where an instruction leads or what it selects. `before`: the instructions that were executed before it, the
+/// last first; other lines have no effect.
+void find_target(CodeLine&, const std::array<CodeLine, 2>& before);
 
 /// Follows code from its entry points, then looks for code in the rest. Bytes are data there if they do not decode, are
 /// text or zeros, or have prefixes that no assembler makes: nfix before another prefix. REQUIRES: at most 2 Gbyte.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstring>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <span>
 #include <utility>
@@ -26,17 +27,29 @@ struct ListedBlock {
     HalfCycles spent = 0;
 };
 
-std::vector<ListedBlock> blocks_of(std::span<const Listing::Line> lines) {
-    std::set<Word> targets;
-    for (const auto& line : lines)
-        if (branches_by_operand(line.instruction.operation))
-            targets.insert(end_of(line) + line.instruction.operand);
+/// Returns the addresses that instructions lead or refer to.
+std::vector<std::optional<Word>> targets_of(std::span<const Listing::Line> lines) {
+    std::vector<std::optional<Word>> result;
+    std::array<CodeLine, 2> before{}; // the last first
+    for (const auto& line : lines) {
+        if (before[0].at + before[0].instruction.length != line.address)
+            before = {};
+        CodeLine code{.at = line.address, .content = Content::code, .instruction = line.instruction};
+        find_target(code, before);
+        result.push_back(code.target);
+        before = {code, before[0]};
+    }
+    return result;
+}
+
+std::vector<ListedBlock> blocks_of(std::span<const Listing::Line> lines, std::span<const std::optional<Word>> targets) {
+    const std::set<std::optional<Word>> all(targets.begin(), targets.end());
     std::vector<ListedBlock> blocks;
     for (std::size_t i = 0, begin = 0; i < lines.size(); ++i) {
         const auto& line = lines[i];
         const bool goes_on = i + 1 < lines.size() && lines[i + 1].address == end_of(line) &&
                              lines[i + 1].times == line.times && lines[i + 1].is_replaced == line.is_replaced &&
-                             !targets.contains(end_of(line)) && !leads_away(line.instruction.operation);
+                             !all.contains(end_of(line)) && !leads_away(line.instruction.operation);
         if (goes_on)
             continue;
         const auto block = lines.subspan(begin, i + 1 - begin);
@@ -73,18 +86,17 @@ std::string print_hot_blocks(std::vector<ListedBlock> blocks, HalfCycles all) {
     return result;
 }
 
-std::string print_line(const Listing::Line& line, HalfCycles all) {
-    const bool branches = branches_by_operand(line.instruction.operation);
-    const std::string target = branches ? print_address(end_of(line) + line.instruction.operand) : "";
+std::string print_line(const Listing::Line& line, const std::optional<Word>& target, HalfCycles all) {
+    const std::string address = target ? print_address(*target) : "";
     return fmt::format("{}  {:<17}  {:<20} {:>15}  {:>17}  {:>5.1f} %", print_address(line.address),
-                       print_bytes(line.bytes), print_instruction(line.instruction, target), print_times(line.times),
+                       print_bytes(line.bytes), print_instruction(line.instruction, address), print_times(line.times),
                        print_cycles_of(line.spent), percent(line.spent, all));
 }
 
-std::string print_block(const ListedBlock& block, HalfCycles all) {
+std::string print_block(const ListedBlock& block, const std::optional<Word>* target, HalfCycles all) {
     std::string result;
     for (const auto& line : block.lines)
-        result += print_line(line, all) +
+        result += print_line(line, *target++, all) +
                   (&line == &block.lines.front()
                        ? fmt::format("  {:>17}  {:>5.1f} %\n", print_cycles_of(block.spent), percent(block.spent, all))
                        : "\n");
@@ -161,7 +173,7 @@ std::vector<Listing::Line> Listing::lines() const {
                 add(address, count);
             add(address, (*page)[i].now);
         }
-    std::ranges::stable_partition(result, [](const Line& line) { return !line.is_replaced; });
+    std::stable_partition(result.begin(), result.end(), [](const Line& line) { return !line.is_replaced; });
     return result;
 }
 
@@ -173,7 +185,8 @@ std::string print_listing(const Listing& listing) {
         all += line.spent;
         times += line.times;
     }
-    const auto blocks = blocks_of(lines);
+    const auto targets = targets_of(lines);
+    const auto blocks = blocks_of(lines, targets);
     std::string result = fmt::format("{} instructions of a {}, {} cycles, without waits\n", print_times(times),
                                      traits_of(listing.model()).name, print_cycles_of(all));
     if (lines.empty())
@@ -188,7 +201,7 @@ std::string print_listing(const Listing& listing) {
             result += "\nreplaced by other code\n";
         else if (&first != &lines.front() && end_of(*before) != first.address)
             result += '\n';
-        result += print_block(block, all);
+        result += print_block(block, &targets[static_cast<std::size_t>(&first - &lines.front())], all);
         before = &block.lines.back();
     }
     return result;

@@ -2,8 +2,8 @@
 
 #include "runtime/transputer/disassembler.hpp"
 
-#include "runtime/transputer/assembler.hpp"
 #include "random_program.hpp"
+#include "runtime/transputer/assembler.hpp"
 #include "runtime/transputer/code_text.hpp"
 #include "tests/seeds.hpp"
 

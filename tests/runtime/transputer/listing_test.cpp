@@ -2,15 +2,16 @@
 
 #include "runtime/transputer/listing.hpp"
 
-#include "runtime/transputer/assembler.hpp"
 #include "plain_transputer.hpp"
 #include "random_program.hpp"
+#include "runtime/transputer/assembler.hpp"
 #include "tests/seeds.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <string>
 #include <string_view>
@@ -199,6 +200,43 @@ TEST_CASE("a listing shows instructions of the scheduler with their cycles, with
     CHECK(run.spent() == run.core.busy());
 }
 
+TEST_CASE("a watcher is called once for each instruction, also where a timeslice ends") {
+    struct CallCounter final : Core::Watcher {
+        void begins(std::uint32_t) override { ++begun; }
+        void executed(std::uint32_t, transputer::HalfCycles) override { ++ended; }
+        std::uint64_t begun = 0, ended = 0;
+    } counter;
+    LinksToNothing links;
+    Core core(Model::t800, 65536, {}, links);
+    const auto program = assemble(R"(
+                  mint
+                  stlf
+                  ldc other - started
+                  ldlp 20
+                  startp
+        started:  ldc 10000
+                  stl 1
+        loop:     ldl 1
+                  adc -1
+                  stl 1
+                  ldl 1
+                  cj done
+                  j loop
+        done:     stopp
+        other:    ldc 0
+                  cj started
+    )",
+                                  program_at);
+    core.copy_to_memory(program_at - transputer::most_negative, program.bytes);
+    core.set_registers({.instruction = program_at, .workspace = program_workspace}, 1);
+    core.watch(&counter);
+    while (core.run(core.local() + 1'000, false) != Core::Pause::idle) {
+    }
+    CHECK(core.local_time() > std::chrono::milliseconds{10}); // at least two timeslices of both
+    CHECK(counter.begun == core.instructions());
+    CHECK(counter.ended == core.instructions());
+}
+
 TEST_CASE("code that other code replaced is listed apart") {
     // The loop's second turn executes ldc 2 where the first turn executed ldc 1.
     const ProgramRun run = listed_run(R"(
@@ -225,6 +263,7 @@ TEST_CASE("code that other code replaced is listed apart") {
             found.emplace_back(line.instruction.operand, line.is_replaced);
         }
     CHECK(found == std::vector<std::pair<std::uint32_t, bool>>{{2, false}, {1, true}});
+    CHECK(print_listing(run.listing).find("  21 FB              ldpi    #80000102 ") != std::string::npos);
     CHECK(print_listing(run.listing).find("\nreplaced by other code\n#80000102  41 ") != std::string::npos);
 }
 

@@ -11,7 +11,6 @@
 #include <string_view>
 
 using namespace placedpar;
-using namespace placedpar::test;
 using transputer::assemble;
 using transputer::Core;
 
