@@ -80,9 +80,9 @@ public:
     /// States that link engines may take accesses at any time. What depends on local time then happens at its own
     /// moment, after lose_accesses().
     void share_memory() { memory_is_shared_ = true; }
-    /// Attends to timers that are due and to the end of a timeslice period.
-    void attend_if_due() {
-        if (local_ >= due_ && stopped_ == Stopped::nothing)
+    /// Attends to timers and the end of a timeslice period if the first of them was due before `then`.
+    void attend_if_due(Time then) {
+        if (local_ >= due_ && time_at(due_) < then && stopped_ == Stopped::nothing)
             attend();
     }
 

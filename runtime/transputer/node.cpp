@@ -118,15 +118,14 @@ void Node::note(const Wake& wake) {
 void Node::tell_core() {
     std::ranges::sort(wakes_, std::less<>{});
     for (const Wake& each : wakes_) {
-        if (each.at > core_.time_at(core_.next_attention()))
-            core_.attend_if_due();
+        core_.attend_if_due(each.at);
         if (each.transfer_ended)
             core_.transfer_ended(each.channel);
         else
             core_.byte_has_come(each.channel, each.at);
     }
     wakes_.clear();
-    core_.attend_if_due();
+    core_.attend_if_due(Time::max());
 }
 
 void Node::be_idle() {

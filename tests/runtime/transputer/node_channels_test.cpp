@@ -288,3 +288,15 @@ TEST_CASE("resetch forgets an input in the middle, and keeps the bytes that have
     CHECK(two.began(0, "sent").has_value());
     CHECK_EQ(two.received(5), first_numbers(5));
 }
+
+TEST_CASE("the bytes that came before resetch are in the memory, and the others are not") {
+    const std::string other =
+        fmt::format("ldc second\nldc #{:X}\nstnl -1\nldc #{:X}\nrunp\n", from_start(0x840), from_start(0x841));
+    LinkedPair two(communication("out", there_out, 0, 60) + "stopp",
+                   other + communication("in", here_in, 0, 60) + "stopp\nsecond: " + delay_loop(20, "b") +
+                       fmt::format("ldc #{:X}\nresetch\nstopp", from_start(here_in)));
+    two.world.run();
+    CHECK_EQ(two.received(10), first_numbers(10));
+    CHECK_EQ(two.nodes[1]->core().memory().byte(message_at + 59), 0);
+    CHECK_EQ(word_at(*two.nodes[0], there_out), from_start(0x801)); // the sender waits until it is reset, too
+}
