@@ -107,7 +107,8 @@ void load(Core& core, const char* source) {
 }
 
 void report_speed(const char* what, double simulated, double host, std::uint64_t fingerprint) {
-    fmt::print("{:<34} {:7.1f} simulated seconds a second   fingerprint {:016x}\n", what, simulated / host, fingerprint);
+    fmt::print("{:<34} {:7.1f} simulated seconds a second   fingerprint {:016x}\n", what, simulated / host,
+               fingerprint);
 }
 
 void measure_alone(const char* what, const char* source, double seconds) {

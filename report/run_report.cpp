@@ -410,7 +410,8 @@ std::string print_report(const RunReport& report, const Network& network, const 
         out += programs_of(report).text("\n");
     if (!report.processors.empty())
         out += processors_of(report).text("\n");
-    return out + print_links(report) + print_buses(report) + print_devices(report) + processes_of(report).text("\n");
+    out += print_links(report) + print_buses(report) + print_devices(report);
+    return report.processes.empty() ? out : out + processes_of(report).text("\n");
 }
 
 boost::json::object report_json(const RunReport& report, const Network& network, const Manifest& manifest,

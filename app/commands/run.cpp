@@ -212,7 +212,8 @@ ExitCode run(const RunOptions& options, const Options& command, const std::strin
     InterruptedBySignals interruption;
     network.host.lists_code = options.listing;
     network.host.steps = options.step ? &std::cin : nullptr;
-    network.host.terminal = terminal_for(options.booted, [&interruption] { return interruption.requested(); }, !options.step);
+    network.host.terminal = terminal_for(
+        options.booted, [&interruption] { return interruption.requested(); }, !options.step);
     require_fit(network, options);
     Recorders recorders(network, options.recorded);
     std::vector<FinishedRun> runs = run_seeds(network, options, recorders.sink(), interruption);
@@ -268,9 +269,11 @@ Action declare_run(Options& command, const std::string& typed) {
     add_file(command, "--page", options->recorded.page, "writes one self-contained HTML page that shows the run");
     add_trace(command, *options);
     add_booted(command, options->booted);
-    command.add_flag("--listing", options->listing, "prints the code that booted transputers executed, with its cycles");
-    command.add_flag("--step", options->step,
-                     "executes a booted program step by step, by commands of standard input: s, c, b, r, w, q, m, l, quit");
+    command.add_flag("--listing", options->listing,
+                     "prints the code that booted transputers executed, with its cycles");
+    command.add_flag(
+        "--step", options->step,
+        "executes a booted program step by step, by commands of standard input: s, c, b, r, w, q, m, l, quit");
     return [options, command, typed] { return run(*options, command, typed); };
 }
 

@@ -125,9 +125,8 @@ void add_booted(Options& command, BootedOptions& options) {
     add_host(command, options, heading);
 }
 
-std::function<std::shared_ptr<iserver::Terminal>()> terminal_for(const BootedOptions& options,
-                                                                 std::function<bool()> interrupted,
-                                                                 bool uses_standard_input) {
+std::function<std::shared_ptr<iserver::Terminal>()>
+terminal_for(const BootedOptions& options, std::function<bool()> interrupted, bool uses_standard_input) {
     if (!options.keys && uses_standard_input)
         return [interrupted] { return std::make_shared<iserver::Console>(interrupted); };
     return [keys = keys_of(options.keys.value_or(""))] {

@@ -217,8 +217,8 @@ struct HostServices {
     std::string command_line = ""; ///< arguments of the program
     std::map<std::string, std::string> environment = {};
     std::uint64_t write_limit_bytes = 64U << 20;
-    bool lists_code = false;        ///< counts the instructions that booted nodes execute
-    std::istream* steps = nullptr;  ///< commands that execute the code of the node with a host step by step; null: none
+    bool lists_code = false;       ///< counts the instructions that booted nodes execute
+    std::istream* steps = nullptr; ///< commands that execute the code of the node with a host step by step; null: none
     /// Makes the terminal of a host. Empty: the screen shows nothing, and no key is pressed.
     std::function<std::shared_ptr<iserver::Terminal>()> terminal = {};
 };

@@ -186,7 +186,7 @@ private:
     static std::uint64_t instructions_after(const Block&, const Entry&);
     void code_was_written(Block&, const Entry&, Word offset, Word bytes);
 
-    // scheduler.cpp: processes, channels, moves
+    // scheduler.cpp: processes and time; channels.cpp; core_memory.cpp: memory, moves, errors
     void execute_until(HalfCycles);
     void act_on(Left);
     bool finish_pending(HalfCycles limit, bool punctual, Pause&);
@@ -215,6 +215,8 @@ private:
     HalfCycles cost_of(Operation);
     HalfCycles cost_of_communication(Word channel, Word address, Word bytes);
     void perform(Operation);
+    void perform_on_processes(Operation);
+    void perform_on_queues(Operation);
     void move_block(Word from, Word to, Word bytes);
     void move_in_two_dimensions(Operation);
     // A bad address stops the core.

@@ -14,8 +14,8 @@ struct Entry {
     Operation operation;
     std::uint8_t length; ///< bytes, with prefixes
     std::uint16_t after; ///< half cycles of the block up to the end of this instruction, without those that effects add
-    /// Of a branch its target; of another direct function its operand, times 4 where it counts words; of an operation
-    /// the address of the next instruction.
+    /// The target of a branch, the operand of another direct function, or the address of the instruction after an
+    /// operation. An operand that counts words is multiplied by 4.
     Word operand;
 };
 

@@ -112,7 +112,7 @@ namespace placedpar::transputer {
     } while (false)
 
 // Instructions of the floating-point unit. It works while the integer unit goes on after one cycle; the integer unit
-// waits when it comes to the next of them, and RESULT waits until the unit has finished.
+// waits when it meets the next of them, and RESULT waits until the unit has finished.
 #define AWAIT_REALS(own_cycles)                                                                                        \
     const HalfCycles begins = local_ + spent + entry->after - 2;                                                       \
     if (fpu_free_ > begins)                                                                                            \

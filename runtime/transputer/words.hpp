@@ -43,6 +43,15 @@ constexpr Word reversed(Word word) {
     return result;
 }
 
+/// The number of channels of links, with the event channel.
+inline constexpr Word hard_channels = 9;
+
+/// Returns the number of a link's channel: 0 to 3 outputs, 4 to 7 inputs, 8 the event channel; otherwise -1.
+constexpr int hard_channel(Word address) {
+    const Word offset = address - most_negative;
+    return offset < 4 * hard_channels ? static_cast<int>(offset / 4) : -1;
+}
+
 /// The words below a workspace while its process waits, as offsets in bytes.
 namespace below {
 inline constexpr Word instruction = 4, link = 8, state = 12, pointer = 12, timer_link = 16, time = 20;

@@ -22,6 +22,8 @@ import walls
 FILE_LINES = 500
 ROOM_FUNCTION_LINES = 50
 FUNCTION_LINES = 70
+# One function by nature: labels that lead to each other exist only within a function.
+LONG_FUNCTIONS = ("Core::Left Core::execute(HalfCycles budget)",)
 SOURCES = (".cpp", ".hpp", ".py", ".sh", ".cmake", ".cfs", ".inc", "CMakeLists.txt")
 
 # The brackets keep this file from breaking its own rule.
@@ -65,7 +67,7 @@ def cpp_faults(name, text):
     yield from cpp_line_faults(name, text)
     most = ROOM_FUNCTION_LINES if walls.room_of(name) else FUNCTION_LINES
     for function in functions.functions(text):
-        if function.lines > most:
+        if function.lines > most and function.head not in LONG_FUNCTIONS:
             yield f"{name}:{function.first}: {function.lines} lines, more than {most}: {function.head}"
 
 

@@ -1,0 +1,201 @@
+#include "runtime/transputer/core.hpp"
+#include "runtime/transputer/words.hpp"
+
+#include <cstddef>
+
+namespace placedpar::transputer {
+
+// Channels
+
+void Core::transfer_ended(int channel) {
+    const Word address = most_negative + 4 * static_cast<Word>(channel);
+    const Word process = load(address);
+    store(address, not_a_process);
+    if (process != not_a_process)
+        enqueue(process);
+}
+
+void Core::wait_at(Word channel, Word address) {
+    store(channel, descriptor());
+    store(registers_.workspace - below::pointer, address);
+    leave_processor();
+}
+
+/// Performs an input or output of bytes.
+void Core::communicate(Word channel, Word address, Word bytes, bool output) {
+    if (const int hard = hard_channel(channel); hard >= 0) {
+        if (bytes == 0 && hard < static_cast<int>(hard_channels) - 1)
+            return;
+        if (!memory_.holds(NodeMemory::offset_of(address), bytes))
+            return fault(Stopped::by_bad_address, address);
+        store(channel, descriptor());
+        leave_processor();
+        links_.begin_transfer(hard, address, bytes);
+        return;
+    }
+    const Word partner = load(channel);
+    if (partner == not_a_process)
+        wait_at(channel, address);
+    else
+        meet(channel, partner, address, bytes, output);
+}
+
+void Core::meet(Word channel, Word partner, Word address, Word bytes, bool output) {
+    const Word other = load((partner & ~Word{3}) - below::pointer);
+    const bool in_alternative =
+        other == alternative::enabling || other == alternative::waiting || other == alternative::ready;
+    if (output && in_alternative) {
+        wake_alternative(partner, local_time());
+        wait_at(channel, address);
+        return;
+    }
+    move_block(output ? address : other, output ? other : address, bytes);
+    store(channel, not_a_process);
+    enqueue(partner);
+}
+
+/// Tells a process in an ALT that one of its channels is ready.
+void Core::wake_alternative(Word partner, Time now) {
+    const Word workspace = partner & ~Word{3};
+    const Word state = load(workspace - below::state);
+    store(workspace - below::state, alternative::ready);
+    if (state != alternative::waiting)
+        return;
+    leave_timers(workspace, static_cast<int>(partner & 1), now);
+    enqueue(partner);
+}
+
+void Core::byte_has_come(int channel, Time now) {
+    if (const Word waiting = load(most_negative + 4 * static_cast<Word>(channel)); waiting != not_a_process)
+        wake_alternative(waiting, now);
+}
+
+void Core::reset_channel() {
+    const Word channel = registers_.a;
+    registers_.a = load(channel);
+    store(channel, not_a_process);
+    if (const int hard = hard_channel(channel); hard >= 0)
+        links_.reset(hard);
+}
+
+// Instructions of the scheduler
+
+HalfCycles Core::cost_of_communication(Word channel, Word address, Word bytes) {
+    constexpr HalfCycles waits = 2 * 19;
+    if (hard_channel(channel) >= 0)
+        return waits;
+    const Word partner = load(channel);
+    if (partner == not_a_process)
+        return waits;
+    const Word other = load((partner & ~Word{3}) - below::pointer);
+    if (other == alternative::enabling || other == alternative::waiting || other == alternative::ready)
+        return waits;
+    return waits + 4 * words_touched(address, bytes) + outside_words(address, bytes) + outside_words(other, bytes);
+}
+
+HalfCycles Core::cost_of(Operation operation) {
+    const Registers& r = registers_;
+    const HalfCycles cycles = 2 * static_cast<HalfCycles>(cycles_of(operation, model_));
+    switch (operation) {
+    case Operation::in:
+    case Operation::out: return cost_of_communication(r.b, r.c, r.a);
+    case Operation::outbyte:
+    case Operation::outword: {
+        const bool second = hard_channel(r.b) >= 0 || cost_of_communication(r.b, r.workspace, 4) > 2 * 19;
+        return cycles - (second ? 0 : 4);
+    }
+    case Operation::move:
+        return cycles + 4 * words_touched(r.c, r.a) + outside_words(r.c, r.a) + outside_words(r.b, r.a);
+    case Operation::move2dall:
+    case Operation::move2dnonzero:
+    case Operation::move2dzero:
+        return move_[0] * (cycles + 4 * words_touched(r.c, r.a) + outside_words(r.c, r.a) + outside_words(r.b, r.a));
+    case Operation::enbc: return cycles + (r.a != 0 && is_ready(r.b) ? 4 : 0);
+    case Operation::altwt: return load(r.workspace - below::state) == alternative::ready ? cycles : 2 * 17;
+    case Operation::taltwt: return time_has_come() ? cycles : 2 * 48;
+    case Operation::tin: return signed_of(clock(priority_) - r.a) > 0 ? cycles : 2 * 30;
+    case Operation::go_on: return 0;
+    default: return cycles;
+    }
+}
+
+void Core::perform(Operation operation) {
+    Registers& r = registers_;
+    switch (operation) {
+    case Operation::in: communicate(r.b, r.c, r.a, false); break;
+    case Operation::out: communicate(r.b, r.c, r.a, true); break;
+    case Operation::outbyte:
+    case Operation::outword:
+        store(r.workspace, r.a);
+        communicate(r.b, r.workspace, operation == Operation::outword ? 4 : 1, true);
+        break;
+    case Operation::resetch: reset_channel(); break;
+    case Operation::enbc: enable_channel(); break;
+    case Operation::enbt: enable_timer(); break;
+    case Operation::altwt: wait_for_alternative(false); break;
+    case Operation::taltwt: wait_for_alternative(true); break;
+    case Operation::disc: disable_channel(); break;
+    case Operation::dist: disable_timer(); break;
+    case Operation::ldtimer: push(clock(priority_)); break;
+    case Operation::tin: wait_for_time(); break;
+    case Operation::sttimer: start_clocks(r.a); break;
+    case Operation::break_: fault(Stopped::by_break, r.instruction); break;
+    case Operation::move: move_block(r.c, r.b, r.a); break;
+    case Operation::move2dall:
+    case Operation::move2dnonzero:
+    case Operation::move2dzero: move_in_two_dimensions(operation); break;
+    default: perform_on_processes(operation); break;
+    }
+}
+
+void Core::perform_on_processes(Operation operation) {
+    Registers& r = registers_;
+    switch (operation) {
+    case Operation::startp:
+        store(r.a - below::instruction, r.instruction + r.b);
+        enqueue((r.a & ~Word{3}) | static_cast<Word>(priority_));
+        r.a = r.b = r.c;
+        break;
+    case Operation::endp: end_process(); break;
+    case Operation::runp:
+        enqueue(r.a);
+        pop();
+        break;
+    case Operation::stopp: leave_processor(); break;
+    case Operation::stoperr:
+        if (r.error)
+            leave_processor();
+        break;
+    case Operation::go_on: give_way(); break;
+    default: perform_on_queues(operation); break;
+    }
+}
+
+/// Stores or sets queue registers, and enables or disables timers.
+void Core::perform_on_queues(Operation operation) {
+    const auto set = [this](Word& queue) {
+        queue = registers_.a;
+        pop();
+    };
+    const auto save = [this](std::size_t queue) {
+        store(registers_.a, front_[queue]);
+        store(registers_.a + 4, back_[queue]);
+        pop();
+    };
+    switch (operation) {
+    case Operation::saveh: return save(0);
+    case Operation::savel: return save(1);
+    case Operation::sthf: return set(front_[0]);
+    case Operation::sthb: return set(back_[0]);
+    case Operation::stlf: return set(front_[1]);
+    case Operation::stlb: return set(back_[1]);
+    case Operation::timerdisableh: timers_disabled_[0] = true; break;
+    case Operation::timerdisablel: timers_disabled_[1] = true; break;
+    case Operation::timerenableh: timers_disabled_[0] = false; break;
+    case Operation::timerenablel: timers_disabled_[1] = false; break;
+    default: break;
+    }
+    find_next_timer();
+}
+
+} // namespace placedpar::transputer
