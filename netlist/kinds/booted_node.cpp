@@ -114,7 +114,8 @@ FaultEffects BootedNode::suffer(const Fault& halts) {
 }
 
 std::string BootedNode::state() const {
-    const std::string limit = host_ && host_->server.exceeded_write_limit() ? "; it reached the limit of --host-limit" : "";
+    const std::string limit =
+        host_ && host_->server.exceeded_write_limit() ? "; it reached the limit of --host-limit" : "";
     return state_of_program() + limit;
 }
 
