@@ -15,6 +15,10 @@ Word word_of(std::span<const std::uint8_t, 4> bytes) {
     return result;
 }
 
+/// The time that an access for each direction may take: three quarters of that in which both directions of a link at 20
+/// Mbit/s move a word.
+constexpr Time most_taken = std::chrono::nanoseconds{2550};
+
 } // namespace
 
 Node::Node(Kernel& kernel, std::string name, Model model, std::uint64_t memory_bytes, const CoreTiming& timing)
@@ -69,7 +73,8 @@ void Node::run() {
 /// Returns the local time up to which nothing else can act on the core.
 ///
 /// While link engines take accesses, local time passes faster than instructions do, so only a part of the way is gone
-/// at once. It is exact unless the engines take more than three quarters of the time of the memory.
+/// at once: exact while the engines leave a quarter of the time. If the memory is too slow for that, it is an
+/// instruction.
 HalfCycles Node::limit() const {
     const EventQueue& future = kernel_.future();
     const Time next_event = future.empty() ? Time::max() : future.next_time();
@@ -83,7 +88,8 @@ HalfCycles Node::limit() const {
     if (engines_.parts_under_way == 0 && core_.time_at(core_.local() + way) <= next_event)
         return core_.local() + way;
     const HalfCycles at_once = 2 * wires_.size() * access_half_cycles_;
-    return way > at_once + 4 ? core_.local() + (way - at_once) / 4 : next;
+    const bool may_take_all = times(static_cast<std::int64_t>(2 * wires_.size()), access_) > most_taken;
+    return way > at_once + 4 && !may_take_all ? core_.local() + (way - at_once) / 4 : next;
 }
 
 /// Adds the accesses that link engines took since the last call. Returns false if local time is now in the future; the
