@@ -42,14 +42,14 @@ struct PlainRun {
     Assembly program;
 };
 
-struct Outcome {
+struct PlainOutcome {
     Word a, b, c;
     bool error;
     std::uint64_t cycles;
 };
 
 /// Executes one operation.
-Outcome result_of(const char* name, Word a, Word b, Word c, PlainModel model = t800) {
+PlainOutcome result_of(const char* name, Word a, Word b, Word c, PlainModel model = t800) {
     PlainRun run(name, {.model = model, .memory = 8192});
     run.t.a = a;
     run.t.b = b;
