@@ -117,7 +117,10 @@ void BootedNode::tell_hosts() {
 
 FaultEffects BootedNode::suffer(const Fault& halts) {
     device_.halt_at(begin_of(halts));
-    return {};
+    return [this](FaultUse& use) {
+        if (device_.activity() == transputer::Node::Activity::halted)
+            use.stopped.push_back("the code of " + node().name);
+    };
 }
 
 std::string BootedNode::state() const {
