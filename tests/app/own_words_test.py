@@ -23,7 +23,7 @@ def commands():
 def options_with_one_value(command):
     """A name and a value that it accepts."""
     text = placedpar(command, "--help").stdout
-    found = re.findall(r"^  (?:-\w,)?(--[\w-]+) ([A-Z][A-Z_:|{}a-z.,-]*)(?:=(\S+))?((?: [A-Z.]\S*)*)", text, re.MULTILINE)
+    found = re.findall(r"^  (?:-\w,)?(--[\w-]+) ([A-Z][A-Z_:|{}a-z0-9.,-]*)(?:=(\S+))?((?: [A-Z.]\S*)*)", text, re.MULTILINE)
     return [(name, default or VALUES.get(takes, "1")) for name, takes, default, rest in found if "..." not in rest]
 
 
