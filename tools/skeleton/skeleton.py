@@ -65,7 +65,7 @@ class Piece:
 
 END_OF_NAMESPACE = "\n} // namespace placedpar\n"
 # Matches a type, or a function in a namespace, of the same name.
-TYPE = (r"[a-z].*\.[ch]pp", r"\b(?:class|struct|enum|namespace|concept|using) (?:@Pascal@|@snake@)\b")
+TYPE = (r"[a-z].*\.[ch]pp", r"\b(?:class|struct|enum|namespace|concept|using) (?:placedpar::)?(?:@Pascal@|@snake@)\b")
 FUNCTION = (r"[a-z].*\.hpp", r"(?m)^(?:[\w:<>,]+[ &*]+)+@snake@\(")
 PIECES = {
     "kind": Piece(
