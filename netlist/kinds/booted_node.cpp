@@ -137,7 +137,7 @@ std::string BootedNode::state_of_program() const {
     if (device_.activity() == transputer::Node::Activity::stopped)
         return "stopped: " + device_.core().why_stopped();
     if (host_ && !host_->end.refusal().empty())
-        return "sent what is no request: " + host_->end.refusal();
+        return "sent bytes that are not a request: " + host_->end.refusal();
     if (host_ && host_->end.state() == iserver::ServerState::waits_for_input)
         return "waits for a key, and no more are given";
     if (host_ && host_->end.state() == iserver::ServerState::exited)

@@ -145,7 +145,7 @@ private:
 
     void define(std::map<std::string, Word, std::less<>>& names, std::string_view name, Word value) {
         if (!is_name(name))
-            fail(name, fmt::format("\"{}\" is no name: a name has letters, digits, _ and .", name));
+            fail(name, fmt::format("\"{}\" cannot be a name: a name has letters, digits, _ and .", name));
         if (program_.labels.contains(name) || constants_.contains(name))
             fail(name, fmt::format("\"{}\" is defined already: choose another name", name));
         names.emplace(name, value);
@@ -179,7 +179,7 @@ private:
             return {};
         const auto found = mnemonics().find(name);
         if (found == mnemonics().end())
-            fail(name, fmt::format("\"{}\" is no instruction", name));
+            fail(name, fmt::format("the instruction \"{}\" does not exist", name));
         const Mnemonic& is = found->second;
         if (model_ && !(is.models & only(*model_)))
             fail(name, fmt::format("the {} has no instruction \"{}\"", traits_of(*model_).name, name));

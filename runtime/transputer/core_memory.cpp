@@ -111,7 +111,7 @@ std::string Core::why_stopped() const {
     case Stopped::by_error:
         return fmt::format("the instruction before #{:08X} set the Error flag while HaltOnError was set", at);
     case Stopped::by_unknown_instruction:
-        return fmt::format("the bytes at #{:08X} are no instruction of a {}", at, traits_.name);
+        return fmt::format("the bytes at #{:08X} are not an instruction of a {}", at, traits_.name);
     case Stopped::by_bad_address:
         return fmt::format(
             "the instruction at #{:08X} uses the address #{:08X}, but memory is from #80000000 to #{:08X}", at,

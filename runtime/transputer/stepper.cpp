@@ -187,7 +187,7 @@ std::string Stepper::queue(std::string_view name, Word front, Word back, Word li
     for (std::uint64_t i = 0; process != not_a_process && i < most_shown; ++i) {
         const Word offset = NodeMemory::offset_of(process) & ~Word{3};
         if (!core_.memory().holds(offset - below::time, below::time))
-            return result + fmt::format("  {} is no workspace\n", print_address(process));
+            return result + fmt::format("  {} is not a workspace\n", print_address(process));
         const bool timer = link == below::timer_link;
         result += fmt::format("  Wptr {}  Iptr {}{}\n", print_address(process),
                               print_address(core_.memory().word(offset - below::instruction)),

@@ -80,7 +80,7 @@ class Assemble(unittest.TestCase):
     def test_a_fault_is_shown_with_its_place_and_nothing_is_written(self):
         done = self.assemble("start: ldc 1\n       dup; frob 3 -- comment\n")
         self.assertEqual((done.returncode, done.stdout), (1, ""))
-        self.assertEqual(done.stderr, f"{self.source}:2:13: error: \"frob\" is no instruction\n"
+        self.assertEqual(done.stderr, f"{self.source}:2:13: error: the instruction \"frob\" does not exist\n"
                                       "           dup; frob 3 -- comment\n                ^\n")
         done = self.assemble("dup", "--processor", "T414")
         self.assertIn(':1:1: error: the T414 has no instruction "dup"', done.stderr)
