@@ -150,7 +150,7 @@ Core::Left Core::execute(HalfCycles budget) {
 #undef RESULT
 #undef SELECTED
 #undef SCHEDULING
-        &&go_on, &&unknown};
+        &&go_on, &&j_zero, &&unknown};
 
     std::uint8_t* const memory = memory_.data();
     const std::uint8_t* const code_flags = memory_.code_flags();
@@ -228,6 +228,14 @@ go_on:
     next = entry->operand;
     last_fetched = (NodeMemory::offset_of(next) - 1) & ~Word{3}; // a block that was written to may end early
     goto branch;
+j_zero:
+    if (!breaks_at_j0_)
+        BRANCH_OR_GIVE_WAY(OPERAND);
+    next = entry->operand;
+    spent += entry->after - 2 * description_of(Operation::j).cycles; // ours: it takes as long as `break`
+    begun_ = Operation::break_;
+    left = Left::scheduling;
+    goto leave;
 scheduling:
     next = entry->operand;
     spent += entry->after;

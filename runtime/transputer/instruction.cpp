@@ -36,6 +36,7 @@ constexpr Instruction instruction_table[] = {
 #undef SELECTED
 #undef SCHEDULING
     {"", 0, Unit::direct, 0, 0, 0, 0}, // go_on
+    {"", 0, Unit::direct, 0, 0, 0, 0}, // j_zero
     {"", 0, Unit::direct, 0, 0, 0, 0}, // unknown
 };
 static_assert(std::size(instruction_table) == static_cast<std::size_t>(Operation::unknown) + 1);

@@ -26,6 +26,7 @@ enum class Operation : std::uint8_t {
 #undef SELECTED
 #undef SCHEDULING
     go_on,  ///< not an instruction: the block ends here, and execution goes on at the operand
+    j_zero, ///< `j 0` of a model that can make it a breakpoint, in decoded code only
     unknown ///< not an instruction of the model
 };
 
@@ -45,7 +46,7 @@ struct Instruction {
     std::uint16_t real_cycles = 0; ///< cycles of the floating-point unit, of single length where it depends on that
 };
 
-/// Returns the description of an instruction; of `go_on` and `unknown` one without cycles.
+/// Returns the description of an instruction; of `go_on`, `j_zero` and `unknown` one without cycles.
 const Instruction& description_of(Operation);
 /// Returns the direct function of a code from 0 to 15, except of pfix, nfix and opr: these are `unknown`.
 Operation function_of(Word code);
