@@ -317,6 +317,7 @@ constexpr PlainOperation table[] = {
     {0x6C, "postnormsn", 5, t414 | t425 | t400, postnormalise},
     {0x71, "ldinf", 1, t414 | t425 | t400, [](P& p) { p.push(0x7F800000); }},
     {0x73, "cflerr", 3, t414 | t425 | t400, check_real},
+    {0x9C, "fptesterror", 2, t425 | t400, [](P& p) { p.push(1); }},
     {0x5B, "move2dinit", 8, newer,
      [](P& p) { p.rows = p.a, p.target_stride = p.b, p.source_stride = p.c, p.undefined = 7; }},
     {0x5C, "move2dall", 0, newer, [](P& p) { move_block(p, Which::every); }, When::at_end_unless_interrupted,
