@@ -1,5 +1,5 @@
-// How fast emulated transputers execute code. The first programs run on one processor without links: a sieve, a loop of
-// reals, COMMSTIME by `in` and `out`, and a program that overwrites its own code. The last rows are processors that
+// How fast emulated transputers execute code. The first programs run on one processor without links: a sieve, a program
+// like Dhrystone, a loop of reals, COMMSTIME by `in` and `out`, and a program that overwrites its own code. The last rows are processors that
 // compute and exchange 100 bytes with their neighbours each millisecond. A row says how many simulated seconds of a
 // T800-20 pass in a second of the host's processor, summed over the processors.
 
@@ -49,6 +49,82 @@ const char* const sieve = R"(
    struck: ldl 3; adc 1; stl 3
      next: ldlp 6; ldc all - each; lend
       all: j once
+)";
+
+// A program of ours with the mix of Dhrystone: records that are copied and changed through pointers, strings that are
+// compared, elements of arrays, procedures with parameters, decisions, and a little arithmetic. Records and arrays are in
+// external memory. Word 16 counts the turns, and word 17 the strings that were equal.
+const char* const dhrystone_of_ours = R"(
+           ajw 8; ldc 0; stl 16; ldc 0; stl 17
+           mint; ldc #2000; bsub; stl 10           -- the first record, which points to the second
+           mint; ldc #2100; bsub; stl 11
+           mint; ldc #3000; bsub; stl 12           -- arrays of 50 words, and of 50 rows of 50
+           mint; ldc #3100; bsub; stl 13
+           ldl 11; ldl 10; stnl 0; ldl 10; ldl 11; stnl 0
+           ldc 0; ldl 10; stnl 1; ldc 2; ldl 10; stnl 2; ldc 40; ldl 10; stnl 3
+     turn: ldl 16; adc 1; stl 16
+           ldc 2; stl 1; ldc 3; stl 2
+           ldpi second; ldpi first; call compare   -- differ near their ends
+           cj equal; j unequal
+    equal: ldl 17; adc 1; stl 17
+  unequal: ldl 1; ldl 2; gt; eqc 0; cj after       -- while word 1 < word 2
+           ldc 5; ldl 1; mul; ldl 2; sub; stl 3
+           ldlp 3; ldl 2; ldl 1; call plus_two
+           ldl 1; adc 1; stl 1; j unequal
+    after: ldl 3; ldl 1; ldl 12; call elements
+           ldl 10; call records
+           ldc 65; stl 4
+  letters: ldl 4; ldc 66; gt; eqc 0; cj counted    -- for 'A' to 'B'
+           ldc 67; ldl 4; call same_letter; cj no
+           ldlp 5; ldc 0; call decide
+       no: ldl 4; adc 1; stl 4; j letters
+  counted: ldl 2; ldl 1; mul; stl 6
+           ldl 6; ldl 3; div; stl 7
+           ldl 6; ldl 3; sub; ldc 7; prod; ldl 7; sub; stl 2
+           ldlp 1; call last_one
+           j turn
+ plus_two: ldl 1; adc 2; ldl 2; add; ldl 3; stnl 0; ret          -- (value, value, VAR result)
+  compare: ajw -1                                                -- (string, string): 1 if they differ
+     each: ldl 2; lb; stl 0; ldl 3; lb; ldl 0; diff; cj same
+           ldc 1; ajw 1; ret
+     same: ldl 0; cj ended
+           ldl 2; adc 1; stl 2; ldl 3; adc 1; stl 3; j each
+    ended: ldc 0; ajw 1; ret
+ elements: ajw -3                                                -- (array, index, value)
+           ldl 5; adc 5; stl 0
+           ldl 6; ldl 0; ldl 4; wsub; stnl 0
+           ldl 0; ldl 4; wsub; ldnl 0; ldl 0; adc 1; ldl 4; wsub; stnl 0
+           ldl 0; ldl 0; adc 30; ldl 4; wsub; stnl 0
+           ldl 0; stl 1; ldc 2; stl 2
+      row: ldl 0; ldl 0; ldc 50; prod; ldl 1; add; ldl 4; ldnlp 64; wsub; stnl 0
+           ldlp 1; ldc rows - row; lend
+     rows: ldc 5; ajw 3; ret
+  records: ajw -2                                                -- (pointer)
+           ldl 3; ldnl 0; stl 0; ldl 3; ldl 0; ldc 48; move
+           ldc 5; ldl 3; stnl 3; ldl 3; ldnl 3; ldl 0; stnl 3
+           ldl 3; ldnl 0; ldl 0; stnl 0
+           ldl 0; ldnlp 0; call next_record
+           ldl 0; ldnl 1; cj first_kind
+           ldl 0; ldl 3; ldc 48; move; j recorded
+first_kind: ldc 6; ldl 0; stnl 3
+           ldl 0; ldnlp 2; ldl 3; ldnl 2; call decide
+           ldl 0; ldnlp 3; ldc 10; ldl 0; ldnl 3; call plus_two
+ recorded: ajw 2; ret
+next_record: ldl 1; cj nothing
+           ldl 1; ldnl 0; ldl 1; stnl 0
+  nothing: ldlp 0; ldnlp 2; ldc 10; ldl 1; ldnl 3; call plus_two; ret
+   decide: ajw -1                                                -- (kind, VAR result)
+           ldl 2; ldl 3; cj given
+           ldl 2; eqc 2; cj other
+           ldc 1; ldl 3; stnl 0; j decided
+    other: ldl 2; eqc 0; cj decided
+           ldc 0; ldl 3; stnl 0; j decided
+    given: ldl 2; stl 0
+  decided: ajw 1; ret
+same_letter: ajw -2; ldl 3; stl 0; ldl 0; stl 1; ldl 1; ldl 4; diff; eqc 0; ajw 2; ret
+ last_one: ldl 1; ldnl 0; adc 10; stl 2; ldl 2; adc -1; ldl 1; stnl 0; ret
+    first: .byte "A PROGRAM LIKE DHRYSTONE, TEXT 1", 0
+   second: .byte "A PROGRAM LIKE DHRYSTONE, TEXT 2", 0
 )";
 
 // Sums the square roots of 1, 2, 3, ... in double length.
@@ -190,6 +266,7 @@ void measure_ring(int processors, double seconds) {
 int main(int argc, char** argv) {
     const double seconds = static_cast<double>(argument(argc, argv, 1, 2000, "transputer [MILLISECONDS]")) / 1000;
     measure_alone("sieve", sieve, 10 * seconds);
+    measure_alone("like Dhrystone", dhrystone_of_ours, 10 * seconds);
     measure_alone("square roots", reals, 5 * seconds);
     measure_alone("COMMSTIME", comstime, 5 * seconds);
     measure_alone("code that overwrites itself", changing, seconds);

@@ -13,6 +13,7 @@
 #include <functional>
 #include <list>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -85,16 +86,10 @@ private:
 
 // Interrupts
 
-/// The latencies of interrupts, in cycles, from the tick of the clock that ends a wait to the first instruction.
-struct Latencies {
-    double typical, longest;
-};
-
-/// Measures the latencies at which a process of high priority interrupts a program that is executed again and again.
-Latencies latencies_beside(const std::string& program) {
-    EmulatedProgram t800(fmt::format(R"(
+/// A process of high priority waits for ticks of its clock, and interrupts a program at low priority.
+constexpr const char* interrupts = R"(
            ldc 0; sttimer
-  started: ldc low - here; ldpi                  -- a process of low priority, at W - 40
+  started: ldc low - here; ldpi                                    -- a process of low priority, at W - 40
      here: stl -41; ldlp -40; adc 1; runp
      wait: ldl 1; adc 7; stl 1; ldc 0; ldl 1; ldc 31; and; shl    -- takes a varying time
            ldtimer; adc 9; ldl 1; ldc 15; and; add; stl 2; ldl 2   -- a varying number of ticks later
@@ -102,9 +97,12 @@ Latencies latencies_beside(const std::string& program) {
     woken: j wait
       low: {}
            j low
-)",
-                                     program),
-                         0);
+)";
+
+/// Returns the latencies of many interrupts of a program, in cycles and in ascending order: from the tick that ends a
+/// wait to the first instruction.
+std::vector<std::int64_t> latencies_beside(const char* low_program) {
+    EmulatedProgram t800(fmt::format(interrupts, low_program), 0);
     Time clock_began{};
     std::vector<std::int64_t> cycles;
     t800.watch("started", [&] { clock_began = t800.now(); });
@@ -114,11 +112,10 @@ Latencies latencies_beside(const std::string& program) {
     });
     t800.run(std::chrono::milliseconds{50});
     std::ranges::sort(cycles);
-    return {static_cast<double>(cycles.at(cycles.size() / 2)), static_cast<double>(cycles.back())};
+    return cycles;
 }
 
-/// Instructions of one cycle.
-constexpr const char* constants = "ldc 0; ldc 1; ldc 2; ldc 3; ldc 4; ldc 5; ldc 6; ldc 7; ldc 8; ldc 9; ldc 10";
+constexpr const char* of_one_cycle = "ldc 0; ldc 1; ldc 2; ldc 3; ldc 4; ldc 5; ldc 6; ldc 7; ldc 8; ldc 9; ldc 10";
 constexpr const char* divisions = "ldc 60; ldc 7; div; ldc 0; ldc 0";
 /// Operations on reals in the sequences that compilers emit: a root, a quotient, a remainder.
 constexpr const char* operations_on_reals = R"(
@@ -129,15 +126,17 @@ constexpr const char* operations_on_reals = R"(
     whole: ldlp 2; fpstnldb
 )";
 
+double typical_latency_beside(const char* program) {
+    const auto cycles = latencies_beside(program);
+    return static_cast<double>(cycles.at(cycles.size() / 2));
+}
+
+double longest_latency_beside(const char* program) { return static_cast<double>(latencies_beside(program).back()); }
+
 // Turns
 
-/// Returns the time from the moment at which a process becomes ready until it begins, in timeslice periods, while
-/// `others` processes that became ready just before compute. They become ready after `delay` turns of a loop.
-double wait_beside(int others, int delay) {
-    std::string starts;
-    for (int i = 0; i < others; ++i)
-        starts += fmt::format("ldc computes - s{0}; ldlp -{1}; startp\ns{0}:\n", i, 40 + 20 * i);
-    EmulatedProgram t800(fmt::format(R"(
+/// Processes that compute become ready after a delay, and one more behind them.
+constexpr const char* turns = R"(
            ldc {}; stl 2; ldc 0; stl 1
     delay: ldlp 1; ldc over - delay; lend
      over: {}
@@ -145,9 +144,15 @@ double wait_beside(int others, int delay) {
      last: stopp
  computes: j computes
      asks: stopp
-)",
-                                     delay, starts),
-                         1);
+)";
+
+/// Returns the time from the moment at which a process becomes ready until it begins, in timeslice periods, while
+/// `others` processes that became ready just before compute. `delay`: in turns of a loop.
+double wait_beside(int others, int delay) {
+    std::string starts;
+    for (int i = 0; i < others; ++i)
+        starts += fmt::format("ldc computes - s{0}; ldlp -{1}; startp\ns{0}:\n", i, 40 + 20 * i);
+    EmulatedProgram t800(fmt::format(turns, delay, starts), 1);
     Time ready{}, began{};
     t800.watch("last", [&] { ready = t800.now(); });
     t800.watch("asks", [&] { began = t800.now(); });
@@ -156,41 +161,54 @@ double wait_beside(int others, int delay) {
     return static_cast<double>((began - ready).count()) / static_cast<double>(hardware::Processor::timeslice.count());
 }
 
-/// Returns the shortest and the longest wait, over delays of up to one period.
-std::pair<double, double> waits_beside(int others) {
+/// Returns the waits for delays of up to a period, in ascending order.
+std::vector<double> waits_beside(int others) {
     std::vector<double> periods;
-    for (int delay = 1; delay < 1600; delay += 110) // 12 cycles each, so up to 19,200 of the 20,480 of a period
+    for (int delay = 1; delay < 1720; delay += delay < 1680 ? 110 : 4) // 12 cycles each; a period has 20,480
         periods.push_back(wait_beside(others, delay));
-    for (int delay = 1680; delay < 1720; delay += 4) // around the end of the period
-        periods.push_back(wait_beside(others, delay));
-    const auto [least, most] = std::ranges::minmax(periods);
-    return {least, most};
+    std::ranges::sort(periods);
+    return periods;
 }
 
 // Memory
 
-/// Returns the cycles of instructions, with those of a loop, by the clock of low priority.
-double cycles_of_turn(const std::string& body, Word origin = code_on_chip) {
-    constexpr int turns = 20'000;
-    EmulatedProgram t800(fmt::format(R"(
+/// Reads the clock before and after many turns of a loop.
+constexpr const char* timed_loop = R"(
            ldc 0; sttimer; ldc 0; stl 1; ldc {}; stl 2; ldtimer; stl 3
      turn: {}
            ldlp 1; ldc over - turn; lend
      over: ldtimer; ldl 3; diff; stl 4; stopp
-)",
-                                     turns, body),
-                         1, origin);
+)";
+
+/// Returns the cycles between two readings of the clock of low priority, for each of so many turns.
+double cycles_for_each(int turns_of_loop, std::int64_t ticks) {
+    return static_cast<double>(ticks * (hardware::Processor::low_tick / emulated_cycle)) / turns_of_loop;
+}
+
+/// Returns the cycles of instructions, with those of a loop.
+double cycles_of_turn(const std::string& body, Word origin = code_on_chip) {
+    constexpr int turns_of_loop = 20'000;
+    EmulatedProgram t800(fmt::format(timed_loop, turns_of_loop, body), 1, origin);
     t800.run(std::chrono::seconds{10});
-    constexpr double cycles_of_tick = static_cast<double>(hardware::Processor::low_tick / emulated_cycle);
-    return static_cast<double>(t800.word(4)) * cycles_of_tick / turns;
+    return cycles_for_each(turns_of_loop, t800.word(4));
 }
 
 /// Returns the rate at which `move` copies, in Mbyte/s: that of what a longer block takes longer.
-double move_rate(const std::string& source, const std::string& target) {
+double move_rate(const char* source, const char* target) {
     const auto cycles = [&](int bytes) {
         return cycles_of_turn(fmt::format("{}; {}; ldc {}; move; ldc 0; ldc 0", source, target, bytes));
     };
     return 512 * (emulated_hertz / 1e6) / (cycles(1024) - cycles(512));
+}
+
+/// Returns the cycles of fetching a word of code from outside of the chip.
+double cycles_of_fetching() {
+    const std::string words = "ldc 0; ldc 1; ldc 2; ldc 3; ldc 4; ldc 5; ldc 6; ldc 7; "
+                              "ldc 8; ldc 9; ldc 10; ldc 11; ldc 12; ldc 13; ldc 14; ldc 15; ";
+    const auto four_words = [&](Word origin) {
+        return cycles_of_turn(words + words, origin) - cycles_of_turn(words, origin);
+    };
+    return (four_words(code_outside) - four_words(code_on_chip)) / 4;
 }
 
 // Communication
@@ -221,8 +239,7 @@ constexpr const char* commstime = R"(
 double cycles_of_commstime() {
     EmulatedProgram t800(commstime, 1);
     t800.run();
-    return static_cast<double>(t800.word(5)) * static_cast<double>(hardware::Processor::low_tick / emulated_cycle) /
-           10'000;
+    return cycles_for_each(10'000, t800.word(5));
 }
 
 /// Gives a transputer the bytes that boot it, over a link.
@@ -248,33 +265,32 @@ private:
 };
 
 constexpr int message_bytes = 400'000;
-
-/// Outputs a message over link 1, inputs one over it, or does both in parallel. Notes the ticks in word 1.
-std::string exchange_of(bool outputs, bool inputs) {
-    const std::string out = fmt::format("ldl 4; mint; ldnlp 1; ldc {}; out", message_bytes);
-    const std::string in = fmt::format("ldl 4; mint; ldnlp 5; ldc {}; in", message_bytes);
-    const std::string begin = "ajw 100; ldc 0; sttimer; mint; ldc #10000; bsub; stl 4; ldtimer; stl 3\n";
-    const std::string end = "ldtimer; ldl 3; diff; stl 5; stopp\n";
-    if (!outputs || !inputs)
-        return begin + (outputs ? out : in) + "\n" + end;
-    return begin +
-           fmt::format(R"(
+constexpr const char* in_parallel = R"(
            ldc 2; stl 1; ldc joined - next; ldpi
      next: stl 0; ldl 4; ldc #80000; bsub; stl -36; ldc other - started; ldlp -40; startp
   started: {}; ldlp 0; endp
     other: {}; ldlp 40; endp
-   joined: )",
-                       out, in) +
-           end;
+   joined: ldc 0
+)";
+
+/// Outputs a message over link 1, inputs one over it, or does both in parallel. Notes the ticks in word 5.
+std::string exchange_of(bool outputs, bool inputs) {
+    const std::string out = fmt::format("ldl 4; mint; ldnlp 1; ldc {}; out", message_bytes);
+    const std::string in = fmt::format("ldl 4; mint; ldnlp 5; ldc {}; in", message_bytes);
+    return "ajw 100; ldc 0; sttimer; mint; ldc #10000; bsub; stl 4; ldtimer; stl 3\n" +
+           (!inputs    ? out
+            : !outputs ? in
+                       : fmt::format(in_parallel, out, in)) +
+           "\n ldtimer; ldl 3; diff; stl 5; stopp\n";
 }
 
 /// Measures how fast two booted transputers exchange messages over a link.
 class EmulatedLink {
 public:
-    EmulatedLink(Model model, std::int64_t bits_per_second, bool both_ways)
+    EmulatedLink(Model model, std::int64_t bits_per_second, bool exchanges)
         : timing_{.bits_per_second = bits_per_second, .overlapped_acknowledge = model != Model::t414} {
         for (const bool sends : {true, false})
-            add(model, exchange_of(sends || both_ways, !sends || both_ways));
+            add(model, exchange_of(sends || exchanges, !sends || exchanges));
         auto& link = simulation_.add<hardware::Link>(timing_, "a", "b");
         lanes_.emplace_back(link, nodes_[0]->end(1), nodes_[1]->end(1));
         for (transputer::Node* const node : nodes_)
@@ -320,112 +336,107 @@ private:
 
 // Comparisons
 
-/// A published figure.
+/// A published figure, and how it is measured.
 struct PublishedFigure {
     const char* row;
     const char* source;
     const char* unit;
-    double figure, tolerance;
+    double figure;
+    std::optional<double> tolerance; ///< none: the figure is only printed
     Origin origin;
-    int decimals = 0;
+    int decimals;
+    double (*measure)();
 };
 
-Cell beside(const PublishedFigure& published, double measured) {
-    Cell cell = judged_cell(published.row, "measured", published.unit, published.figure, measured, published.tolerance,
-                            published.decimals);
-    cell.source = published.source;
-    cell.origin = published.origin;
+constexpr const char* cycle_table = "T4 notebook (pahihu/t4)";
+constexpr const char* of_slices = "databook, 1.3: 1 to 2 periods of 1.024 ms";
+constexpr const char* of_waits = "databook, 1.3: 2n - 2 periods with n - 1 others";
+
+const PublishedFigure scheduler_figures[] = {
+    {"code: interrupt, typical", cycle_table, "cycles", 19, 0, Origin::constant, 0,
+     [] { return typical_latency_beside(of_one_cycle); }},
+    {"code: interrupt of divisions, longest", cycle_table, "cycles", 58, 0, Origin::outcome, 0,
+     [] { return longest_latency_beside(divisions); }},
+    {"code: turn beside another, shortest", of_slices, "periods", 1, 0.05, Origin::outcome, 2,
+     [] { return waits_beside(1).front(); }},
+    {"code: turn beside another, longest", of_slices, "periods", 2, 0.05, Origin::outcome, 2,
+     [] { return waits_beside(1).back(); }},
+    {"code: wait beside 3 others, longest", of_waits, "periods", 6, 0.2, Origin::outcome, 2,
+     [] { return waits_beside(3).back(); }},
+    {"code: wait beside 7 others, longest", of_waits, "periods", 14, 0.2, Origin::outcome, 2,
+     [] { return waits_beside(7).back(); }},
+};
+
+const PublishedFigure memory_figures[] = {
+    {"code: move on the chip", "T4 notebook (pahihu/t4): 2 cycles a word", "Mbyte/s", 40, 0.1, Origin::constant, 2,
+     [] { return move_rate("ldlp -700", "ldlp -400"); }},
+    {"code: move outside of the chip", "T800 databook, block move", "Mbyte/s", 13.3, 0.1, Origin::outcome, 2,
+     [] { return move_rate("mint; ldc #20000; bsub", "mint; ldc #30000; bsub"); }},
+    {"code: fetching a word outside of the chip", "calibrated with one program", "cycles", 1, 0.05, Origin::calibrated,
+     2, cycles_of_fetching},
+    {"code: a loop of COMMSTIME", "published; a switch takes no time here", "cycles", 301, std::nullopt, Origin::outcome, 0,
+     cycles_of_commstime},
+};
+
+/// A published rate of a link, in Kbyte/s. With both directions in use, the rate is the sum of both.
+struct PublishedRate {
+    const char* row;
+    const char* source;
+    double kbytes_per_s, tolerance;
+    Origin origin;
+    Model model;
+    std::int64_t mbits_per_second;
+    bool exchanges;
+};
+
+constexpr const char* table_8_1 = "databook, table 8.1";
+
+constexpr PublishedRate published_rates[] = {
+    {"code: 5 Mbit/s, one way", table_8_1, 450, 13.5, Origin::outcome, Model::t800, 5, false},
+    {"code: 5 Mbit/s, both ways", table_8_1, 670, 20.1, Origin::fitted, Model::t800, 5, true},
+    {"code: 10 Mbit/s, one way", table_8_1, 910, 27.3, Origin::outcome, Model::t800, 10, false},
+    {"code: 10 Mbit/s, both ways", table_8_1, 1250, 37.5, Origin::fitted, Model::t800, 10, true},
+    {"code: 20 Mbit/s, one way", table_8_1, 1740, 52.2, Origin::fitted, Model::t800, 20, false},
+    {"code: 20 Mbit/s, both ways", table_8_1, 2350, 70.5, Origin::fitted, Model::t800, 20, true},
+    {"code: T414, 20 Mbit/s, one way", "databook: \"about .8 Mbyte/s\"", 800, 50, Origin::outcome, Model::t414, 20,
+     false},
+};
+
+Comparison emulated_comparison(const char* name) {
+    return {.name = name, .against = "publ.", .judged = true, .names_origins = true};
+}
+
+Comparison compare_figures(const char* name, std::span<const PublishedFigure> figures, const ReplayContext& context) {
+    Comparison result = emulated_comparison(name);
+    for (const PublishedFigure& each : figures) {
+        context.progress(each.row);
+        Cell cell =
+            cell_of(each.row, "measured", each.unit, each.figure, each.measure(), each.tolerance, each.decimals);
+        cell.source = each.source;
+        cell.origin = each.origin;
+        result.add(cell);
+    }
+    return result;
+}
+
+/// Latencies beside operations on reals have an upper bound, which compiled code does not reach.
+Cell latency_beside_reals() {
+    Cell cell = at_most(78, compared_cell("code: interrupt of floating point, longest", "measured", "cycles", 78,
+                                          longest_latency_beside(operations_on_reals), 0));
+    cell.source = "commonly stated: at most 78";
     return cell;
 }
 
-constexpr const char* cycle_table = "T4 notebook (pahihu/t4)";
-constexpr const char* slices_1_3 = "databook, 1.3: 1 to 2 periods of 1.024 ms";
-constexpr const char* waits_1_3 = "databook, 1.3: 2n - 2 periods with n - 1 others";
-
-Comparison compare_emulated_scheduler() {
-    using enum Origin;
-    Comparison result{.name = "the scheduler, by programs in the transputer's instructions",
-                      .against = "publ.",
-                      .judged = true,
-                      .names_origins = true};
-    result.add(beside({"code: interrupt, typical", cycle_table, "cycles", 19, 0, constant},
-                      latencies_beside(constants).typical));
-    result.add(beside({"code: interrupt of divisions, longest", cycle_table, "cycles", 58, 0, outcome},
-                      latencies_beside(divisions).longest));
-    Cell reals = at_most(78, beside({"code: interrupt of floating point, longest", "commonly stated: at most 78",
-                                     "cycles", 78, 0, outcome},
-                                    latencies_beside(operations_on_reals).longest));
-    result.add(reals);
-    const auto [shortest, longest] = waits_beside(1);
-    result.add(beside({"code: turn beside another, shortest", slices_1_3, "periods", 1, 0.05, outcome, 2}, shortest));
-    result.add(beside({"code: turn beside another, longest", slices_1_3, "periods", 2, 0.05, outcome, 2}, longest));
-    result.add(beside({"code: wait beside 3 others, longest", waits_1_3, "periods", 6, 0.2, outcome, 2},
-                      waits_beside(3).second));
-    result.add(beside({"code: wait beside 7 others, longest", waits_1_3, "periods", 14, 0.2, outcome, 2},
-                      waits_beside(7).second));
-    return result;
-}
-
-Comparison compare_emulated_memory() {
-    using enum Origin;
-    Comparison result{.name = "memory and processes, by programs in the transputer's instructions",
-                      .against = "publ.",
-                      .judged = true,
-                      .names_origins = true};
-    result.add(
-        beside({"code: move on the chip", "T4 notebook (pahihu/t4): 2 cycles a word", "Mbyte/s", 40, 0.1, constant, 2},
-               move_rate("ldlp -700", "ldlp -400")));
-    result.add(beside({"code: move outside of the chip", "T800 databook, block move", "Mbyte/s", 13.3, 0.1, outcome, 2},
-                      move_rate("mint; ldc #20000; bsub", "mint; ldc #30000; bsub")));
-    const std::string sixteen = "ldc 0; ldc 1; ldc 2; ldc 3; ldc 4; ldc 5; ldc 6; ldc 7; ldc 8; ldc 9; ldc 10; ldc 11; "
-                                "ldc 12; ldc 13; ldc 14; ldc 15; ";
-    const auto four_words = [&](Word origin) {
-        return cycles_of_turn(sixteen + sixteen, origin) - cycles_of_turn(sixteen, origin);
-    };
-    result.add(beside({"code: a word of code outside of the chip, beyond one on it", "calibrated with one program",
-                       "cycles", 1, 0.05, calibrated, 2},
-                      (four_words(code_outside) - four_words(code_on_chip)) / 4));
-    Cell commstime_cell =
-        compared_cell("code: a loop of COMMSTIME", "measured", "cycles", 301, cycles_of_commstime(), 0);
-    commstime_cell.source = "a published measurement";
-    result.add(commstime_cell);
-    result.notes =
-        "The loop of COMMSTIME is shorter than on a real T800 because a switch between processes takes no time "
-        "of its own here,\nand because only the process that comes second to a channel pays for the word.\n";
-    return result;
-}
-
-struct EmulatedRate {
-    PublishedFigure published;
-    Model model;
-    std::int64_t bits_per_second;
-    bool both_ways;
-};
-
-Comparison compare_emulated_links(const ReplayContext& context, Fingerprint& fingerprint) {
-    constexpr const char* table = "databook, table 8.1";
-    constexpr std::int64_t mega = 1'000'000;
-    using enum Origin;
-    static const std::vector<EmulatedRate> rates{
-        {{"code: 5 Mbit/s, one way", table, "Kbyte/s", 450, 13.5, outcome}, Model::t800, 5 * mega, false},
-        {{"code: 5 Mbit/s, both ways", table, "Kbyte/s", 670, 20.1, fitted}, Model::t800, 5 * mega, true},
-        {{"code: 10 Mbit/s, one way", table, "Kbyte/s", 910, 27.3, outcome}, Model::t800, 10 * mega, false},
-        {{"code: 10 Mbit/s, both ways", table, "Kbyte/s", 1250, 37.5, fitted}, Model::t800, 10 * mega, true},
-        {{"code: 20 Mbit/s, one way", table, "Kbyte/s", 1740, 52.2, fitted}, Model::t800, 20 * mega, false},
-        {{"code: 20 Mbit/s, both ways", table, "Kbyte/s", 2350, 70.5, fitted}, Model::t800, 20 * mega, true},
-        {{"code: T414, 20 Mbit/s, one way", "databook: \"about .8 Mbyte/s\"", "Kbyte/s", 800, 50, outcome},
-         Model::t414,
-         20 * mega,
-         false},
-    };
-    Comparison result{.name = "links, by out and in of two booted transputers",
-                      .against = "publ.",
-                      .judged = true,
-                      .names_origins = true};
-    for (const EmulatedRate& rate : rates) {
-        context.progress(rate.published.row);
-        EmulatedLink link(rate.model, rate.bits_per_second, rate.both_ways);
-        result.add(beside(rate.published, link.kbytes_per_s() * (rate.both_ways ? 2 : 1)));
+Comparison compare_rates(const ReplayContext& context, Fingerprint& fingerprint) {
+    Comparison result = emulated_comparison("links, by out and in of two booted transputers");
+    for (const PublishedRate& each : published_rates) {
+        context.progress(each.row);
+        EmulatedLink link(each.model, each.mbits_per_second * 1'000'000, each.exchanges);
+        Cell cell = judged_cell(each.row, "measured", "Kbyte/s", each.kbytes_per_s,
+                                link.kbytes_per_s() * (each.exchanges ? 2 : 1), each.tolerance, 0);
+        cell.source = each.source;
+        cell.origin = each.origin;
+        result.add(cell);
         fingerprint.mix(link.fingerprint());
     }
     return result;
@@ -444,10 +455,13 @@ std::vector<hardware::Constant> constants_of_emulation() {
 }
 
 Replay replay_emulated(const ReplayContext& context) {
-    context.progress("emulated transputer");
     Fingerprint fingerprint;
-    Replay replay{.comparisons = {compare_emulated_scheduler(), compare_emulated_memory(),
-                                  compare_emulated_links(context, fingerprint)}};
+    Comparison scheduler = compare_figures("the scheduler", scheduler_figures, context);
+    scheduler.add(latency_beside_reals());
+    Comparison memory = compare_figures("memory and processes", memory_figures, context);
+    memory.notes = "The loop of COMMSTIME is shorter than on a real T800: a switch between processes takes no time of "
+                   "its own\nhere, and only the process that comes second to a channel pays for the word.\n";
+    Replay replay{.comparisons = {scheduler, memory, compare_rates(context, fingerprint)}};
     replay.constant_table = constants_of_emulation();
     replay.fingerprint = fingerprint.value();
     return replay;

@@ -69,8 +69,7 @@ TEST_CASE("programs of emulated transputers measure the databook's latencies, tu
     CHECK(figure_of(replay, 0, "code: interrupt of floating point, longest") > 39 + 16); // a step of a root takes 42
     CHECK(figure_of(replay, 0, "code: interrupt of floating point, longest") <= 78);
     CHECK(figure_of(replay, 1, "code: move outside of the chip") == doctest::Approx(20.0 * 4 / 6).epsilon(0.002));
-    CHECK(figure_of(replay, 1, "code: a word of code outside of the chip, beyond one on it") ==
-          doctest::Approx(1).epsilon(0.03));
+    CHECK(figure_of(replay, 1, "code: fetching a word outside of the chip") == doctest::Approx(1).epsilon(0.03));
     CHECK(figure_of(replay, 1, "code: a loop of COMMSTIME") == doctest::Approx(282 - 8).epsilon(0.002)); // by the table
     // Emulated transputers and processes in C++ use the same links.
     const Replay links = test::replay_named("links");
