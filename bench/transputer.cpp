@@ -1,7 +1,7 @@
 // How fast emulated transputers execute code. The first programs run on one processor without links: a sieve, a program
-// like Dhrystone, a loop of reals, COMMSTIME by `in` and `out`, and a program that overwrites its own code. The last rows are processors that
-// compute and exchange 100 bytes with their neighbours each millisecond. A row says how many simulated seconds of a
-// T800-20 pass in a second of the host's processor, summed over the processors.
+// like Dhrystone, a loop of reals, COMMSTIME by `in` and `out`, and a program that overwrites its own code. The last
+// rows are processors that compute and exchange 100 bytes with their neighbours each millisecond. A row says how many
+// simulated seconds of a T800-20 pass in a second of the host's processor, summed over the processors.
 
 #include "bench/measure.hpp"
 #include "runtime/simulation.hpp"
@@ -52,8 +52,8 @@ const char* const sieve = R"(
 )";
 
 // A program of ours with the mix of Dhrystone: records that are copied and changed through pointers, strings that are
-// compared, elements of arrays, procedures with parameters, decisions, and a little arithmetic. Records and arrays are in
-// external memory. Word 16 counts the turns, and word 17 the strings that were equal.
+// compared, elements of arrays, procedures with parameters, decisions, and a little arithmetic. Records and arrays are
+// in external memory. Word 16 counts the turns, and word 17 the strings that were equal.
 const char* const dhrystone_of_ours = R"(
            ajw 8; ldc 0; stl 16; ldc 0; stl 17
            mint; ldc #2000; bsub; stl 10           -- the first record, which points to the second

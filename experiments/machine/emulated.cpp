@@ -374,8 +374,8 @@ const PublishedFigure memory_figures[] = {
      [] { return move_rate("mint; ldc #20000; bsub", "mint; ldc #30000; bsub"); }},
     {"code: fetching a word outside of the chip", "calibrated with one program", "cycles", 1, 0.05, Origin::calibrated,
      2, cycles_of_fetching},
-    {"code: a loop of COMMSTIME", "published; a switch takes no time here", "cycles", 301, std::nullopt, Origin::outcome, 0,
-     cycles_of_commstime},
+    {"code: a loop of COMMSTIME", "published; a switch takes no time here", "cycles", 301, std::nullopt,
+     Origin::outcome, 0, cycles_of_commstime},
 };
 
 /// A published rate of a link, in Kbyte/s. With both directions in use, the rate is the sum of both.

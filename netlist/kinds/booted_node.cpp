@@ -20,7 +20,8 @@ namespace {
 transputer::CoreTiming timing_of(const Node& node) {
     return {.clock_hz = node.integer("clock"),
             .memory_cycles = static_cast<int>(static_cast<std::int64_t>(access_time(node))),
-            .switch_cycles = static_cast<int>(node.integer("switching"))};
+            .switch_cycles = static_cast<int>(node.integer("switching")),
+            .wraps = node.integer("wraps") != 0};
 }
 
 std::shared_ptr<iserver::Terminal> terminal_of(const HostServices& host) {

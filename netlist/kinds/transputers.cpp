@@ -128,6 +128,12 @@ std::vector<AttributeDescription> transputer_attributes() {
                               "time that the host at this processor takes to answer a request of the booted program"),
                           .json_name = "host_time_ns"});
     attributes.push_back(
+        {.value = description::integer("wraps", {.by_default = 0, .least = 0, .most = 1},
+                                       "1: the booted program's accesses outside of the memory reach it again from its "
+                                       "beginning, as on boards; 0: they stop the processor, except for lb, sb, ldnl "
+                                       "and stnl"),
+         .json_name = "memory_wraps"});
+    attributes.push_back(
         {.value = description::integer("routecost", {.by_default = 1, .least = 0, .most = 1e9},
                                        "cost of routing a channel through this processor; the cheapest route is "
                                        "chosen"),

@@ -26,7 +26,7 @@ void Core::communicate(Word channel, Word address, Word bytes, bool output) {
     if (const int hard = hard_channel(channel); hard >= 0) {
         if (bytes == 0 && hard < static_cast<int>(hard_channels) - 1)
             return;
-        if (!memory_.holds(NodeMemory::offset_of(address), bytes))
+        if (!memory_.holds(NodeMemory::offset_of(address), bytes) && !can_wrap(bytes))
             return fault(Stopped::by_bad_address, address);
         store(channel, descriptor());
         leave_processor();

@@ -23,7 +23,9 @@ struct CoreTiming {
     std::int64_t clock_hz = 20'000'000;
     int memory_cycles = 3; ///< cycles of an access to a word outside of the chip; published: at least 3
     int switch_cycles = 0; ///< cycles of a switch to the next process, beyond the instruction that gives up
-    bool wraps = true;     ///< whether lb, sb, ldnl and stnl outside of the memory reach it again from its beginning
+    /// States whether every access outside of the memory reaches it again from its beginning, as on boards. Otherwise
+    /// only lb, sb, ldnl and stnl do, by which programs find the size of the memory; others stop the core.
+    bool wraps = false;
 };
 
 /// What a core asks of its links. The channels 0 to 3 are the outputs, 4 to 7 the inputs, and 8 is the event channel.
@@ -219,6 +221,8 @@ private:
     void perform_on_queues(Operation);
     void move_block(Word from, Word to, Word bytes);
     void move_in_two_dimensions(Operation);
+    bool reaches(Word& offset, Word bytes) const;
+    bool can_wrap(Word bytes) const;
     // A bad address stops the core.
     Word load(Word address);
     void store(Word address, Word value);

@@ -7,14 +7,24 @@
 #include <cstring>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace placedpar::transputer {
 
 // Memory
 
+/// Returns whether an interval can be used. A word or byte outside of the memory is replaced by where it wraps to.
+bool Core::reaches(Word& offset, Word bytes) const {
+    if (memory_.holds(offset, bytes))
+        return true;
+    if (timing_.wraps)
+        offset = memory_.wrapped(offset);
+    return timing_.wraps;
+}
+
 Word Core::load(Word address) {
-    const Word offset = NodeMemory::offset_of(address) & ~Word{3};
-    if (!memory_.holds(offset, 4)) {
+    Word offset = NodeMemory::offset_of(address) & ~Word{3};
+    if (!reaches(offset, 4)) {
         fault(Stopped::by_bad_address, address);
         return not_a_process;
     }
@@ -22,8 +32,8 @@ Word Core::load(Word address) {
 }
 
 void Core::store(Word address, Word value) {
-    const Word offset = NodeMemory::offset_of(address) & ~Word{3};
-    if (!memory_.holds(offset, 4))
+    Word offset = NodeMemory::offset_of(address) & ~Word{3};
+    if (!reaches(offset, 4))
         fault(Stopped::by_bad_address, address);
     else
         write(offset, {reinterpret_cast<const std::uint8_t*>(&value), 4});
@@ -42,6 +52,9 @@ void Core::copy_from_memory(Word offset, std::span<std::uint8_t> to) {
     const auto bytes = static_cast<Word>(to.size());
     if (memory_.holds(offset, bytes))
         std::ranges::copy(memory_.bytes(offset, bytes), to.begin());
+    else if (timing_.wraps)
+        for (std::uint8_t& each : to)
+            each = memory_.byte(memory_.wrapped_or_not(offset++));
     else
         fault(Stopped::by_bad_address, most_negative + offset);
 }
@@ -49,6 +62,9 @@ void Core::copy_from_memory(Word offset, std::span<std::uint8_t> to) {
 void Core::copy_to_memory(Word offset, std::span<const std::uint8_t> bytes) {
     if (memory_.holds(offset, static_cast<Word>(bytes.size())))
         write(offset, bytes);
+    else if (timing_.wraps)
+        for (const std::uint8_t& each : bytes)
+            write(memory_.wrapped_or_not(offset++), {&each, 1});
     else
         fault(Stopped::by_bad_address, most_negative + offset);
 }
@@ -67,13 +83,17 @@ void Core::move_block(Word from, Word to, Word bytes) {
     const Word source = NodeMemory::offset_of(from), target = NodeMemory::offset_of(to);
     if (bytes == 0) // programs move nothing from or to address 0
         return;
-    if (!memory_.holds(source, bytes))
-        fault(Stopped::by_bad_address, from);
-    else if (!memory_.holds(target, bytes))
-        fault(Stopped::by_bad_address, to);
-    else
-        write(target, memory_.bytes(source, bytes));
+    if (memory_.holds(source, bytes) && memory_.holds(target, bytes))
+        return write(target, memory_.bytes(source, bytes));
+    if (!can_wrap(bytes))
+        return fault(Stopped::by_bad_address, memory_.holds(source, bytes) ? to : from);
+    std::vector<std::uint8_t> copied(bytes);
+    copy_from_memory(source, copied);
+    copy_to_memory(target, copied);
 }
+
+/// Returns whether an interval outside of the memory may be used: it wraps, and does not use a byte twice.
+bool Core::can_wrap(Word bytes) const { return timing_.wraps && bytes <= memory_.size(); }
 
 /// Moves rows of bytes: all, those that are not 0, or those that are 0.
 void Core::move_in_two_dimensions(Operation operation) {
@@ -86,8 +106,8 @@ void Core::move_in_two_dimensions(Operation operation) {
             continue;
         }
         for (Word i = 0; i < width && stopped_ == Stopped::nothing; ++i) {
-            const Word offset = NodeMemory::offset_of(from + i);
-            const bool is_zero = memory_.holds(offset, 1) && memory_.byte(offset) == 0;
+            Word offset = NodeMemory::offset_of(from + i);
+            const bool is_zero = reaches(offset, 1) && memory_.byte(offset) == 0;
             if (is_zero == (operation == Operation::move2dzero))
                 move_block(from + i, to + i, 1);
         }

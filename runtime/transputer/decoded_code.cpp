@@ -33,7 +33,7 @@ DecodedCode::Page& DecodedCode::page(Word offset) {
     return *result;
 }
 
-bool DecodedCode::fill(Block& block, Word address) {
+bool DecodedCode::fill(Block& block, Word address, const Bytes& bytes) {
     const Word begin = NodeMemory::offset_of(address);
     Word at = begin;
     const auto fetch = [this](Word word) { return word >= timing_.bytes_on_chip ? timing_.fetch : HalfCycles16{0}; };
@@ -44,8 +44,10 @@ bool DecodedCode::fill(Block& block, Word address) {
     std::uint32_t after = 0, extra = block.first_fetch + longest_wait_for_reals;
     std::size_t count = 0;
     bool ended = false;
-    while (!ended && count < longest_block && after < most_static_cost) {
-        const CodedInstruction read = read_instruction(memory_.bytes(at, memory_.size() - at), timing_.model);
+    const std::size_t most = bytes.most_instructions == 0 ? longest_block : bytes.most_instructions;
+    while (!ended && count < most && after < most_static_cost) {
+        const CodedInstruction read =
+            read_instruction(memory_.bytes(at - bytes.before, bytes.end - (at - bytes.before)), timing_.model);
         if (read.length == 0)
             break;
         const Word next = at + read.length;
@@ -83,7 +85,18 @@ bool DecodedCode::fill(Block& block, Word address) {
     return true;
 }
 
+Block* DecodedCode::at_wrapped(Word address) {
+    const Word offset = NodeMemory::offset_of(address);
+    const Word place = memory_.wrapped(offset), end = memory_.end_around(place);
+    if (!fill(front_, address, {end, offset - place, 1}))
+        return nullptr;
+    std::copy_n(scratch_.begin(), 2, front_.entries.get());
+    return &front_;
+}
+
 Block* DecodedCode::front_of(const Block& block, std::uint64_t half_cycles) {
+    if (&block == &front_)
+        return &front_;
     const std::uint32_t* const bounds = block.bounds.get();
     const auto fit = std::upper_bound(bounds, bounds + block.instructions, half_cycles) - bounds;
     const std::size_t count = static_cast<std::size_t>(std::max<std::ptrdiff_t>(fit, 1));
@@ -103,7 +116,7 @@ Block* DecodedCode::front_of(const Block& block, std::uint64_t half_cycles) {
 
 Block* DecodedCode::decode(Word address) {
     auto block = std::make_unique<Block>();
-    if (NodeMemory::offset_of(address) >= memory_.size() || !fill(*block, address))
+    if (NodeMemory::offset_of(address) >= memory_.size() || !fill(*block, address, {memory_.size()}))
         return nullptr;
     const std::uint64_t bytes = bytes_of(*block);
     if (bytes_used_ + bytes > std::max<std::uint64_t>(memory_.size(), 65'536))

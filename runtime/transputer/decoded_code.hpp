@@ -60,6 +60,9 @@ public:
     Block* front_of(const Block&, std::uint64_t half_cycles);
     /// Forgets the blocks in the pages of an interval. REQUIRES: the memory holds it.
     void forget(Word offset, Word bytes);
+    /// Returns a block of the one instruction at an address outside of the memory, which wraps; null if it crosses an
+    /// end of the memory. The result is valid until the next call of a function.
+    Block* at_wrapped(Word address);
     /// Frees forgotten blocks. Call it when none is being executed.
     void sweep() { forgotten_.clear(); }
     bool must_sweep() const { return !forgotten_.empty(); }
@@ -71,7 +74,12 @@ private:
         bool reached_from_before = false;             ///< a block of the page before may end in this page
     };
     Block* decode(Word address);
-    bool fill(Block&, Word address);
+    /// Where instructions are read: up to an offset, and so far before their addresses say.
+    struct Bytes {
+        Word end, before = 0;
+        unsigned most_instructions = 0; ///< 0: as many as fit
+    };
+    bool fill(Block&, Word address, const Bytes&);
     Page& page(Word offset);
     void forget_page(Word index);
 

@@ -56,44 +56,44 @@ namespace placedpar::transputer {
         }                                                                                                              \
     } while (false)
 
-#define REACH(address, bytes, wraps)                                                                                   \
+#define REACH(address, bytes, always_wraps)                                                                            \
     Word offset = NodeMemory::offset_of(address);                                                                      \
     if ((bytes) > 1)                                                                                                   \
         offset &= ~Word{3};                                                                                            \
     if (offset > size - (bytes)) [[unlikely]] {                                                                        \
         bad = (address);                                                                                               \
-        if (!(wraps))                                                                                                  \
+        if (!(always_wraps) && !timing_.wraps)                                                                         \
             goto bad_address;                                                                                          \
-        offset %= size;                                                                                                \
+        offset = memory_.wrapped(offset);                                                                              \
     }                                                                                                                  \
     spent += offset >= on_chip ? penalty : 0
 #define NOTE_WRITE(bytes)                                                                                              \
     if (code_flags[offset / NodeMemory::page_bytes]) [[unlikely]]                                                      \
     code_was_written(*block, *entry, offset, bytes)
-#define LOAD_BY(address, variable, wraps)                                                                              \
+#define LOAD_BY(address, variable, always_wraps)                                                                       \
     do {                                                                                                               \
-        REACH(address, 4, wraps);                                                                                      \
+        REACH(address, 4, always_wraps);                                                                               \
         std::memcpy(&variable, memory + offset, 4);                                                                    \
     } while (false)
-#define STORE_BY(address, value_, wraps)                                                                               \
+#define STORE_BY(address, value_, always_wraps)                                                                        \
     do {                                                                                                               \
         const Word stored = static_cast<Word>(value_);                                                                 \
-        REACH(address, 4, wraps);                                                                                      \
+        REACH(address, 4, always_wraps);                                                                               \
         std::memcpy(memory + offset, &stored, 4);                                                                      \
         NOTE_WRITE(4);                                                                                                 \
     } while (false)
 #define LOAD(address, variable) LOAD_BY(address, variable, false)
-#define LOAD_WRAPPED(address, variable) LOAD_BY(address, variable, timing_.wraps)
+#define LOAD_WRAPPED(address, variable) LOAD_BY(address, variable, true)
 #define STORE(address, value_) STORE_BY(address, value_, false)
-#define STORE_WRAPPED(address, value_) STORE_BY(address, value_, timing_.wraps)
+#define STORE_WRAPPED(address, value_) STORE_BY(address, value_, true)
 #define LOAD_BYTE(address, variable)                                                                                   \
     do {                                                                                                               \
-        REACH(address, 1, timing_.wraps);                                                                              \
+        REACH(address, 1, true);                                                                                       \
         variable = memory[offset];                                                                                     \
     } while (false)
 #define STORE_BYTE(address, value_)                                                                                    \
     do {                                                                                                               \
-        REACH(address, 1, timing_.wraps);                                                                              \
+        REACH(address, 1, true);                                                                                       \
         memory[offset] = static_cast<std::uint8_t>(value_);                                                            \
         NOTE_WRITE(1);                                                                                                 \
     } while (false)
@@ -169,6 +169,8 @@ begin_block:
     if (spent >= budget)
         goto leave;
     block = code_.at(next);
+    if (!block && timing_.wraps)
+        block = code_.at_wrapped(next);
     if (!block) {
         left = Left::bad_address;
         bad = next;

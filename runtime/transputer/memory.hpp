@@ -24,17 +24,29 @@ public:
     static constexpr Word page_bytes = 256;
 
     /// Throws std::invalid_argument unless 2048 <= bytes < 4 GB and bytes is a multiple of 256; std::bad_alloc.
-    explicit NodeMemory(std::uint64_t bytes) : size_(static_cast<Word>(bytes)) {
+    /// `bytes_on_chip`: they hide as many bytes at the beginning of the memory outside of the chip, which programs
+    /// reach at addresses that wrap.
+    NodeMemory(std::uint64_t bytes, Word bytes_on_chip) : size_(static_cast<Word>(bytes)), hidden_(bytes_on_chip) {
         if (bytes < 2048 || bytes > 0xffff'ff00 || bytes % page_bytes != 0)
             throw std::invalid_argument("a transputer's memory has 2048 bytes to 4 Gbyte, in steps of 256");
-        bytes_.reset(static_cast<std::uint8_t*>(std::calloc(bytes + 8, 1))); // 8: reals are read as a whole
-        pages_.reset(static_cast<std::uint8_t*>(std::calloc(bytes / page_bytes + 1, 1)));
+        bytes_.reset(static_cast<std::uint8_t*>(std::calloc(bytes + hidden_ + 8, 1))); // 8: reals are read as a whole
+        pages_.reset(static_cast<std::uint8_t*>(std::calloc((bytes + hidden_) / page_bytes + 1, 1)));
         if (!bytes_ || !pages_)
             throw std::bad_alloc();
     }
 
     static constexpr Word offset_of(Word address) { return address - most_negative; }
     Word size() const { return size_; }
+    /// Returns where an offset outside of the memory is when addresses wrap: in the memory, or in the bytes behind it,
+    /// which are those that the memory on the chip hides.
+    Word wrapped(Word offset) const {
+        offset %= size_;
+        return offset < hidden_ ? size_ + offset : offset;
+    }
+    /// Returns the same for an offset that may be in the memory.
+    Word wrapped_or_not(Word offset) const { return offset < size_ ? offset : wrapped(offset); }
+    /// Returns the end of the memory, or of the bytes behind it, in which a place is that wrapped() returned.
+    Word end_around(Word place) const { return place < size_ ? size_ : size_ + hidden_; }
     bool holds(Word offset, Word bytes) const { return offset <= size_ && bytes <= size_ - offset; }
 
     std::uint8_t* data() { return bytes_.get(); }
@@ -62,7 +74,7 @@ private:
     struct Free {
         void operator()(std::uint8_t* p) const { std::free(p); }
     };
-    Word size_;
+    Word size_, hidden_;
     std::unique_ptr<std::uint8_t[], Free> bytes_, pages_;
 };
 

@@ -40,7 +40,7 @@ bool can_be_interrupted(Operation operation) {
 } // namespace
 
 Core::Core(Model model, std::uint64_t memory_bytes, const CoreTiming& timing, LinkEngines& links)
-    : model_(model), traits_(traits_of(model)), timing_(timing), memory_(memory_bytes),
+    : model_(model), traits_(traits_of(model)), timing_(timing), memory_(memory_bytes, traits_.bytes_on_chip),
       code_(memory_, code_timing(model, timing)), links_(links), half_cycles_(2 * timing.clock_hz),
       penalty_(2 * static_cast<HalfCycles>(timing.memory_cycles - 1)) {
     for (Word address = most_negative; address < most_negative + traits_.memory_start; address += 4)

@@ -299,7 +299,7 @@ TEST_CASE("the message about an unknown name gives the nearest name or all names
                      "note: processes and their parameters: m (population, mutation, code, priority), s (cycles, "
                      "priority), other (label, size, priority)\n"
                      "note: nodes and their attributes: root, t (memory, clock, linkspeed, channelcall, "
-                     "memorycycles, switching, hosttime, routecost, linkquota, router_priority, router_cycles)\n"
+                     "memorycycles, switching, hosttime, wraps, routecost, linkquota, router_priority, router_cycles)\n"
                      "note: connections and their attributes: c, wire (linkspeed, length)\n");
     CHECK(says(refusal({{"m.mutatoin", "3"}}), "--set:1:3: error: the process \"m\" has no parameter \"mutatoin\"\n"
                                                "    m.mutatoin=3\n"

@@ -42,10 +42,11 @@ struct NoLinks : transputer::LinkEngines {
 class Both {
 public:
     /// `in_pieces`: probability of going on in short pieces of time.
-    Both(std::size_t model, Word memory, Word memorycycles, Word clock_mhz, double in_pieces = 0)
-        : plain({plain_models[model], memory, memorycycles, clock_mhz}),
+    Both(std::size_t model, Word memory, Word memorycycles, Word clock_mhz, double in_pieces = 0, bool wraps = false)
+        : plain({plain_models[model], memory, memorycycles, clock_mhz, wraps}),
           core(core_models[model], memory,
-               {.clock_hz = clock_mhz * 1'000'000, .memory_cycles = static_cast<int>(memorycycles)}, no_links),
+               {.clock_hz = clock_mhz * 1'000'000, .memory_cycles = static_cast<int>(memorycycles), .wraps = wraps},
+               no_links),
           clock_mhz_(clock_mhz), in_pieces_(in_pieces) {
         for (Word address = PlainTransputer::most_neg; address < plain.mem_start(); address += 4)
             plain.poke(address, PlainTransputer::not_process);
@@ -246,6 +247,47 @@ TEST_CASE("the engine executes direct functions and accesses to memory as the pl
             both.set({0x80000200, workspace_at, a, 0x89ABCDEF, 7, false}, a % 2 != 0); // some halt on an error
             const auto difference = both.step();
             CHECK_MESSAGE(difference.empty(), fmt::format("{} A #{:08X}:{}", instruction, a, difference));
+        }
+}
+
+TEST_CASE(
+    "where addresses wrap, all accesses and code outside of the memory do so, to the memory outside of the chip") {
+    // Memory has 16 Kbyte. The program writes code at #80004100, goes there, and returns; stores, calls, moves and
+    // communicates at addresses from 16 Kbyte on, also across ends of the memory. W is at #80005000.
+    const auto code = transputer::assemble(R"(
+           ldc #11223344; mint; ldc #4010; bsub; stnl 0; ldc #55667788; stl 2; ldl 2; stl 3
+           mint; ldc #4010; bsub; mint; ldc #3FF9; bsub; ldc 20; move
+           mint; ldc #3FF0; bsub; mint; ldc #4200; bsub; ldc 64; move
+           ldpi routine; mint; ldc #4100; bsub; ldc 8; move
+           ldpi here; stl 0; mint; ldc #4100; bsub; gcall
+     here: stl 4; call local; stl 5; ldlp 20; ldc 9; bsub; lb; stl 6
+           mint; stl 8; ldc other - next; ldlp -30; startp
+     next: ldlp 10; ldlp 8; ldc 8; in
+           mint; ldc #FFF00; bsub; ldnl 0; stl 7; ldc 3; ldlp 12; sb; fpldzerodb; ldlp 14; fpstnldb
+           ldc 0; stl 15; ldc 3; stl 16
+     loop: ldlp 15; ldc over - loop; lend
+     over: stopp
+    other: ldlp 4; ldlp 38; ldc 8; out; stopp
+    local: ldl 1; ret
+  routine: ldc 7; ldl 0; gcall; ldc 1; ldc 2; ldc 3
+)",
+                                           0x80001200);
+    for (const std::size_t model : {3U, 4U})
+        for (const bool wraps : {true, false}) {
+            Both both(model, 16384, 3, 20, 0, wraps);
+            both.poke(code.origin, code.bytes);
+            both.set({code.origin, 0x80005000, 5, 6, 7, false});
+            const std::string difference = both.run_to_end();
+            CHECK_MESSAGE((difference.empty() || !wraps), difference);
+            if (!wraps) {
+                CHECK(both.core.stopped() == transputer::Stopped::by_bad_address);
+                continue;
+            }
+            CHECK(both.core.stopped() == transputer::Stopped::nothing);
+            CHECK(both.core.memory().word(0x1000 + 16) == 0x80004103); // W + 4: the address after the routine
+            CHECK(both.core.memory().word(0x1000 + 8) == 0x55667788);  // W + 2
+            CHECK(both.core.memory().word(16384 + 0x10) != 0);         // hidden behind the memory on the chip
+            CHECK(both.core.memory().word(0x10) == PlainTransputer::not_process); // a link's channel is untouched
         }
 }
 

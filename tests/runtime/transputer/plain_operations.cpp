@@ -210,11 +210,11 @@ void move_block(P& p, Which which) {
     for (Word row = 0; row < p.rows; ++row) {
         const Word target = p.b + row * p.target_stride, source = p.c + row * p.source_stride;
         std::vector<std::uint8_t> before(p.a), given(p.a);
-        for (Word i = 0; i < p.a && target - P::most_neg + i < p.memory.size(); ++i)
-            before[i] = p.memory[target - P::most_neg + i];
+        for (Word i = 0; i < p.a; ++i)
+            before[i] = p.memory[p.wrapped(target - P::most_neg + i)];
         p.copy(target, source, p.a);
         for (Word i = 0; i < p.a; ++i) {
-            std::uint8_t& byte = p.memory[target - P::most_neg + i];
+            std::uint8_t& byte = p.memory[p.wrapped(target - P::most_neg + i)];
             if (which != Which::every && (which == Which::zero) != (byte == 0))
                 byte = before[i];
         }

@@ -7,7 +7,8 @@
 namespace placedpar::test {
 
 PlainTransputer::PlainTransputer(const PlainSettings& given)
-    : settings(given), memory(given.memory), iptr(mem_start()), wptr(mem_start() + 0x400) {}
+    : settings(given), memory(given.memory + (given.model == t414 || given.model == t400 ? 2048 : 4096)),
+      iptr(mem_start()), wptr(mem_start() + 0x400) {}
 
 void PlainTransputer::stop(std::string_view reason) const { throw Stop{std::string(reason)}; }
 
@@ -42,14 +43,21 @@ void PlainTransputer::pop_all(unsigned count) {
 
 std::size_t PlainTransputer::offset(Word address, bool wraps) {
     Word place = address - most_neg;
-    if (place >= memory.size()) {
-        if (!wraps)
+    if (place >= settings.memory) {
+        if (!wraps && !settings.wraps)
             stop(fmt::format("access outside memory: #{:08X}", address));
-        place %= static_cast<Word>(memory.size());
+        place = wrapped(place);
     }
     if (place >= on_chip() && !pending_.operation)
         extra += 2 * (settings.memorycycles - 1);
     return place;
+}
+
+PlainTransputer::Word PlainTransputer::wrapped(Word place) const {
+    if (place < settings.memory)
+        return place;
+    const Word rest = place % settings.memory;
+    return rest < on_chip() ? settings.memory + rest : rest;
 }
 
 std::uint8_t PlainTransputer::load_byte(Word address, bool wraps) { return memory[offset(address, wraps)]; }
@@ -85,10 +93,14 @@ void PlainTransputer::poke(Word address, std::span<const std::uint8_t> bytes) {
 
 void PlainTransputer::copy(Word target, Word source, Word count) {
     for (const Word first : {source, target})
-        if (count != 0 && std::uint64_t{first - most_neg} + count > memory.size())
+        if (count != 0 && std::uint64_t{first - most_neg} + count > settings.memory &&
+            (!settings.wraps || count > settings.memory))
             stop(fmt::format("copy outside memory: {} bytes at #{:08X}", count, first));
+    std::vector<std::uint8_t> bytes(count);
     for (Word i = 0; i < count; ++i)
-        memory[target - most_neg + i] = memory[source - most_neg + i];
+        bytes[i] = memory[wrapped(source - most_neg + i)];
+    for (Word i = 0; i < count; ++i)
+        memory[wrapped(target - most_neg + i)] = bytes[i];
 }
 
 void PlainTransputer::pay_for_copy(Word first, Word second, Word count) {

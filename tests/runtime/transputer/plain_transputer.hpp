@@ -17,6 +17,7 @@ struct PlainSettings {
     std::uint32_t memory = 65536;   ///< bytes, a multiple of 4
     std::uint32_t memorycycles = 3; ///< cycles of a whole access outside the chip
     std::uint32_t clock_mhz = 20;
+    bool wraps = false; ///< all accesses outside of the memory wrap, not only those of lb, sb, ldnl and stnl
 };
 
 struct PlainOperation;
@@ -41,7 +42,9 @@ struct PlainOperation;
 /// 10. A process gives way if the periods had passed when its instruction began. Processes that were woken meanwhile
 ///     come before it in the queue. While it is interrupted, no periods are counted.
 /// 11. Timers that are due when an operation of the first kind ends wake before its effect.
-/// 12. FPError belongs to the registers of the unit, which an interrupt saves. A load from outside the chip delays the
+/// 12. An address outside of the memory wraps to the memory outside of the chip. There the first bytes, which the
+///     memory on the chip hides, stand behind `settings.memory`.
+/// 13. FPError belongs to the registers of the unit, which an interrupt saves. A load from outside the chip delays the
 ///     integer unit alone.
 ///
 /// Links are left out: an instruction that uses the channel of a link stops the processor.
@@ -130,6 +133,8 @@ struct PlainTransputer {
     Word local(int number) { return load(wptr + 4 * static_cast<Word>(number)); }
     void store_local(int number, Word value) { store(wptr + 4 * static_cast<Word>(number), value); }
     void copy(Word target, Word source, Word count);
+    /// Returns where in `memory` an offset from MostNeg is.
+    Word wrapped(Word place) const;
     /// Adds what a copy costs. The words at the first address count.
     void pay_for_copy(Word first, Word second, Word count);
 
