@@ -103,6 +103,18 @@ std::vector<DeviceModel> transputer_models() {
     return models;
 }
 
+std::vector<AttributeDescription> attributes_of_booted_programs() {
+    return {{.value = description::integer(
+                 "hosttime", {.unit = "ns", .by_default = 0, .least = 0, .most = 1e12},
+                 "time that the host at this processor takes to answer a request of the booted program"),
+             .json_name = "host_time_ns"},
+            {.value = description::integer("wraps", {.by_default = 0, .least = 0, .most = 1},
+                                           "1: the booted program's accesses outside of the memory reach it again from "
+                                           "its beginning, as on boards; 0: they stop the processor, except for lb, "
+                                           "sb, ldnl and stnl"),
+             .json_name = "memory_wraps"}};
+}
+
 std::vector<AttributeDescription> transputer_attributes() {
     auto attributes = computer_attributes();
     for (auto& attribute : attributes)
@@ -123,16 +135,7 @@ std::vector<AttributeDescription> transputer_attributes() {
                                        "cycles to switch from one process to the next, besides the instruction "
                                        "that gives the processor up"),
          .json_name = "switching_cycles"});
-    attributes.push_back({.value = description::integer(
-                              "hosttime", {.unit = "ns", .by_default = 0, .least = 0, .most = 1e12},
-                              "time that the host at this processor takes to answer a request of the booted program"),
-                          .json_name = "host_time_ns"});
-    attributes.push_back(
-        {.value = description::integer("wraps", {.by_default = 0, .least = 0, .most = 1},
-                                       "1: the booted program's accesses outside of the memory reach it again from its "
-                                       "beginning, as on boards; 0: they stop the processor, except for lb, sb, ldnl "
-                                       "and stnl"),
-         .json_name = "memory_wraps"});
+    std::ranges::move(attributes_of_booted_programs(), std::back_inserter(attributes));
     attributes.push_back(
         {.value = description::integer("routecost", {.by_default = 1, .least = 0, .most = 1e9},
                                        "cost of routing a channel through this processor; the cheapest route is "

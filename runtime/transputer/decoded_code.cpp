@@ -33,6 +33,10 @@ DecodedCode::Page& DecodedCode::page(Word offset) {
     return *result;
 }
 
+std::span<const std::uint8_t> DecodedCode::bytes_from(Word offset, const Bytes& bytes) {
+    return memory_.bytes(offset - bytes.before, bytes.end - (offset - bytes.before));
+}
+
 bool DecodedCode::fill(Block& block, Word address, const Bytes& bytes) {
     const Word begin = NodeMemory::offset_of(address);
     Word at = begin;
@@ -44,10 +48,8 @@ bool DecodedCode::fill(Block& block, Word address, const Bytes& bytes) {
     std::uint32_t after = 0, extra = block.first_fetch + longest_wait_for_reals;
     std::size_t count = 0;
     bool ended = false;
-    const std::size_t most = bytes.most_instructions == 0 ? longest_block : bytes.most_instructions;
-    while (!ended && count < most && after < most_static_cost) {
-        const CodedInstruction read =
-            read_instruction(memory_.bytes(at - bytes.before, bytes.end - (at - bytes.before)), timing_.model);
+    while (!ended && count < bytes.most_instructions && after < most_static_cost) {
+        const CodedInstruction read = read_instruction(bytes_from(at, bytes), timing_.model);
         if (read.length == 0)
             break;
         const Word next = at + read.length;
@@ -116,7 +118,7 @@ Block* DecodedCode::front_of(const Block& block, std::uint64_t half_cycles) {
 
 Block* DecodedCode::decode(Word address) {
     auto block = std::make_unique<Block>();
-    if (NodeMemory::offset_of(address) >= memory_.size() || !fill(*block, address, {memory_.size()}))
+    if (NodeMemory::offset_of(address) >= memory_.size() || !fill(*block, address, {memory_.size(), 0, longest_block}))
         return nullptr;
     const std::uint64_t bytes = bytes_of(*block);
     if (bytes_used_ + bytes > std::max<std::uint64_t>(memory_.size(), 65'536))

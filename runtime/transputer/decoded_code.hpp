@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace placedpar::transputer {
@@ -76,9 +77,10 @@ private:
     Block* decode(Word address);
     /// Where instructions are read: up to an offset, and so far before their addresses say.
     struct Bytes {
-        Word end, before = 0;
-        unsigned most_instructions = 0; ///< 0: as many as fit
+        Word end, before;
+        unsigned most_instructions;
     };
+    std::span<const std::uint8_t> bytes_from(Word offset, const Bytes&);
     bool fill(Block&, Word address, const Bytes&);
     Page& page(Word offset);
     void forget_page(Word index);
