@@ -73,6 +73,10 @@ bool DecodedCode::fill(Block& block, Word address) {
     }
     if (count == 0)
         return false;
+    for (std::size_t i = 0; i + 1 < count; ++i)
+        if (const Operation first = scratch_[i].operation;
+            (scratch_[i].operation = pair_of(first, scratch_[i + 1].operation)) != first)
+            ++i;
     scratch_[count] = {Operation::go_on, 0, static_cast<std::uint16_t>(after), most_negative + at};
     block.bytes = at - begin;
     block.last_word = fetched;
@@ -89,6 +93,7 @@ Block* DecodedCode::front_of(const Block& block, std::uint64_t half_cycles) {
     for (std::size_t i = 0; i < count; ++i)
         bytes += block.entries[i].length;
     std::copy_n(block.entries.get(), count, front_.entries.get());
+    front_.entries[count - 1].operation = first_of(front_.entries[count - 1].operation);
     front_.entries[count] = {Operation::go_on, 0, block.entries[count - 1].after, block.start + bytes};
     front_.start = block.start;
     front_.bytes = bytes;
