@@ -15,6 +15,16 @@ std::uint64_t bytes_of(const Block& block) {
     return sizeof(Block) + (block.instructions + 1) * (sizeof(Entry) + sizeof(std::uint32_t));
 }
 
+/// Joins direct functions in pairs.
+void join_pairs(std::span<Entry> entries) {
+    for (std::size_t i = 0; i + 1 < entries.size(); ++i) {
+        const Operation first = entries[i].operation;
+        entries[i].operation = pair_of(first, entries[i + 1].operation);
+        if (entries[i].operation != first)
+            ++i;
+    }
+}
+
 } // namespace
 
 DecodedCode::DecodedCode(NodeMemory& memory, const CodeTiming& timing)
@@ -73,10 +83,7 @@ bool DecodedCode::fill(Block& block, Word address) {
     }
     if (count == 0)
         return false;
-    for (std::size_t i = 0; i + 1 < count; ++i)
-        if (const Operation first = scratch_[i].operation;
-            (scratch_[i].operation = pair_of(first, scratch_[i + 1].operation)) != first)
-            ++i;
+    join_pairs(std::span(scratch_).first(count));
     scratch_[count] = {Operation::go_on, 0, static_cast<std::uint16_t>(after), most_negative + at};
     block.bytes = at - begin;
     block.last_word = fetched;

@@ -157,7 +157,8 @@ namespace placedpar::transputer {
         goto begin_block;                                                                                              \
     }
 
-PLACEDPAR_KEEPS_REGISTERS Core::Left Core::execute(HalfCycles until, bool at_once) {
+PLACEDPAR_KEEPS_REGISTERS
+Core::Left Core::execute(HalfCycles until, bool at_once) {
     static const void* const labels[] = {
 #define FUNCTION(code, name, cycles, extra, accesses, ...) &&at_##name,
 #define OPERATION(code, name, cycles, extra, accesses, models, ...) &&at_##name,

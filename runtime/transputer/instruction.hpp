@@ -61,7 +61,7 @@ constexpr Operation pair_of(Operation first, Operation second) {
                                           std::size(seconds) * static_cast<unsigned>(first) + i);
     return first;
 }
-/// Returns the first operation of a pair; an operation that is no pair is its own.
+/// Returns the first operation of a pair, or else the operation itself.
 constexpr Operation first_of(Operation operation) {
     const unsigned pairs = static_cast<unsigned>(Operation::j_ldl), number = static_cast<unsigned>(operation);
     return number < pairs ? operation : static_cast<Operation>((number - pairs) / 5);
