@@ -108,8 +108,7 @@ void add_host(Options& command, BootedOptions& options, const std::string& headi
         .group(heading);
 }
 
-void add_booted(Options& command, BootedOptions& options) {
-    const std::string heading = "Transputers that execute their own code";
+void add_machine(Options& command, BootedOptions& options, const std::string& heading) {
     std::vector<std::string> models;
     for (const transputer::Traits& each : transputer::all_traits)
         models.emplace_back(each.name);
@@ -122,6 +121,11 @@ void add_booted(Options& command, BootedOptions& options) {
         .check(not_at_least_one)
         .show_default()
         .group(heading);
+}
+
+void add_booted(Options& command, BootedOptions& options) {
+    const std::string heading = "Transputers that execute their own code";
+    add_machine(command, options, heading);
     add_host(command, options, heading);
 }
 
