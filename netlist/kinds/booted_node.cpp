@@ -164,6 +164,8 @@ std::string BootedNode::state_of_program() const {
         return host_->end.exit_status() == 0   ? "exited with success"
                : host_->end.exit_status() == 1 ? "exited with failure"
                                                : fmt::format("exited with status {}", host_->end.exit_status());
+    if (outside_)
+        return "was served by another program";
     return device_.is_idle() ? "waits" : "runs";
 }
 
