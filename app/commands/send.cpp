@@ -75,9 +75,11 @@ struct SimulatedTimes {
 };
 
 /// Simulates the program with the replies that it got on the board. A simulated run that takes much longer is stopped.
+/// Returns nothing if the program cannot be read again, or did not end on the board.
 std::optional<SimulatedTimes> simulate(const SendOptions& options, const Options& typed, const iserver::BoardRun& board,
                                        Interruption& interruption) {
-    if (board.state == iserver::ServerState::running || board.exchanges.size() < board.requests)
+    if (!looks_bootable(options.file) || board.state == iserver::ServerState::running ||
+        board.exchanges.size() < board.requests)
         return std::nullopt;
     NetlistOptions netlist;
     netlist.file = options.file;

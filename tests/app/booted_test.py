@@ -148,6 +148,182 @@ class Booted(unittest.TestCase):
         self.assertIn("--offer: another program is the host of one run, but --seeds asks for 3 runs",
                       refusal(self.file, "--offer", "pty", "--seeds", "3"))
 
+    def netlist(self, text):
+        path = self.folder / "net.cfs"
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    def test_a_program_reads_the_size_of_its_memory(self):
+        source = f"""{BEGIN}
+            ldpi getenv; ldc 16; call ask
+            ldlp reply + 1; adc 2; ldpi text; ldc 8; move
+            ldpi write; ldc 18; call ask
+            ldc 0; ldpi status; sb
+            ldpi exit; ldc 8; call ask; stopp
+    {{ASK}}
+    getenv: .half 14
+            .byte 32
+            .half 10
+            .byte "IBOARDSIZE", 0
+    write:  .half 16
+            .byte 15
+            .word 1
+            .half 8
+    text:   .byte "        ", 0
+    """
+        (self.folder / "x.tas").write_text(source.replace("{ASK}", ASK), encoding="utf-8")
+        self.assertEqual(placedpar("assemble", self.folder / "x.tas", "-o", self.folder / "x.btl").returncode, 0)
+        self.assertTrue(placedpar("run", self.folder / "x.btl", "--memory", "4M").stdout.startswith("#400000"))
+        done = placedpar("run", self.folder / "x.btl", "--memory", "4M", "--env", "IBOARDSIZE=#100000")
+        self.assertTrue(done.stdout.startswith("#100000"))
+
+    def test_a_worker_boots_through_a_switch_that_another_program_sets(self):
+        """The visitor leads link 0 of the switch to link 1 for as long as its messages to the echo take."""
+        source = """
+            ajw 8; stl 1; stl 1; stl 1; ldl 1; ldnlp -4; stl 2
+            ldc 0; sttimer; ldtimer; adc 4; tin
+            ldpi worker; mint; ldnlp 2; ldc end - worker; out
+            ldc 0; stl 4; ldlp 4; mint; ldnlp 6; ldc 1; in
+            ldl 4; ldpi status; sb
+            ldpi exit; ldl 2; ldc 8; out; stopp
+    exit:   .half 6
+            .byte 35
+    status: .word 0
+            .byte 0
+    worker: .byte end - code
+    code:   .byte #B8, #24, #F2, #22, #4A, #FE, #21, #F5    -- ajw 8; mint; ldc 42; outbyte; stopp
+    end:
+    """
+        netlist = self.netlist("""
+            T800 (memory = 1M) root, worker, a;
+            C004 sw;
+            connect root.link[0] to host;
+            connect a.link[3] to sw.config;
+            connect root.link[2] to sw.link[0];
+            connect worker.link[0] to sw.link[1];
+            connect sw.link[0] to sw.link[1];
+            use "x.btl" for root;
+            process (interface (input commands, output answers)) logic;
+            process (interface (output commands, input answers, output out[1], input in[1])) visitor;
+            process (interface (input in, output out)) echo;
+            use "csp.switch_logic" for logic; use "csp.switching_producer" for visitor; use "csp.identity" for echo;
+            visitor (count = 1, bytes = 10000); echo (count = 1);
+            connect visitor.commands to logic.commands;
+            connect logic.answers to visitor.answers;
+            connect visitor.out[0] to echo.in; connect echo.out to visitor.in[0];
+            place visitor on a; place echo on a; place logic on sw;
+            """)
+        for waits, expected in (("adc 4", "exited with status 42"), ("adc 400", "waits")):
+            with self.subTest(waits=waits):
+                (self.folder / "x.tas").write_text(source.replace("adc 4;", waits + ";"), encoding="utf-8")
+                self.assertEqual(placedpar("assemble", self.folder / "x.tas", "-o", self.folder / "x.btl").returncode, 0)
+                done = placedpar("run", netlist)
+                self.assertRegex(done.stdout, rf"\nroot .* {expected}\n")
+                self.assertEqual("root.link[2] -> worker.link[0]: lost 1 byte" in done.stdout, expected == "waits")
+                self.assertEqual(done.returncode, 2 if expected == "waits" else 0)
+
+    def test_a_transputer_beside_a_bus_boots_and_a_bus_master_does_not(self):
+        text = """
+            VME vme;
+            BBKV2 m[2];
+            T800 (memory = 1M) root;
+            rep i = 0 for 2 { connect m[i].bus[0] to vme.slot[i + 1]; }
+            connect root.link[0] to host;
+            connect root.link[1] to m[0].link[0];
+            process (interface (output out)) source;
+            process (interface (input in)) sink;
+            use "csp.producer" for source; use "csp.consumer" for sink;
+            source (count = 5, bytes = 8); sink (count = 5);
+            connect source.out to sink.in;
+            place source on m[0]; place sink on m[1];
+            use "hello.btl" for root;
+            """
+        done = placedpar("run", self.netlist(text))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertRegex(done.stdout, r"\nroot +\d+ +2  exited with success\n")
+        self.assertIn("\nbus vme, busy ", done.stdout)
+        done = placedpar("run", self.netlist(text.replace('use "hello.btl" for root', 'use "hello.btl" for m[0]')))
+        self.assertEqual(done.returncode, 1)
+        self.assertIn('"m[0]" is a bus master: only a processor can be booted', done.stderr)
+
+    def test_studies_vary_booted_transputers(self):
+        netlist = self.netlist('T800 (memory = 2M) root; connect root.link[0] to host; use "hello.btl" for root;\n')
+        settings = ["root.clock=20M,30M", "root.linkspeed=10M,20M", "root.memorycycles=3,9"]
+        self.assertEqual(placedpar("sweep", netlist, *settings, "--results", self.folder / "s.sqlite").returncode, 0)
+        rows = placedpar("report", self.folder / "s.sqlite", "--csv", "-").stdout
+        times = {}
+        for clock in ("20M", "30M"):
+            for speed in ("10M", "20M"):
+                for cycles in ("3", "9"):
+                    run = placedpar("run", netlist, "--set", f"root.clock={clock}", "--set", f"root.linkspeed={speed}",
+                                    "--set", f"root.memorycycles={cycles}")
+                    times[clock, speed, cycles] = float(re.search(r"completed at ([0-9.]+) us", run.stdout).group(1)) / 1000
+                    row = next(row for row in rows.splitlines() if row.startswith(f"{clock},{speed},{cycles},"))
+                    self.assertIn(f"{times[clock, speed, cycles]:.5g}"[:6], row)
+        self.assertLess(times["20M", "20M", "3"], times["20M", "10M", "3"])
+        self.assertLess(times["30M", "20M", "3"], times["20M", "20M", "3"])
+        self.assertLess(times["20M", "20M", "3"], times["20M", "20M", "9"])
+        study = self.folder / "search.toml"
+        study.write_text("""netlist = "net.cfs"
+[search]
+minimise = "time"
+population = 8
+generations = 3
+[set]
+"root.clock" = ["20M", "25M", "30M"]
+"root.linkspeed" = ["5M", "10M", "20M"]
+"root.memorycycles" = [3, 6, 9]
+""", encoding="utf-8")
+        done = placedpar("optimise", study, folder=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"\nthe best: placedpar run \S*net.cfs --set root.clock=30M --set root.linkspeed=20M ")
+
+    def test_wrong_options_of_booted_programs_are_refused_with_what_would_be_right(self):
+        size = ": code can be executed with 2K to just below 4G of memory, in steps of 256 bytes\n"
+        for options, message in (
+                (["--env", "FOO"], "placedpar: --env FOO: expected NAME=VALUE, such as --env ISEARCH=libs/\n"),
+                (["--env", "A=1", "--env", "A=2"], "placedpar: --env A=2: A is set twice\n"),
+                (["--memory", "4096M"], "--memory: 4096M" + size), (["--memory", "1K"], "--memory: 1K" + size),
+                (["--memory", "2100"], "--memory: 2100" + size),
+                (["--memory", "9" * 30 + "M"], f'--memory: "{"9" * 30}M" is not a size such as 32K or 2M\n'),
+                (["--memory", "17592186044416M"], "--memory: 17592186044416M" + size),
+                (["--memory", "4G"], '--memory: "4G" is not a size such as 32K or 2M\n'),
+                (["--memorycycles", "1001"], "--memorycycles: 1001: expected from 1 to 1000 cycles\n"),
+                (["--keys", "a\\q"], "placedpar: --keys: after \\ comes r (the return key), n, t, e (the escape key) or \\\n"),
+                (["--host-folder", "none"], 'placedpar: cannot use "none" as the host\'s folder: No such file or directory\n'),
+                (["--", "x" * 508], "placedpar: the program's command line has 508 bytes; a reply of the host's server holds 507\n")):
+            with self.subTest(options=options):
+                done = placedpar("run", self.file, *options)
+                self.assertEqual((done.returncode, done.stdout), (1, ""))
+                self.assertTrue(done.stderr.startswith(message), done.stderr)
+        for limit in ("99999999999999", "18446744073709551615"):
+            self.assertEqual(placedpar("run", self.file, "--host-limit", limit).returncode, 0)
+
+    def test_files_of_the_wrong_kind_are_refused_with_what_they_are(self):
+        empty, folder = self.folder / "empty.btl", self.folder / "folder"
+        empty.write_bytes(b"")
+        folder.mkdir()
+        for file, why in ((empty, "placedpar: {}: the file is empty\n"), (PROGRAM, "placedpar: {}: this is a program for the host"),
+                          (folder, "{}: error: this is a directory, not a file\n"),
+                          (HELLO, "{}: error: this is a program in transputer instructions, not a netlist: placedpar assemble")):
+            for command in ("run", "send", "disassemble"):
+                with self.subTest(file=file, command=command):
+                    done = placedpar(command, file, *(["--to", "tcp:127.0.0.1:1"] if command == "send" else []))
+                    self.assertEqual((done.returncode, done.stdout), (1, ""))
+                    expected = why if command == "run" else why.replace("{}: error", "placedpar: {}")
+                    if file != HELLO or command == "run":
+                        self.assertTrue(done.stderr.startswith(expected.format(file)), done.stderr)
+        for command in (["check"], ["show"], ["explain"], ["sweep", "root.clock=20M,30M"]):
+            done = placedpar(command[0], self.file, *command[1:])
+            self.assertEqual(done.returncode, 1)
+            self.assertIn('hint: placedpar run takes a file that boots a transputer; a netlist names it: use "FILE" for root;',
+                          done.stderr)
+
+    def test_a_program_comes_from_a_pipe(self):
+        netlist = self.netlist('T800 (memory = 2M) root; connect root.link[0] to host; use "/dev/stdin" for root;\n')
+        done = subprocess.run([PROGRAM, "run", netlist], input=self.file.read_bytes(), capture_output=True, timeout=60, check=False)
+        self.assertTrue(done.stdout.startswith(b"Hello from a transputer!!\n"), done.stderr)
+
     def test_a_changed_program_is_another_network_and_resumes_no_results(self):
         netlist = self.folder / "net.cfs"
         netlist.write_text('T800 (memory = 2M) root; connect root.link[0] to host; use "hello.btl" for root;\n', encoding="utf-8")
