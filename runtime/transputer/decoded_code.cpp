@@ -75,9 +75,11 @@ bool DecodedCode::fill(Block& block, Word address) {
             operand *= 4;
         else if (description.unit != Unit::direct)
             operand = most_negative + next;
+        const bool may_break =
+            read.operation == Operation::j && read.operand == 0 && (with_breakpoints & only(timing_.model));
         scratch_bounds_[count] = after + extra;
-        scratch_[count++] = {read.operation, static_cast<std::uint8_t>(read.length), static_cast<std::uint16_t>(after),
-                             operand};
+        scratch_[count++] = {may_break ? Operation::j_zero : read.operation, static_cast<std::uint8_t>(read.length),
+                             static_cast<std::uint16_t>(after), operand};
         at = next;
         ended = ends_block(read.operation);
     }

@@ -176,6 +176,7 @@ Core::Left Core::execute(HalfCycles until, bool at_once) {
 #undef SCHEDULING
 #undef COMMUNICATING
         &&go_on,
+        &&j_zero,
         &&unknown,
 #define FUNCTION(code, name, ...)                                                                                      \
     &&at_##name##_ldl, &&at_##name##_ldc, &&at_##name##_ldlp, &&at_##name##_stl, &&at_##name##_adc,
@@ -301,6 +302,14 @@ go_on:
     next = entry->operand;
     last_fetched = (NodeMemory::offset_of(next) - 1) & ~Word{3}; // a block that was written to may end early
     goto branch;
+j_zero:
+    if (!breaks_at_j0_)
+        BRANCH_OR_GIVE_WAY(OPERAND);
+    next = entry->operand;
+    spent += entry->after - 2 * description_of(Operation::j).cycles; // ours: it takes as long as `break`
+    begun_ = Operation::break_;
+    left = Left::scheduling;
+    goto leave;
 scheduling:
     AT_ONCE(perform_at_once, entry->operation)
 halt:

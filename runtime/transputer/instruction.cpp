@@ -38,6 +38,7 @@ constexpr Instruction instruction_table[] = {
 #undef SCHEDULING
 #undef COMMUNICATING
     {"", 0, Unit::direct, 0, 0, 0, 0}, // go_on
+    {"", 0, Unit::direct, 0, 0, 0, 0}, // j_zero
     {"", 0, Unit::direct, 0, 0, 0, 0}, // unknown
 };
 static_assert(std::size(instruction_table) == static_cast<std::size_t>(Operation::unknown) + 1);

@@ -29,6 +29,7 @@ enum class Operation : std::uint8_t {
 #undef SCHEDULING
 #undef COMMUNICATING
     go_on,   ///< not an instruction: the block ends here, and execution goes on at the operand
+    j_zero,  ///< `j 0` of a model that can make it a breakpoint, in decoded code only
     unknown, ///< not an instruction of the model
 // In decoded code, a direct function and a frequent one after it: the engine goes on without looking for the second.
 #define FUNCTION(code, name, ...) name##_ldl, name##_ldc, name##_ldlp, name##_stl, name##_adc,
@@ -83,7 +84,7 @@ struct Instruction {
     std::uint16_t real_cycles = 0; ///< cycles of the floating-point unit, of single length where it depends on that
 };
 
-/// Returns the description of an instruction; of `go_on` and `unknown` one without cycles.
+/// Returns the description of an instruction; of `go_on`, `j_zero` and `unknown` one without cycles.
 const Instruction& description_of(Operation);
 /// Returns the direct function of a code from 0 to 15, except of pfix, nfix and opr: these are `unknown`.
 Operation function_of(Word code);

@@ -9,6 +9,7 @@ PAGE = ROOT / "docs/reference/transputer.md"
 TABLE = ROOT / "runtime/transputer/instructions.inc"
 ENTRY = re.compile(r"^(FUNCTION|OPERATION|REAL|RESULT|SELECTED|SCHEDULING|COMMUNICATING)\(0x(\w+), (\w+), (.*)", re.MULTILINE)
 TYPES = {"all_models": "", "with_reals": "T800, T805", "without_reals": "T414, T425, T400", "second_generation": "not T414",
+         "with_breakpoints & without_reals": "T425, T400",
          "with_breakpoints": "T425, T400, T805"}
 
 
