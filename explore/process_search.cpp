@@ -132,8 +132,8 @@ ReadResult read_with(const Settings& settings, const ParsedNetlist& parsed, cons
 Network load_with(Settings settings, const NetlistAsked& netlist, const ProblemRegistry& problems,
                   const WarningSink& warn) {
     ReadResult read = read_with(settings, netlist.parsed, netlist.overrides, problems);
-    for (const std::string& included : read.network->included_paths)
-        require_apart(std::span(&netlist.output, 1), included);
+    for (const std::string& input : paths_of_inputs(*read.network))
+        require_apart(std::span(&netlist.output, 1), input);
     if (searching_processes(*read.network, netlist).size() > 1) {
         settings.erase("population");
         settings.erase("stream");

@@ -1,15 +1,14 @@
 #include "iserver/board.hpp"
 
+#include "iserver/descriptors.hpp"
 #include "text/counted.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
 #include <fcntl.h>
-#include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
-#include <poll.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <termios.h>
@@ -18,8 +17,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <memory>
-#include <optional>
 #include <system_error>
 
 namespace placedpar::iserver {
@@ -32,9 +29,8 @@ constexpr std::chrono::milliseconds look_for_interruption{100};
 
 std::string reason(int error = errno) { return std::generic_category().message(error); }
 
-enum class Wait { ready, interrupted, too_long };
+} // namespace
 
-/// Waits until the descriptor can be read or written.
 Wait wait_for(int descriptor, short events, const Interrupted& interrupted,
               std::optional<std::chrono::milliseconds> patience) {
     const Clock::time_point start = Clock::now();
@@ -48,6 +44,8 @@ Wait wait_for(int descriptor, short events, const Interrupted& interrupted,
             return Wait::too_long;
     }
 }
+
+namespace {
 
 OpenFile open_device(const std::string& name) {
     OpenFile device(::open(name.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
@@ -64,16 +62,28 @@ OpenFile open_device(const std::string& name) {
     return device;
 }
 
-/// Returns the addresses that a name has.
-std::unique_ptr<addrinfo, void (*)(addrinfo*)> addresses_of(const std::string& name, const std::string& host,
-                                                            const std::string& port) {
+} // namespace
+
+NetworkAddress network_address(const std::string& name) {
+    const std::size_t colon = name.rfind(':');
+    std::string host = name.substr(4, std::max<std::size_t>(colon, 4) - 4);
+    if (host.starts_with('[') && host.ends_with(']'))
+        host = host.substr(1, host.size() - 2);
+    if (host.empty() || colon + 1 == name.size())
+        throw UserError(fmt::format("{}: a board on a network is written \"tcp:HOST:PORT\"", name));
+    return {host, name.substr(colon + 1)};
+}
+
+std::unique_ptr<addrinfo, void (*)(addrinfo*)> addresses_of(const std::string& name, const NetworkAddress& address) {
     addrinfo wanted{};
     wanted.ai_socktype = SOCK_STREAM;
     addrinfo* found = nullptr;
-    if (const int error = ::getaddrinfo(host.c_str(), port.c_str(), &wanted, &found); error != 0)
+    if (const int error = ::getaddrinfo(address.host.c_str(), address.port.c_str(), &wanted, &found); error != 0)
         throw UserError(fmt::format("{}: {}", name, ::gai_strerror(error)));
     return {found, ::freeaddrinfo};
 }
+
+namespace {
 
 /// Tries one address. Returns 0, or the error as in errno; EINTR after an interruption.
 int try_to_connect(const OpenFile& socket, const addrinfo& address, const Interrupted& interrupted) {
@@ -90,13 +100,7 @@ int try_to_connect(const OpenFile& socket, const addrinfo& address, const Interr
 }
 
 OpenFile connect_by_network(const std::string& name, const Interrupted& interrupted) {
-    const std::size_t colon = name.rfind(':');
-    std::string host = name.substr(4, std::max<std::size_t>(colon, 4) - 4);
-    if (host.starts_with('[') && host.ends_with(']')) // an address of IPv6
-        host = host.substr(1, host.size() - 2);
-    if (host.empty() || colon + 1 == name.size())
-        throw UserError(fmt::format("{}: a board on a network is written \"tcp:HOST:PORT\"", name));
-    const auto addresses = addresses_of(name, host, name.substr(colon + 1));
+    const auto addresses = addresses_of(name, network_address(name));
     int error = 0;
     for (const addrinfo* each = addresses.get(); each; each = each->ai_next) {
         OpenFile socket(::socket(each->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
@@ -122,6 +126,7 @@ private:
     bool send(std::string_view bytes, std::string_view what);
     ByteView receive();
     void serve(Clock::time_point start);
+    void note(ByteView request, const Answer&);
     [[noreturn]] void fail(const std::string& why) const { throw UserError(fmt::format("{}: {}", name_, why)); }
 
     int board_;
@@ -130,6 +135,7 @@ private:
     const Interrupted& interrupted_;
     std::chrono::milliseconds patience_;
     BoardRun run_;
+    std::size_t noted_bytes_ = 0;
     PacketReader reader_;
     std::array<std::uint8_t, 512> received_;
 };
@@ -188,10 +194,17 @@ void BoardSession::serve(Clock::time_point start) {
             run_.state = answer.state;
             run_.exit = answer.exit;
             ++run_.requests;
+            note(request, answer);
             if (!send({reinterpret_cast<const char*>(answer.reply.data()), answer.reply.size()}, "a reply"))
                 return;
         }
     }
+}
+
+void BoardSession::note(ByteView request, const Answer& answer) {
+    noted_bytes_ += request.size() + answer.reply.size();
+    if (noted_bytes_ <= BoardRun::most_noted_bytes)
+        run_.exchanges.push_back({{request.begin(), request.end()}, answer});
 }
 
 BoardRun BoardSession::run(std::string_view program) {

@@ -17,6 +17,7 @@ using ByteView = std::span<const std::uint8_t>;
 
 inline constexpr std::size_t shortest_data = 6;                     ///< bytes after a packet's length
 inline constexpr std::size_t longest_data = 510;                    ///< bytes after a packet's length
+inline constexpr std::size_t longest_of_later_servers = 1022;       ///< longest_data of servers from version 1.4 on
 inline constexpr std::size_t longest_reply_text = longest_data - 3; ///< bytes; the result and the length take 3
 
 enum class Result : std::uint8_t { success = 0, not_implemented = 1, failed = 129 };

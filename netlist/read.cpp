@@ -3,6 +3,7 @@
 #include "netlist/complete/complete.hpp"
 #include "netlist/elaborate/elaborator.hpp"
 #include "netlist/elaborate/option_statements.hpp"
+#include "netlist/kinds/bootable_file.hpp"
 #include "netlist/kinds/device_kind.hpp"
 #include "netlist/language/characters.hpp"
 #include "netlist/language/occam.hpp"
@@ -12,6 +13,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <span>
 
 namespace placedpar {
 
@@ -50,8 +53,25 @@ void check_size(WrittenOut out, const Location& at, Reporter& reporter) {
             at, fmt::format("the network is too large: written out it would have more than {} words", most_tokens));
 }
 
-/// If the text is occam, replaces all errors by one error that says so.
+/// Says what to do with a file for transputers that is given as a netlist; "" if the text is hardly of such a file.
+std::string hint_for(const std::string& text) {
+    const auto is_odd = [](char c) { return static_cast<unsigned char>(c) < 9 || static_cast<unsigned char>(c) > 126; };
+    if (text.size() < 16 || static_cast<std::size_t>(std::ranges::count_if(text, is_odd)) < text.size() / 8)
+        return "";
+    const std::span<const std::uint8_t> bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+    const std::string why_not = why_not_bootable(bytes);
+    return why_not.empty() ? "placedpar run takes a file that boots a transputer; a netlist names it: use \"FILE\" for "
+                             "root;"
+                           : why_not;
+}
+
+/// If the text is occam, or code for the assembler, replaces all errors by one error that says so.
 void recognise_occam(const std::shared_ptr<const SourceFile>& main, Reporter& reporter) {
+    if (main->path().ends_with(".tas"))
+        return reporter.replace_all({main, 0, 0},
+                                    "this is a program in transputer instructions, not a netlist: placedpar assemble "
+                                    "makes a bootable file of it",
+                                    "");
     auto found = occam_in(main);
     if (auto first = reporter.first_file(); !found && first)
         found = occam_in(first);
@@ -105,7 +125,7 @@ struct ParsedNetlist::Syntax {
 ParsedNetlist::Syntax::Syntax(const LoadedSource& source, const std::filesystem::path& path, const ReadOptions& read)
     : file(source.file), options(read) {
     for (const auto& problem : source.problems)
-        found.error(problem.location, problem.message);
+        found.error(problem.location, problem.message, hint_for(file->text()));
     if (!found.failed())
         parse(path);
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 
 namespace placedpar::picture {
@@ -68,6 +69,16 @@ private:
             add_process(i);
         for (auto [node, count] : channels_inside())
             nodes_[node].inside = fmt::format("{} {} inside", count, count == 1 ? "channel" : "channels");
+        for (std::size_t i = 0; i < nodes_.size(); ++i)
+            if (n_.nodes[i].runs_own_code)
+                nodes_[i].inside = boot_of(n_.nodes[i]);
+    }
+
+    /// Says how a processor gets its code.
+    static std::string boot_of(const Node& node) {
+        if (node.boot_file.empty())
+            return "boots over its links";
+        return "boots " + shortened(std::filesystem::path(node.boot_file).filename().string());
     }
 
     void add_process(std::size_t index) {

@@ -39,6 +39,7 @@ constexpr const char* style =
 .frame { fill: #ffffff; stroke-width: 1.4; }
 .cross { stroke-width: 0.6; }
 .edge .frame { stroke-dasharray: 5 3; }
+.booted .frame { stroke-width: 3; }
 .wire { fill: none; stroke: #3b5b7a; stroke-width: 1.6; }
 .idle { stroke: #8898a8; stroke-dasharray: 2 3; }
 .channels rect { fill: #ffffff; stroke: #3b5b7a; stroke-width: 0.8; }
@@ -163,10 +164,16 @@ private:
             return fmt::format("{}: {}, {}", std::filesystem::path(n_.source_path).filename().string(),
                                counted(count_processes(), "process", "processes"),
                                counted(n_.channels.size(), "channel", "channels"));
-        return fmt::format(
-            "{}: {}, {}, {}, {}", std::filesystem::path(n_.source_path).filename().string(),
-            counted(count_processors(n_), "processor", "processors"), counted(count_links(), "wire", "wires"),
-            counted(n_.processes.size(), "process", "processes"), counted(n_.channels.size(), "channel", "channels"));
+        std::string title = fmt::format("{}: {}, {}", std::filesystem::path(n_.source_path).filename().string(),
+                                        counted(count_processors(n_), "processor", "processors"),
+                                        counted(count_links(), "wire", "wires"));
+        const auto files = std::ranges::count_if(n_.nodes, [](const Node& node) { return !node.boot_file.empty(); });
+        if (files > 0)
+            title += ", " + counted(static_cast<std::size_t>(files), "bootable file");
+        if (files == 0 || !n_.processes.empty())
+            title += fmt::format(", {}, {}", counted(n_.processes.size(), "process", "processes"),
+                                 counted(n_.channels.size(), "channel", "channels"));
+        return title;
     }
 
     /// Counts the connections that are links. The other connections lead to buses.
@@ -205,16 +212,16 @@ private:
 
     void print_frame(std::size_t index) {
         const Node& node = n_.nodes[index];
-        pen_.group({{"class", "node " + class_of(*node.kind)}, {"data-node", node.name}},
+        pen_.group({{"class", "node " + class_of(node)}, {"data-node", node.name}},
                    frame(picture_.nodes[index].box, node.kind->drawing), node.name + " (" + node.type + ")");
     }
 
     /// Returns the kind's style class as one word. With a blank, "link adapter" would be two classes, and "link" is the
     /// class of link numbers.
-    static std::string class_of(const DeviceKind& kind) {
-        std::string name = kind.links == LinkRole::edge ? "edge" : kind.name;
+    static std::string class_of(const Node& node) {
+        std::string name = node.kind->links == LinkRole::edge ? "edge" : node.kind->name;
         std::ranges::replace(name, ' ', '-');
-        return name;
+        return node.runs_own_code ? name + " booted" : name;
     }
 
     void print_wire(std::size_t index) {
@@ -223,12 +230,20 @@ private:
         std::string about = view_ == View::software || wire.bits_per_second == 0
                                 ? ends
                                 : fmt::format("{}, {:g} Mbit/s", ends, static_cast<double>(wire.bits_per_second) / 1e6);
-        const char* style_class = carried_[index].empty() ? "wire idle" : "wire";
+        const char* style_class = is_idle(index) ? "wire idle" : "wire";
         pen_.path(data_of(picture_.wires[index]), {{"class", style_class}, {"data-wire", ends}},
                   about + carried_[index]);
         if (view_ == View::software)
             print_heads(index);
     }
+
+    /// Returns whether a wire leads to a transputer that executes its own code.
+    bool is_used_by_code(std::size_t index) const {
+        const LinkConnection& wire = n_.connections[index];
+        return n_.nodes[wire.a.node].runs_own_code || n_.nodes[wire.b.node].runs_own_code;
+    }
+
+    bool is_idle(std::size_t index) const { return carried_[index].empty() && !is_used_by_code(index); }
 
     /// Draws an arrow head at each end to which a channel leads.
     void print_heads(std::size_t index) {
@@ -308,9 +323,10 @@ private:
         legend_width_ = width;
         std::set<std::string> seen;
         for (const Node& node : n_.nodes)
-            if (seen.insert(node.kind->name).second)
-                add_to_legend(40, frame({{20, 0}, 32, 16}, node.kind->drawing), node.kind->drawing.legend,
-                              class_of(*node.kind));
+            if (seen.insert(class_of(node)).second)
+                add_to_legend(40, frame({{20, 0}, 32, 16}, node.kind->drawing),
+                              node.runs_own_code ? "transputer that executes its own code" : node.kind->drawing.legend,
+                              class_of(node));
         add_wires_to_legend();
         if (!marks_.empty())
             add_to_legend(40, line_across("struck"), "fails during the run, as its label states");
@@ -324,12 +340,21 @@ private:
     void add_wires_to_legend() {
         if (view_ == View::software)
             return add_channels_to_legend();
-        auto idle = [](const std::string& channels) { return channels.empty(); };
-        if (!std::ranges::all_of(carried_, idle)) {
-            add_to_legend(40, line_across("wire"), "wire that carries channels");
+        bool channels = false, code = false, idle = false;
+        for (std::size_t i = 0; i < carried_.size(); ++i) {
+            channels = channels || !carried_[i].empty();
+            code = code || is_used_by_code(i);
+            idle = idle || is_idle(i);
+        }
+        if (channels || code)
+            add_to_legend(40, line_across("wire"),
+                          !code       ? "wire that carries channels"
+                          : !channels ? "wire that carries bytes of programs"
+                                      : "wire that carries channels, or bytes of programs");
+        if (channels) {
             add_to_legend(48, print_count({{{22, 0}, width_of_count(2, 1), 14}, 1, 2, false}), "how many, each way");
         }
-        if (std::ranges::any_of(carried_, idle))
+        if (idle)
             add_to_legend(40, line_across("wire idle"), "wire without a channel");
         if (!carried_.empty())
             add_to_legend(12, SvgPen().text({5, 3}, "link", "0"), "number of a link");

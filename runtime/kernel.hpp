@@ -84,6 +84,8 @@ public:
     }
 
     Time now() const { return hot_.now; }
+    /// Returns the time limit of the work. Nothing happens after it.
+    Time limit() const { return hot_.limit; }
     /// Returns the process whose program is being executed.
     Process& running() const { return *hot_.running; }
     /// Returns the process whose program is being executed. Null while an event happens, and while the kernel begins a

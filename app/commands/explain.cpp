@@ -146,8 +146,8 @@ ExitCode explain(const ExplainOptions& options, const std::string& typed) {
         return ExitCode::success;
     require_outputs(options);
     Network network = load_network(options.netlist);
-    for (const std::string& included : network.included_paths)
-        require_apart(options.outputs(), included);
+    for (const std::string& input : paths_of_inputs(network))
+        require_apart(options.outputs(), input);
     Listeners listeners(network, options.recorded);
     InterruptedBySignals interruption;
     Explanation explanation = run_explained(network, options, listeners, interruption);

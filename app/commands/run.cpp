@@ -8,6 +8,7 @@
 #include "app/standard_error.hpp"
 #include "app/watch.hpp"
 #include "explore/problems.hpp"
+#include "iserver/offered_board.hpp"
 #include "picture/gnuplot.hpp"
 #include "report/convergence.hpp"
 #include "report/manifest.hpp"
@@ -25,6 +26,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -48,6 +50,7 @@ struct RunOptions {
     std::size_t seeds = 1; ///< number of seeds, from the first on
     bool watch = false, yes = false;
     bool listing = false, step = false; ///< of transputers that execute their own code
+    std::string offer;                  ///< where the host's link is offered to another program; "": nowhere
 
     std::array<std::filesystem::path, 5> outputs() const {
         return {json, recorded.trace, recorded.page, log, convergence};
@@ -70,6 +73,9 @@ void require_outputs(const RunOptions& options) {
         throw UserError(fmt::format("--trace: a timeline shows one run, but --seeds asks for {} runs", options.seeds));
     if (options.seeds > 1 && !options.recorded.page.empty())
         throw UserError(fmt::format("--page: a page shows one run, but --seeds asks for {} runs", options.seeds));
+    if (options.seeds > 1 && !options.offer.empty())
+        throw UserError(fmt::format("--offer: another program is the host of one run, but --seeds asks for {} runs",
+                                    options.seeds));
     if (options.recorded.window.is_part() && options.recorded.trace.empty() && options.recorded.page.empty())
         throw UserError("--trace-from and --trace-until limit what --trace or --page shows: give one of them, too");
     if (!options.recorded.trace.empty())
@@ -84,8 +90,8 @@ void require_outputs(const RunOptions& options) {
 
 /// Throws UserError if an option cannot be used with this network.
 void require_fit(const Network& network, const RunOptions& options) {
-    for (const std::string& included : network.included_paths)
-        require_apart(options.outputs(), included);
+    for (const std::string& input : paths_of_inputs(network))
+        require_apart(options.outputs(), input);
     if (options.wants_generations())
         require_searches(network);
 }
@@ -205,6 +211,20 @@ ExitCode exit_code_of(std::span<const FinishedRun> runs, std::size_t asked) {
     return runs.size() == asked ? ExitCode::success : ExitCode::interrupted;
 }
 
+/// Offers the host's link of a network to another program, if that was asked for. Returns false after an interruption.
+bool offer_link(Network& network, const RunOptions& options, const Interruption& interruption,
+                std::optional<iserver::OfferedBoard>& board) {
+    if (options.offer.empty())
+        return true;
+    if (!has_bootable_file(network))
+        throw UserError("--offer: the netlist boots no transputer, so it has no host's link");
+    std::signal(SIGPIPE, SIG_IGN); // a program that closes the link ends the run
+    board.emplace(options.offer, [&interruption] { return interruption.requested(); });
+    network.host.board = &*board;
+    print_error(fmt::format("placedpar: the host's link is offered at {}\n", board->name()));
+    return board->wait_for_program();
+}
+
 ExitCode run(const RunOptions& options, const Options& command, const std::string& typed) {
     Manifest manifest = options.manifest(typed);
     require_outputs(options);
@@ -215,6 +235,9 @@ ExitCode run(const RunOptions& options, const Options& command, const std::strin
     network.host.terminal = terminal_for(
         options.booted, [&interruption] { return interruption.requested(); }, !options.step);
     require_fit(network, options);
+    std::optional<iserver::OfferedBoard> board;
+    if (!offer_link(network, options, interruption, board))
+        return ExitCode::interrupted;
     Recorders recorders(network, options.recorded);
     std::vector<FinishedRun> runs = run_seeds(network, options, recorders.sink(), interruption);
     if (runs.empty())
@@ -274,6 +297,12 @@ Action declare_run(Options& command, const std::string& typed) {
     command.add_flag(
         "--step", options->step,
         "executes a booted program step by step, by commands of standard input: s, c, b, r, w, q, m, l, quit");
+    command
+        .add("--offer", options->offer,
+             "offers the link to the host to another program, such as \"placedpar send\", and does not send FILE: at "
+             "tcp:PORT, tcp:ADDRESS:PORT, or pty for a pseudo terminal")
+        .type("WHERE")
+        .check(not_a_name);
     return [options, command, typed] { return run(*options, command, typed); };
 }
 

@@ -1,12 +1,17 @@
 #include "app/command.hpp"
 #include "app/options/booted_options.hpp"
 #include "app/options/common_options.hpp"
+#include "app/options/netlist_options.hpp"
 #include "app/signals.hpp"
+#include "explore/netlist_run.hpp"
+#include "explore/problems.hpp"
 #include "iserver/board.hpp"
 #include "iserver/terminal.hpp"
 #include "netlist/kinds/bootable_file.hpp"
 #include "netlist/kinds/booted_node.hpp"
+#include "text/counted.hpp"
 #include "text/output_file.hpp"
+#include "text/paint.hpp"
 
 #include <fmt/format.h>
 
@@ -14,6 +19,8 @@
 #include <chrono>
 #include <csignal>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,7 +34,7 @@ struct SendOptions {
     BootedOptions booted;
 };
 
-double seconds(std::chrono::microseconds time) { return static_cast<double>(time.count()) * 1e-6; }
+double seconds(std::chrono::duration<double> time) { return time.count(); }
 
 std::string print_end(const iserver::BoardRun& run) {
     switch (run.state) {
@@ -38,31 +45,107 @@ std::string print_end(const iserver::BoardRun& run) {
     return run.exit == 0 ? "exited with success" : fmt::format("exited with status {}", run.exit);
 }
 
-/// Prints the times of the program on the board, measured by the clock of this computer.
-std::string print_board_run(const SendOptions& options, std::size_t bytes, const iserver::BoardRun& run) {
-    return fmt::format("{} on {}: the program {}\n"
-                       "boot      {:10.6f} s   {} bytes, {:.0f} Kbyte/s\n"
-                       "run       {:10.6f} s   {} requests\n",
-                       options.file, options.to, print_end(run), seconds(run.boot_time), bytes,
-                       static_cast<double>(bytes) / 1000 / std::max(seconds(run.boot_time), 1e-6),
-                       seconds(run.run_time), run.requests);
+/// The host of a simulated run that gives the replies of a run on a board. If the program makes another request than on
+/// the board, it gets no reply.
+class RepeatedHost {
+public:
+    explicit RepeatedHost(std::span<const iserver::Exchange> exchanges) : exchanges_(exchanges) {}
+
+    iserver::Answer answer(iserver::ByteView request) {
+        const bool same = next_ < exchanges_.size() && std::ranges::equal(request, exchanges_[next_].request);
+        departed_ = !same;
+        if (departed_)
+            return {.reply = {}, .state = iserver::ServerState::waits_for_input};
+        return exchanges_[next_++].answer;
+    }
+    /// Returns how many requests were the same.
+    std::size_t repeated() const { return next_; }
+    bool departed() const { return departed_; }
+
+private:
+    std::span<const iserver::Exchange> exchanges_;
+    std::size_t next_ = 0;
+    bool departed_ = false;
+};
+
+/// The times of the program on a simulated transputer.
+struct SimulatedTimes {
+    double boot = 0, run = 0;   ///< seconds
+    std::string departure = ""; ///< how the simulated run differs from that on the board; "" if it does not
+};
+
+/// Simulates the program with the replies that it got on the board. A simulated run that takes much longer is stopped.
+/// Returns nothing if the program cannot be read again, or did not end on the board.
+std::optional<SimulatedTimes> simulate(const SendOptions& options, const Options& typed, const iserver::BoardRun& board,
+                                       Interruption& interruption) {
+    if (!looks_bootable(options.file) || board.state == iserver::ServerState::running ||
+        board.exchanges.size() < board.requests)
+        return std::nullopt;
+    NetlistOptions netlist;
+    netlist.file = options.file;
+    Network network = load_network(typed, netlist, options.booted);
+    RepeatedHost host(board.exchanges);
+    network.host.answers = [&host](iserver::ByteView request, std::chrono::microseconds) {
+        return host.answer(request);
+    };
+    const Time until = 100 * Time{board.boot_time + board.run_time} + std::chrono::seconds(1);
+    const RunReport report = run_netlist(network, known_problems(0), {.until = until, .interruption = &interruption});
+    if (interruption.requested())
+        return std::nullopt;
+    const Time booted = report.programs.front().booted_at;
+    SimulatedTimes times{.boot = seconds(booted), .run = seconds(report.result.time - booted)};
+    if (host.departed())
+        times.departure = fmt::format("request {} differs from that on the board", host.repeated() + 1);
+    else if (host.repeated() < board.requests)
+        times.departure =
+            fmt::format("it ends after {}: {}", counted(host.repeated(), "request"), report.programs.front().state);
+    return times;
 }
 
-ExitCode send(const SendOptions& options) {
+/// Prints a time on the board, measured by the clock of this computer, and the simulated one beside it.
+std::string print_times(const std::string& what, std::chrono::microseconds measured, std::optional<double> simulated,
+                        const std::string& more) {
+    return fmt::format("{:<9}  {:10.6f} s  {:>12}   {}\n", what, seconds(measured),
+                       simulated ? fmt::format("{:10.6f} s", *simulated) : "-", more);
+}
+
+std::string print_board_run(const SendOptions& options, std::size_t bytes, const iserver::BoardRun& run,
+                            const std::optional<SimulatedTimes>& simulated) {
+    const auto times = [&](double SimulatedTimes::*time) {
+        return simulated ? std::optional(*simulated.*time) : std::nullopt;
+    };
+    std::string text =
+        fmt::format("{} on {}: the program {}\n", options.file, options.to, print_end(run)) +
+        painted(Paint::heading, fmt::format("{:<9}  {:>12}  {:>12}\n", "", "measured", "simulated")) +
+        print_times("boot", run.boot_time, times(&SimulatedTimes::boot),
+                    fmt::format("{} bytes, {:.0f} Kbyte/s measured", bytes,
+                                static_cast<double>(bytes) / 1000 / std::max(seconds(run.boot_time), 1e-6))) +
+        print_times("run", run.run_time, times(&SimulatedTimes::run), counted(run.requests, "request"));
+    if (simulated)
+        text += fmt::format("simulated: {} with {} of memory, an access in {} cycles; the host takes no time\n",
+                            options.booted.processor, options.booted.memory, options.booted.memory_cycles);
+    if (simulated && !simulated->departure.empty())
+        text += fmt::format("the simulated program departs: {}\n", simulated->departure);
+    return text;
+}
+
+ExitCode send(const SendOptions& options, const Options& typed) {
     const std::vector<std::uint8_t> file = read_bootable(options.file);
     const HostServices host = services_of(options.booted);
     InterruptedBySignals interruption;
     std::signal(SIGPIPE, SIG_IGN); // a board that closes the connection is reported
     const auto interrupted = [&interruption] { return interruption.requested(); };
-    const std::shared_ptr<iserver::Terminal> terminal = terminal_for(options.booted, interrupted)();
-    iserver::Server server(server_options(host, options.file), *terminal);
-    const iserver::OpenFile board = iserver::connect_board(options.to, interrupted);
-    if (!board)
-        return ExitCode::interrupted;
-    const std::string_view program(reinterpret_cast<const char*>(file.data()), file.size());
-    const iserver::BoardRun run = iserver::serve_board(program, board, options.to, server, interrupted);
-    server.finish();
-    print_out(print_board_run(options, file.size(), run));
+    iserver::BoardRun run;
+    {
+        const std::shared_ptr<iserver::Terminal> terminal = terminal_for(options.booted, interrupted)();
+        iserver::Server server(server_options(host, options.file), *terminal);
+        const iserver::OpenFile board = iserver::connect_board(options.to, interrupted);
+        if (!board)
+            return ExitCode::interrupted;
+        const std::string_view program(reinterpret_cast<const char*>(file.data()), file.size());
+        run = iserver::serve_board(program, board, options.to, server, interrupted);
+    }
+    print_out(print_board_run(options, file.size(), run, simulate(options, typed, run, interruption)));
     if (run.state == iserver::ServerState::running)
         return ExitCode::interrupted;
     return run.exit == 0 ? ExitCode::success : ExitCode::bad_input;
@@ -75,8 +158,9 @@ Action declare_send(Options& command, const std::string&) {
         .type("BOARD")
         .required()
         .check(not_a_name);
+    add_machine(command, options->booted, "The simulated transputer beside the board");
     add_host(command, options->booted, "The program's host");
-    return [options] { return send(*options); };
+    return [options, command] { return send(*options, command); };
 }
 
 } // namespace

@@ -34,8 +34,8 @@ std::string text_of(const Network& network, const std::string& format, bool soft
 void require_apart_from_inputs(const std::filesystem::path& output, const Network& network,
                                const std::string& netlist) {
     require_apart({&output, 1}, netlist);
-    for (const std::string& included : network.included_paths)
-        require_apart({&output, 1}, included);
+    for (const std::string& input : paths_of_inputs(network))
+        require_apart({&output, 1}, input);
 }
 
 void require_drawing(const ShowOptions& options) {

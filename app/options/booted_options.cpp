@@ -7,6 +7,7 @@
 #include "iserver/console.hpp"
 #include "netlist/kinds/bootable_file.hpp"
 #include "runtime/transputer/model.hpp"
+#include "text/number.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -23,12 +24,22 @@ namespace {
 
 constexpr std::array machine_options = {"--processor", "--memory", "--memorycycles"};
 
+/// Says why a text is not the size of a memory; "" if it is.
 std::string not_a_size(const std::string& text) {
-    const std::size_t digits = text.find_first_not_of("0123456789");
-    const bool good =
-        !text.empty() && digits != 0 &&
-        (digits == std::string::npos || (digits + 1 == text.size() && (text[digits] == 'K' || text[digits] == 'M')));
-    return good ? "" : fmt::format("\"{}\" is not a size such as 32K or 2M", text);
+    const char unit = text.empty() ? ' ' : text.back();
+    const std::optional<std::uint64_t> number =
+        parse_number<std::uint64_t>(unit == 'K' || unit == 'M' ? text.substr(0, text.size() - 1) : text);
+    if (!number)
+        return fmt::format("\"{}\" is not a size such as 32K or 2M", text);
+    const std::uint64_t bytes = std::min(*number, std::uint64_t{1} << 32) << (unit == 'K' ? 10 : unit == 'M' ? 20 : 0);
+    if (bytes < 2048 || bytes > 0xffff'ff00 || bytes % 256 != 0)
+        return fmt::format("{}: code can be executed with 2K to just below 4G of memory, in steps of 256 bytes", text);
+    return "";
+}
+
+std::string not_memory_cycles(const std::string& text) {
+    const std::optional<std::uint64_t> cycles = parse_number<std::uint64_t>(text);
+    return cycles && *cycles >= 1 && *cycles <= 1000 ? "" : fmt::format("{}: expected from 1 to 1000 cycles", text);
 }
 
 /// Returns the character that a letter after a backslash means; nothing if it has no meaning.
@@ -56,6 +67,14 @@ std::string keys_of(const std::string& typed) {
         keys += *meant;
     }
     return keys;
+}
+
+/// Returns whether a file is empty, and has the name of a bootable file.
+bool is_empty_program(const std::filesystem::path& file) {
+    constexpr std::array endings = {".btl", ".b4h", ".b8h", ".bah", ".bxx"};
+    std::error_code error;
+    return std::ranges::find(endings, file.extension().string()) != endings.end() &&
+           std::filesystem::is_regular_file(file, error) && std::filesystem::is_empty(file, error);
 }
 
 /// Returns a netlist with one transputer that the file boots.
@@ -88,9 +107,9 @@ HostServices services_of(const BootedOptions& options) {
     HostServices host;
     host.folder = options.folder;
     host.command_line = fmt::format("{}", fmt::join(options.arguments, " "));
-    for (const auto& [name, value] : overrides_of(options.environment, "--env"))
+    for (const auto& [name, value] : overrides_of(options.environment, "--env", "ISEARCH=libs/"))
         host.environment.emplace(name, value);
-    host.write_limit_bytes = options.write_limit_megabytes << 20;
+    host.write_limit_bytes = std::min(options.write_limit_megabytes, std::uint64_t{1} << 43) << 20;
     return host;
 }
 
@@ -108,8 +127,7 @@ void add_host(Options& command, BootedOptions& options, const std::string& headi
         .group(heading);
 }
 
-void add_booted(Options& command, BootedOptions& options) {
-    const std::string heading = "Transputers that execute their own code";
+void add_machine(Options& command, BootedOptions& options, const std::string& heading) {
     std::vector<std::string> models;
     for (const transputer::Traits& each : transputer::all_traits)
         models.emplace_back(each.name);
@@ -119,9 +137,14 @@ void add_booted(Options& command, BootedOptions& options) {
         .group(heading);
     command.add("--memory", options.memory, "its memory").type("SIZE").check(not_a_size).show_default().group(heading);
     add_count(command, "--memorycycles", options.memory_cycles, "cycles of an access to its external memory")
-        .check(not_at_least_one)
+        .check(not_memory_cycles)
         .show_default()
         .group(heading);
+}
+
+void add_booted(Options& command, BootedOptions& options) {
+    const std::string heading = "Transputers that execute their own code";
+    add_machine(command, options, heading);
     add_host(command, options, heading);
 }
 
@@ -135,7 +158,7 @@ terminal_for(const BootedOptions& options, std::function<bool()> interrupted, bo
 }
 
 Network load_network(const Options& typed, const NetlistOptions& netlist, const BootedOptions& options) {
-    const bool bootable = netlist.file != "-" && looks_bootable(netlist.file);
+    const bool bootable = netlist.file != "-" && (looks_bootable(netlist.file) || is_empty_program(netlist.file));
     const auto parsed = [&] {
         if (!bootable)
             return ParsedNetlist(netlist.file, read_options_of(netlist.read));

@@ -26,6 +26,8 @@ struct BootedOptions {
 };
 /// Declares all of these options.
 void add_booted(Options&, BootedOptions&);
+/// Declares the options for the transputer alone.
+void add_machine(Options&, BootedOptions&, const std::string& heading);
 /// Declares the options for the host alone.
 void add_host(Options&, BootedOptions&, const std::string& heading);
 

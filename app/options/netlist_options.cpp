@@ -30,10 +30,10 @@ std::pair<std::string, std::string> cut_at_equals(const std::string& option, con
 
 } // namespace
 
-Overrides overrides_of(std::span<const std::string> settings, const std::string& option) {
+Overrides overrides_of(std::span<const std::string> settings, const std::string& option, const std::string& example) {
     Overrides overrides;
     for (const std::string& each : settings) {
-        auto [name, value] = cut_at_equals(option, each, fmt::format("NAME=VALUE, such as {} slaves=3", option));
+        auto [name, value] = cut_at_equals(option, each, fmt::format("NAME=VALUE, such as {} {}", option, example));
         if (!overrides.emplace(name, value).second)
             throw UserError(fmt::format("{} {}: {} is set twice", option, each, name));
     }

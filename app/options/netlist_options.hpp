@@ -14,7 +14,8 @@ Option add_set(Options&, std::vector<std::string>& settings, const std::string& 
 
 /// Parses the values of --set, or of another option of the form NAME=VALUE. Throws UserError if a value does not have
 /// the form NAME=VALUE, or if a name is set twice.
-Overrides overrides_of(std::span<const std::string> settings, const std::string& option = "--set");
+Overrides overrides_of(std::span<const std::string> settings, const std::string& option = "--set",
+                       const std::string& example = "slaves=3");
 
 /// The options for reading a netlist, as typed.
 struct ReadOptionsTyped {

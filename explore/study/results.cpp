@@ -1,5 +1,6 @@
 #include "explore/study/results.hpp"
 
+#include "netlist/print/print.hpp"
 #include "report/manifest.hpp"
 #include "text/checksum.hpp"
 #include "text/counted.hpp"
@@ -124,6 +125,9 @@ StudySource source_of(const Study& study, const Network& network) {
     StudySource source{study.netlist, {{study.netlist, text_of_file(study.netlist)}}, options_of(study)};
     for (const std::string& path : network.included_paths)
         source.texts.emplace_back(path, text_of_file(path));
+    for (const Node& node : network.nodes) // the bytes themselves are not text
+        if (!node.boot_file.empty())
+            source.texts.emplace_back(node.boot_file, hex(boot_hash(node)));
     return source;
 }
 
@@ -313,16 +317,27 @@ void StudyResults::write_head() {
 
 StudySource StudyResults::source() { return head_.source; }
 
+namespace {
+
+/// Says how the source of kept runs differs from another one. REQUIRES: it does.
+std::string print_difference(const StudySource& kept, const StudySource& wanted) {
+    if (kept.options != wanted.options)
+        return fmt::format("the file's runs were made with other options ({}, not {})", kept.options, wanted.options);
+    const bool same_netlist =
+        kept.texts.size() == wanted.texts.size() && kept.texts[0].second == wanted.texts[0].second;
+    for (std::size_t i = 1; same_netlist && i < kept.texts.size(); ++i)
+        if (kept.texts[i].second != wanted.texts[i].second)
+            return fmt::format("the file's runs were made with other contents of {}", wanted.texts[i].first);
+    return fmt::format("the file's runs were made from {}, whose text differs from this netlist's", kept.netlist);
+}
+
+} // namespace
+
 void StudyResults::require_same(const StudySource& wanted) {
-    const StudySource& kept = head_.source;
-    if (kept == wanted)
+    if (head_.source == wanted)
         return;
-    std::string why =
-        kept.options != wanted.options
-            ? fmt::format("the file's runs were made with other options ({}, not {})", kept.options, wanted.options)
-            : fmt::format("the file's runs were made from {}, whose text differs from this netlist's", kept.netlist);
-    throw UserError(
-        fmt::format("{}: {}; name another file{}, or move this file away", path_.string(), why, wanted.named_by));
+    throw UserError(fmt::format("{}: {}; name another file{}, or move this file away", path_.string(),
+                                print_difference(head_.source, wanted), wanted.named_by));
 }
 
 void StudyResults::require_version(bool of_any_version) {

@@ -56,7 +56,7 @@ void check_type(Completion& c, const Node& node, const Node& booted) {
 }
 
 void check_boot(Completion& c, std::size_t index) {
-    const Node& node = c.network.nodes[index];
+    Node& node = c.network.nodes[index];
     check_type(c, node, node);
     if (const DraftProcess* process = process_on(c, index))
         c.reporter.error(process->placed,
@@ -67,7 +67,7 @@ void check_boot(Completion& c, std::size_t index) {
                          fmt::format("\"{}\" is booted with a file, but no host is connected to it", node.name),
                          fmt::format("connect {}.link[0] to host;", node.name));
     try {
-        read_bootable(node.boot_file);
+        node.boot_bytes = std::make_shared<const std::vector<std::uint8_t>>(read_bootable(node.boot_file));
     } catch (const UserError& refused) {
         c.reporter.error(node.boot_stated, refused.what());
     }

@@ -9,27 +9,38 @@
 
 namespace placedpar {
 
-BootHost::BootHost(std::vector<std::uint8_t> file, iserver::Server& server, Time request_time)
-    : file_(std::move(file)), server_(server), request_time_(request_time) {}
+BootHost::BootHost(std::vector<std::uint8_t> file, Answering answering, Time request_time)
+    : file_(std::move(file)), answering_(std::move(answering)), request_time_(request_time) {}
 
 void BootHost::serve() {
     process_ = &Kernel::here().running();
     send(file_);
-    booted_ = true;
+    booted_ = !abandoned_;
+    booted_at_ = Kernel::here().now();
     while (state_ == iserver::ServerState::running && !abandoned_) {
         const iserver::ByteView request = receive();
         if (request.empty())
             return;
-        ++requests_;
-        if (request_time_ > Time{0})
-            wait_for(request_time_);
-        const auto now = std::chrono::floor<std::chrono::microseconds>(Kernel::here().now());
-        const iserver::Answer answer = server_.answer(request, now);
-        state_ = answer.state;
-        exit_status_ = answer.exit;
-        if (!answer.reply.empty() && state_ == iserver::ServerState::running)
-            send(answer.reply);
+        answer(request);
     }
+}
+
+/// Answers a request. The reply to the last one is sent, too, but a program need not take it.
+void BootHost::answer(iserver::ByteView request) {
+    ++requests_;
+    if (request_time_ > Time{0})
+        wait_for(request_time_);
+    const auto now = std::chrono::floor<std::chrono::microseconds>(Kernel::here().now());
+    iserver::Answer answer = answering_(request, now);
+    state_ = answer.state;
+    exit_status_ = answer.exit;
+    if (answer.reply.empty())
+        return;
+    reply_ = std::move(answer.reply);
+    if (state_ != iserver::ServerState::running)
+        Kernel::here().future().schedule(alarm_, later(Kernel::here().now(), patience), EventQueue::timer);
+    send(reply_);
+    Kernel::here().future().cancel(alarm_);
 }
 
 void BootHost::send(std::span<const std::uint8_t> bytes) {

@@ -2,23 +2,32 @@
 
 #include "iserver/packet.hpp"
 #include "iserver/server.hpp"
+#include "runtime/event.hpp"
 #include "runtime/process.hpp"
 #include "runtime/source_location.hpp"
 #include "runtime/transputer/byte_lane.hpp"
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
 namespace placedpar {
 
+/// Answers a request at a simulated time: iserver::Server::answer.
+using Answering = std::function<iserver::Answer(iserver::ByteView request, std::chrono::microseconds since_start)>;
+
 /// The host at the link of an emulated transputer. It sends a bootable file down the link, then serves the program's
 /// requests until the program exits.
 class BootHost final : public transputer::ByteEnd {
 public:
-    /// `request_time`: how long the host works on a request. REQUIRES: the server outlives the run; request_time >= 0.
-    BootHost(std::vector<std::uint8_t> file, iserver::Server&, Time request_time);
+    /// How long a program that exits may take to read the last reply. Many programs do not read it.
+    static constexpr Time patience = std::chrono::milliseconds{1};
+
+    /// `request_time`: how long the host works on a request. REQUIRES: request_time >= 0.
+    BootHost(std::vector<std::uint8_t> file, Answering, Time request_time);
 
     /// Boots and serves; the body of the host's process. Returns when the program has exited, when no input is left for
     /// it, or when it sends a packet that cannot be read.
@@ -35,8 +44,17 @@ public:
     std::uint64_t requests() const { return requests_; }
     /// Returns how many bytes of the file the transputer has not taken.
     std::size_t bytes_not_taken() const { return booted_ ? 0 : file_.size(); }
+    /// Returns when the last byte of the file was taken.
+    Time booted_at() const { return booted_at_; }
 
 private:
+    /// The end of the host's patience.
+    struct Alarm final : Event {
+        explicit Alarm(BootHost& h) : host(h) {}
+        void happen() noexcept override { host.go_on(); }
+        BootHost& host;
+    };
+
     void read(std::span<std::uint8_t>) override;
     void given() override { go_on(); }
     void write(std::span<const std::uint8_t>) override;
@@ -48,16 +66,21 @@ private:
     void send(std::span<const std::uint8_t>);
     iserver::ByteView receive();
 
+    void answer(iserver::ByteView request);
+
     std::vector<std::uint8_t> file_;
-    iserver::Server& server_;
+    Answering answering_;
     Time request_time_;
     Process* process_ = nullptr;
-    std::span<const std::uint8_t> to_send_;
+    iserver::Bytes reply_;
+    std::span<const std::uint8_t> to_send_; ///< of the file or the reply
+    Alarm alarm_{*this};
     std::vector<std::uint8_t> received_;
     iserver::PacketReader reader_;
     iserver::ServerState state_ = iserver::ServerState::running;
     std::int32_t exit_status_ = 0;
     std::uint64_t requests_ = 0;
+    Time booted_at_{};
     bool booted_ = false, abandoned_ = false, waits_ = false;
 };
 

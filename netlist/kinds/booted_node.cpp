@@ -5,6 +5,7 @@
 #include "netlist/kinds/device_kind.hpp"
 #include "netlist/kinds/fault_kinds.hpp"
 #include "netlist/kinds/memory_access.hpp"
+#include "netlist/kinds/outside_host.hpp"
 #include "text/output_file.hpp"
 
 #include <fmt/format.h>
@@ -57,7 +58,13 @@ iserver::ServerOptions options_of(const HostServices& host, const Node& node) {
 struct BootedNode::Host {
     Host(const Network& network, const Node& node)
         : terminal(terminal_of(network.host)), server(options_of(network.host, node), *terminal),
-          end(read_bootable(node.boot_file), server, Time{1000 * node.integer("hosttime")}) {}
+          end(*node.boot_bytes, answering(network.host), Time{1000 * node.integer("hosttime")}) {}
+
+    Answering answering(const HostServices& services) {
+        if (services.answers)
+            return services.answers;
+        return [this](iserver::ByteView request, std::chrono::microseconds now) { return server.answer(request, now); };
+    }
 
     std::shared_ptr<iserver::Terminal> terminal;
     iserver::Server server;
@@ -97,12 +104,21 @@ void BootedNode::has_link(hardware::Link& link) {
 
 /// Connects the host that the netlist names a file for. The edges at other links are left open.
 void BootedNode::connect_host(hardware::Link& link, const LinkEnd& own, bool own_is_a) {
-    if (node().boot_file.empty() || host_)
+    if (node().boot_file.empty() || host_ || outside_)
         return;
-    host_ = std::make_unique<Host>(network(), node());
     auto& here = device_.end(own.link);
-    lanes_.push_back(own_is_a ? std::make_unique<transputer::ByteLink>(link, here, host_->end)
-                              : std::make_unique<transputer::ByteLink>(link, host_->end, here));
+    const auto connect = [&](transputer::ByteEnd& host) {
+        lanes_.push_back(own_is_a ? std::make_unique<transputer::ByteLink>(link, here, host)
+                                  : std::make_unique<transputer::ByteLink>(link, host, here));
+    };
+    if (iserver::OfferedBoard* board = network().host.board) {
+        outside_ = std::make_unique<OutsideHost>(*board);
+        connect(*outside_);
+        simulation().process("host", [this] { outside_->serve(); });
+        return;
+    }
+    host_ = std::make_unique<Host>(network(), node());
+    connect(host_->end);
     simulation().process("host", [this] {
         host_->end.serve();
         host_->server.finish();
@@ -111,9 +127,13 @@ void BootedNode::connect_host(hardware::Link& link, const LinkEnd& own, bool own
 
 /// Ends the work of all hosts: a transputer has set its error pin, which every host of the network sees.
 void BootedNode::tell_hosts() {
-    for (const auto& each : parts().nodes)
-        if (auto* booted = dynamic_cast<BootedNode*>(each.get()); booted && booted->host_)
+    for (const auto& each : parts().nodes) {
+        const auto* booted = dynamic_cast<BootedNode*>(each.get());
+        if (booted && booted->host_)
             booted->host_->end.abandon();
+        if (booted && booted->outside_)
+            booted->outside_->abandon();
+    }
 }
 
 FaultEffects BootedNode::suffer(const Fault& halts) {
@@ -145,6 +165,8 @@ std::string BootedNode::state_of_program() const {
         return host_->end.exit_status() == 0   ? "exited with success"
                : host_->end.exit_status() == 1 ? "exited with failure"
                                                : fmt::format("exited with status {}", host_->end.exit_status());
+    if (outside_)
+        return "was served by another program";
     return device_.is_idle() ? "waits" : "runs";
 }
 
@@ -152,8 +174,13 @@ void BootedNode::report(MachineUse& use) const {
     const bool exited_badly =
         host_ && host_->end.state() == iserver::ServerState::exited && host_->end.exit_status() == 1;
     const bool stopped = device_.activity() == transputer::Node::Activity::stopped;
-    use.programs.push_back({node().name, device_.core().instructions(), host_ ? host_->end.requests() : 0, state(),
-                            listing_ ? print_listing(*listing_) : "", exited_badly || stopped});
+    use.programs.push_back({.name = node().name,
+                            .instructions = device_.core().instructions(),
+                            .requests = host_ ? host_->end.requests() : 0,
+                            .state = state(),
+                            .listing = listing_ ? print_listing(*listing_) : "",
+                            .failed = exited_badly || stopped,
+                            .booted_at = host_ ? host_->end.booted_at() : Time{}});
     use.processors.push_back({node().name, node().type, device_.time_busy(), device_.memory_taken_by_links()});
 }
 

@@ -11,6 +11,8 @@
 
 namespace placedpar {
 
+class OutsideHost; // netlist/kinds/outside_host.hpp
+
 /// Returns the options of the server for a program that this file boots.
 iserver::ServerOptions server_options(const HostServices&, const std::string& file);
 
@@ -40,6 +42,7 @@ private:
     std::unique_ptr<transputer::Listing> listing_;
     std::unique_ptr<transputer::Stepper> stepper_;
     std::unique_ptr<Host> host_;
+    std::unique_ptr<OutsideHost> outside_; ///< instead of `host_`, if another program serves the link
 };
 
 } // namespace placedpar

@@ -108,6 +108,7 @@ struct ProgramUse {
     std::string state;          ///< "exited with success", "was never booted"
     std::string listing = "";   ///< the code that was executed; "" if it was not counted
     bool failed = false;        ///< the program exited with failure, or the transputer stopped
+    Time booted_at{};           ///< when the host had sent the bootable file
 };
 
 /// Reports how a run used the machine. Each device adds its part (MachineNode::report).

@@ -30,6 +30,14 @@ bool is_on_bus(const Network& network, std::size_t node) {
     return std::ranges::find(network.attachments, node, &BusAttachment::node) != network.attachments.end();
 }
 
+std::vector<std::string> paths_of_inputs(const Network& network) {
+    std::vector<std::string> paths = network.included_paths;
+    for (const Node& node : network.nodes)
+        if (!node.boot_file.empty())
+            paths.push_back(node.boot_file);
+    return paths;
+}
+
 bool has_bootable_file(const Network& network) {
     return std::ranges::any_of(network.nodes, [](const Node& node) { return !node.boot_file.empty(); });
 }

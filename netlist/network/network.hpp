@@ -4,6 +4,7 @@
 #include "netlist/network/value.hpp"
 #include "text/source.hpp"
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -13,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,7 +23,9 @@ namespace placedpar {
 
 struct DeviceKind; // netlist/kinds/device_kind.hpp: what a device of some kind is and can do
 namespace iserver {
-class Terminal; // iserver/terminal.hpp
+class OfferedBoard; // iserver/offered_board.hpp
+class Terminal;     // iserver/terminal.hpp
+struct Answer;      // iserver/server.hpp
 } // namespace iserver
 
 /// These structures describe an elaborated netlist: every array unrolled, every name resolved, every channel placed.
@@ -41,7 +45,8 @@ struct Node {
     std::map<std::string, Value> other;                   ///< attributes of the INMOS tool, not used by a simulation
     Location declared;
     std::string boot_file = ""; ///< path of the bootable file that a host sends to the node; "" if none
-    Location boot_stated = {};  ///< place of the `use` that names the file
+    std::shared_ptr<const std::vector<std::uint8_t>> boot_bytes = nullptr; ///< contents of this file
+    Location boot_stated = {};                                             ///< place of the `use` that names the file
     bool runs_own_code = false; ///< the node is emulated: it executes what it is booted with, and runs no processes
 
     /// REQUIRES: the kind has an integer attribute of this name; throws std::logic_error otherwise.
@@ -221,6 +226,9 @@ struct HostServices {
     std::istream* steps = nullptr; ///< commands that execute the code of the node with a host step by step; null: none
     /// Makes the terminal of a host. Empty: the screen shows nothing, and no key is pressed.
     std::function<std::shared_ptr<iserver::Terminal>()> terminal = {};
+    /// Answers requests at a time, instead of a server. Empty: a server answers.
+    std::function<iserver::Answer(std::span<const std::uint8_t>, std::chrono::microseconds)> answers = {};
+    iserver::OfferedBoard* board = nullptr; ///< where another program is the host of a node with one; null: nowhere
 };
 
 struct Network {
@@ -241,6 +249,9 @@ struct Network {
     /// Returns the number of connections that are wires.
     std::size_t count_wires() const;
 };
+
+/// Returns the paths of all files that the netlist names: included files, then bootable files.
+std::vector<std::string> paths_of_inputs(const Network& network);
 
 /// Returns whether some node is booted with a file.
 bool has_bootable_file(const Network& network);

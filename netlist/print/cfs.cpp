@@ -74,7 +74,7 @@ public:
         text_ += "\n/* software */\n";
         for (const Node& node : n_.nodes)
             if (!node.boot_file.empty())
-                line("use {} for {};", print_constant(node.boot_file), node.name);
+                line("use {} for {};", boot_file(node), node.name);
         print_processes();
         print_edge_channels();
         for (const auto& channel : n_.channels)
@@ -97,6 +97,13 @@ public:
     }
 
 private:
+    /// Returns the path of a bootable file, or its contents' hash: a network is another one if a program was compiled
+    /// anew, and the same one if the file has moved.
+    std::string boot_file(const Node& node) const {
+        return order_ == ParameterOrder::as_given ? print_constant(node.boot_file)
+                                                  : fmt::format("{:016x}", boot_hash(node));
+    }
+
     void print_places() {
         text_ += "\n/* mapping */\n";
         for (const auto& process : n_.processes)

@@ -11,4 +11,8 @@ std::uint64_t network_hash(std::string_view canonical, std::uint64_t before) {
     return hash;
 }
 
+std::uint64_t boot_hash(const Node& node) {
+    return network_hash({reinterpret_cast<const char*>(node.boot_bytes->data()), node.boot_bytes->size()});
+}
+
 } // namespace placedpar

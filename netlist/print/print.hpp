@@ -26,6 +26,9 @@ inline constexpr std::uint64_t hash_of_nothing = 0xcbf29ce484222325U; ///< offse
 /// pieces as `before`.
 std::uint64_t network_hash(std::string_view canonical, std::uint64_t before = hash_of_nothing);
 
+/// Returns the FNV-1a hash of the contents of a node's bootable file. REQUIRES: the node has one.
+std::uint64_t boot_hash(const Node& node);
+
 /// Holds the printed form of a network and the hash of its canonical form. The long parts that both forms share are
 /// printed only once.
 struct WrittenOut {

@@ -266,6 +266,7 @@ public:
     const LinkDirection& from_a_to_b() const { return a_to_b_; }
     const LinkDirection& from_b_to_a() const { return b_to_a_; }
 
+    const LinkTiming& timing() const { return timing_; }
     /// Prefetches the data that words_moved() reads.
     void fetch() const { course_.fetch(); }
     /// Returns how many words of the current parts the engines at this memory moved before `now`. Performs steps that

@@ -22,21 +22,19 @@ bool Core::reaches(Word& offset, Word bytes) const {
     return timing_.wraps;
 }
 
-Word Core::load(Word address) {
-    Word offset = NodeMemory::offset_of(address) & ~Word{3};
-    if (!reaches(offset, 4)) {
-        fault(Stopped::by_bad_address, address);
-        return not_a_process;
-    }
-    return memory_.word(offset);
+Word Core::load_outside(Word address) {
+    if (timing_.wraps)
+        return memory_.word(memory_.wrapped(NodeMemory::offset_of(address) & ~Word{3}));
+    fault(Stopped::by_bad_address, address);
+    return not_a_process;
 }
 
-void Core::store(Word address, Word value) {
-    Word offset = NodeMemory::offset_of(address) & ~Word{3};
-    if (!reaches(offset, 4))
-        fault(Stopped::by_bad_address, address);
+void Core::store_outside(Word address, Word value) {
+    if (timing_.wraps)
+        write(memory_.wrapped(NodeMemory::offset_of(address) & ~Word{3}),
+              {reinterpret_cast<const std::uint8_t*>(&value), 4});
     else
-        write(offset, {reinterpret_cast<const std::uint8_t*>(&value), 4});
+        fault(Stopped::by_bad_address, address);
 }
 
 void Core::write(Word offset, std::span<const std::uint8_t> bytes) {
@@ -67,16 +65,6 @@ void Core::copy_to_memory(Word offset, std::span<const std::uint8_t> bytes) {
             write(memory_.wrapped_or_not(offset++), {&each, 1});
     else
         fault(Stopped::by_bad_address, most_negative + offset);
-}
-
-/// Returns the number of words that an interval touches, with part words at its ends.
-HalfCycles Core::words_touched(Word address, Word bytes) {
-    return bytes == 0 ? 0 : ((HalfCycles{address} & 3) + bytes + 3) / 4;
-}
-
-/// Returns the half cycles that a copy takes longer since this end of it is outside of the chip.
-HalfCycles Core::outside_words(Word address, Word bytes) const {
-    return NodeMemory::offset_of(address) < traits_.bytes_on_chip ? 0 : words_touched(address, bytes) * penalty_;
 }
 
 void Core::move_block(Word from, Word to, Word bytes) {

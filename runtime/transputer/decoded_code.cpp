@@ -15,6 +15,16 @@ std::uint64_t bytes_of(const Block& block) {
     return sizeof(Block) + (block.instructions + 1) * (sizeof(Entry) + sizeof(std::uint32_t));
 }
 
+/// Joins direct functions in pairs.
+void join_pairs(std::span<Entry> entries) {
+    for (std::size_t i = 0; i + 1 < entries.size(); ++i) {
+        const Operation first = entries[i].operation;
+        entries[i].operation = pair_of(first, entries[i + 1].operation);
+        if (entries[i].operation != first)
+            ++i;
+    }
+}
+
 } // namespace
 
 DecodedCode::DecodedCode(NodeMemory& memory, const CodeTiming& timing)
@@ -79,6 +89,7 @@ bool DecodedCode::fill(Block& block, Word address, const Bytes& bytes) {
     }
     if (count == 0)
         return false;
+    join_pairs(std::span(scratch_).first(count));
     scratch_[count] = {Operation::go_on, 0, static_cast<std::uint16_t>(after), most_negative + at};
     block.bytes = at - begin;
     block.last_word = fetched;
@@ -106,6 +117,7 @@ Block* DecodedCode::front_of(const Block& block, std::uint64_t half_cycles) {
     for (std::size_t i = 0; i < count; ++i)
         bytes += block.entries[i].length;
     std::copy_n(block.entries.get(), count, front_.entries.get());
+    front_.entries[count - 1].operation = first_of(front_.entries[count - 1].operation);
     front_.entries[count] = {Operation::go_on, 0, block.entries[count - 1].after, block.start + bytes};
     front_.start = block.start;
     front_.bytes = bytes;

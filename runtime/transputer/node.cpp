@@ -15,9 +15,8 @@ Word word_of(std::span<const std::uint8_t, 4> bytes) {
     return result;
 }
 
-/// The time that an access for each direction may take: three quarters of that in which both directions of a link at 20
-/// Mbit/s move a word.
-constexpr Time most_taken = std::chrono::nanoseconds{2550};
+/// Returns the least time in which both directions of a link move a word.
+Time time_of_word(const hardware::LinkTiming& timing) { return 4 * (timing.data() + timing.restart_latency()); }
 
 } // namespace
 
@@ -33,6 +32,7 @@ void Node::has_link(hardware::Link& link) {
     link.from_a_to_b().move_messages_of(engines_);
     link.from_b_to_a().move_messages_of(engines_);
     wires_.push_back(&link);
+    least_word_time_ = std::min(least_word_time_, time_of_word(link.timing()));
     core_.share_memory();
 }
 
@@ -78,7 +78,7 @@ void Node::run() {
 HalfCycles Node::limit() const {
     const EventQueue& future = kernel_.future();
     const Time next_event = future.empty() ? Time::max() : future.next_time();
-    Time until = std::min({later(kernel_.now(), most_ahead_), halts_at_, analysed_at_});
+    Time until = std::min({later(kernel_.now(), most_ahead_), halts_at_, analysed_at_, kernel_.limit()});
     if (core_.may_be_interrupted())
         until = std::min(until, next_event);
     const HalfCycles next = core_.local() + 1, end = std::max(core_.half_cycle_at(until), next);
@@ -88,7 +88,7 @@ HalfCycles Node::limit() const {
     if (engines_.parts_under_way == 0 && core_.time_at(core_.local() + way) <= next_event)
         return core_.local() + way;
     const HalfCycles at_once = 2 * wires_.size() * access_half_cycles_;
-    const bool may_take_all = times(static_cast<std::int64_t>(2 * wires_.size()), access_) > most_taken;
+    const bool may_take_all = times(static_cast<std::int64_t>(8 * wires_.size()), access_) > 3 * least_word_time_;
     return way > at_once + 4 && !may_take_all ? core_.local() + (way - at_once) / 4 : next;
 }
 
@@ -142,6 +142,11 @@ void Node::be_idle() {
     is_idle_ = true;
     if (core_.next_timer() != Time::max())
         kernel_.future().schedule(*this, core_.next_timer(), EventQueue::turn);
+}
+
+Time Node::time_busy() const {
+    const Time since = core_.time_at(0);
+    return busy_ + std::max(std::min(core_.local_time(), kernel_.now()), since) - since;
 }
 
 Time Node::memory_taken_by_links() { return times(static_cast<std::int64_t>(words_moved()), access_); }

@@ -63,8 +63,8 @@ public:
     Activity activity() const;
     Core& core() { return core_; }
     const Core& core() const { return core_; }
-    /// Returns how long instructions were executed, with waits for the memory.
-    Time time_busy() const { return busy_ + core_.local_time() - core_.time_at(0); }
+    /// Returns how long instructions were executed so far, with waits for the memory.
+    Time time_busy() const;
     /// Returns how long the memory has served link engines so far.
     Time memory_taken_by_links();
     /// Returns whether no process can run, no timer is due, and no transfer is complete: only a link could wake it.
@@ -142,6 +142,7 @@ private:
     HalfCycles access_half_cycles_;
     std::array<Port, links> ports_;
     std::vector<hardware::Link*> wires_;
+    Time least_word_time_ = Time::max(); ///< in which both directions of the fastest link move a word
     hardware::LinkEngineMemory engines_;
     std::uint64_t words_settled_ = 0;
     Time busy_{};

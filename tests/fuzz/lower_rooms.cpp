@@ -156,9 +156,10 @@ void assemble_program(const std::string& text) {
 } // namespace
 
 std::span<const Reader> readers() {
-    static const Reader all[] = {{"netlist", read_netlist},  {"options", read_options},    {"record", read_record},
-                                 {"machine", read_machine},  {"texts", show_texts},        {"requests", serve_requests},
-                                 {"code", disassemble_file}, {"program", assemble_program}};
+    static const Reader all[] = {
+        {"netlist", read_netlist},  {"options", read_options},     {"record", read_record},
+        {"machine", read_machine},  {"texts", show_texts},         {"requests", serve_requests},
+        {"code", disassemble_file}, {"program", assemble_program}, {"boot", boot_transputers}};
     return all;
 }
 

@@ -1,6 +1,7 @@
 // Replaces libFuzzer where Clang is not installed: makes random changes to seeds. It takes libFuzzer's options:
 //
 //   PLACEDPAR_READER=NAME fuzz_ROOMS FOLDER -max_total_time=SECONDS -max_len=BYTES -artifact_prefix=PATH
+//   PLACEDPAR_READER=NAME fuzz_ROOMS FILE    reads one input
 //
 // The n-th input depends only on the seeds, the largest size and n, so a failure can be reproduced. The input being
 // read is kept in the file PATH + "input", which remains if the reader fails. An input may take at most a second of
@@ -60,6 +61,11 @@ Told told(int argc, char** argv) {
     return told;
 }
 
+std::string content_of(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
 /// Returns an empty text, then the content of the folder's files in the order of their names.
 std::vector<std::string> seeds_in(const fs::path& folder) {
     std::vector<fs::path> paths;
@@ -67,10 +73,8 @@ std::vector<std::string> seeds_in(const fs::path& folder) {
         paths.push_back(entry.path());
     std::ranges::sort(paths);
     std::vector<std::string> seeds(1);
-    for (const fs::path& path : paths) {
-        std::ifstream in(path, std::ios::binary);
-        seeds.emplace_back(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
-    }
+    for (const fs::path& path : paths)
+        seeds.push_back(content_of(path));
     return seeds;
 }
 
@@ -207,6 +211,10 @@ std::uint64_t read_all(const Told& told, const std::vector<std::string>& seeds, 
 int main(int argc, char** argv) {
     LLVMFuzzerInitialize(&argc, &argv);
     const Told asked = told(argc, argv);
+    if (fs::is_regular_file(asked.seeds)) {
+        read(content_of(asked.seeds));
+        return 0;
+    }
     KeptInput kept(asked.prefix + "input");
     const std::uint64_t count = read_all(asked, seeds_in(asked.seeds), kept);
     if (count == 0)

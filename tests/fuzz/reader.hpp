@@ -16,6 +16,9 @@ struct Reader {
 /// Returns the readers of the program that this is linked into: lower_rooms.cpp or upper_rooms.cpp.
 std::span<const Reader> readers();
 
+/// Boots transputers with these bytes (booted.cpp).
+void boot_transputers(const std::string& bytes);
+
 /// Throws std::logic_error if the claim about the read data does not hold.
 void require(bool holds, const char* claim);
 

@@ -1,15 +1,20 @@
 """python3 tests/fuzz/run.py PROGRAM SECONDS [READER ...]
+python3 tests/fuzz/run.py PROGRAM again READER INPUT
 
 Feeds the readers of a program of tests/fuzz, those named or all, for so many seconds of a core altogether. They begin
 with the files and texts of the tests, from which corpora are made in a folder beside the program, where they grow from
-one call to the next. An input that a reader fails on is left there, too, and the exit code is 1.
+one call to the next. An input that a reader fails on is left there, too, and the exit code is 1. The second form, which
+such a failure prints, reads this input again.
 """
 
+import base64
 import os
 import pathlib
 import re
 import subprocess
 import sys
+import tempfile
+import time
 
 TREE = pathlib.Path(__file__).resolve().parents[2]
 LARGEST = 20_000  # bytes of a seed
@@ -82,12 +87,80 @@ SEEDS = {
     "code": lambda: [bytes([4, 0x24, 0xF2, 0x60, 0x0E]) + (bytes([60]) + bytes(range(0x40, 0x7C))) * 3
                      + bytes([3, 0x2A, 0xFB, 0x20, 0]) + bytes([0x44, 0x60, 0x5F, 0x21, 0xFB]) + b"text of a program" + bytes(20)],
     "program": lambda: files("examples/transputer/**/*.tas") + texts_of("tests/runtime/transputer/assembler_test.cpp"),
+    "boot": lambda: [booted((link, packet(program) + bytes(range(40))), machine=bytes([model, 2 + 3 * (model % 2), model, model, 25]))
+                     for program in PROGRAMS for model in range(5) for link in (0, 3)]
+                    + [booted((0, PEEK + POKE + packet(program)), (1, bytes(60)), (2, packet(program)), (3, packet(program)), (4, PEEK),
+                              machine=bytes([3, 4, 3, how, 30])) for how, program in enumerate(PROGRAMS)],
     "arguments": lambda: texts_of("tests/explore/**/*.cpp", "tests/report/*.cpp"),
 }
 
 
+def instruction(function, operand):
+    """Returns the bytes of an instruction of a transputer: a function from 0 to 15, with prefixes for its operand."""
+    def prefixed(value):
+        if 0 <= value < 16:
+            return b""
+        upper = value >> 4 if value >= 0 else ~value >> 4
+        return prefixed(upper) + bytes([(0x20 if value >= 0 else 0x60) | upper & 15])
+    return prefixed(operand) + bytes([function << 4 | operand & 15])
+
+
+def code(*instructions):
+    """Returns the bytes of instructions: pairs of a function's name and an operand, or the code of an operation."""
+    functions = "j ldlp pfix ldnl ldc ldnlp nfix ldl adc call cj ajw eqc stl stnl opr".split()
+    return b"".join(instruction(15, each) if isinstance(each, int) else instruction(functions.index(each[0]), each[1])
+                    for each in instructions)
+
+
+def booted(*parts, machine=bytes([3, 2, 1, 0, 0])):
+    """Returns an input of the reader `boot`: bytes for links 0 to 5."""
+    return machine + b"".join(bytes([link, len(part) - 1]) + part for link, part in parts)
+
+
+def packet(program):
+    return bytes([len(program)]) + program
+
+
+IN, OUT, LEND, STARTP, RUNP, TIN, LDTIMER, STTIMER, MINT, MOVE = 0x07, 0x0B, 0x21, 0x0D, 0x39, 0x2B, 0x22, 0x54, 0x42, 0x4A
+CLOCKS = code(("ldc", 0), STTIMER)
+TO_NEIGHBOUR = code(("ldlp", 16), MINT, ("ldnlp", 7), ("ldc", 20), IN) # the event channel is next
+PROGRAMS = [
+    code(("ldc", 1), ("stl", 1), ("ldl", 1), ("adc", 1), ("stl", 1), ("j", -6)),
+    code(("ldc", 0), ("stl", 1), ("ldc", 0), ("stl", 2), ("ldlp", 1), ("ldc", 4), LEND, 0x15),
+    CLOCKS + code(LDTIMER, ("adc", 20), TIN, LDTIMER, ("adc", 30), TIN, 0x15),
+    CLOCKS + code(("ldc", 10), ("ldlp", 20), STARTP, ("ldlp", 40), RUNP, ("ldc", 7), ("stl", 1), ("j", -3)),
+    code(("ldlp", 4), MINT, ("ldnlp", 4), ("ldc", 8), IN, ("ldlp", 4), MINT, ("ldc", 8), OUT, ("j", -15)),
+    code(MINT, ("ldlp", 1), ("ldc", 4000), MOVE, ("ldlp", 1), MINT, ("ldc", 4000), MOVE),
+    code(("ldc", 3), ("ldc", 8), ("ldc", 8), 0x5B, ("ldlp", 1), ("ldlp", 9), ("ldc", 5), 0x5C, 0x5D, 0x5E),
+    CLOCKS + code(0x4E, LDTIMER, ("adc", 5), ("ldc", 1), 0x47, MINT, ("ldnlp", 5), ("ldc", 1), 0x48, 0x51, 0x45),
+    code(("ldlp", 1), 0x8E, ("ldlp", 2), 0x8E, 0x87, 0x8B, 0x8C, ("ldlp", 1), 0x88, ("ldc", 1), 0xAB, 0x83),
+    code(("ldc", 9), ("ldc", 0x70), MINT, 0x02, 0x3B, ("j", 0)),
+    code(MINT, ("ldnlp", 0x1C), ("ldc", 1), ("stl", -1), 0x20),
+    code(0x58, ("ldc", 1), ("ldc", 0), 0x2C, 0x10), code(0x3E, 0x3D, 0x18, 0x50, 0x1C, 0x17),
+    code(("ldlp", 8), ("ldc", 1), MINT, ("ldnlp", 3), OUT, ("ldlp", 8), MINT, ("ldnlp", 3), ("ldc", 90), OUT),
+]
+PEEK, POKE = b"\1" + bytes([0x70, 0, 0, 0x80]), b"\0" + bytes([0, 1, 0, 0x80, 1, 2, 3, 4])
+
+
+def again(program, reader, seed):
+    """Reads an input that a reader has failed on."""
+    with tempfile.NamedTemporaryFile() as file:
+        file.write(base64.b64decode(seed))
+        file.flush()
+        return subprocess.run([program, file.name], env={**os.environ, "PLACEDPAR_READER": reader}, check=False).returncode
+
+
+def print_failure(program, reader, folder, since):
+    """Prints how to repeat a failure."""
+    for kept in folder.glob(f"{reader}-*"):
+        if kept.is_file() and kept.stat().st_mtime >= since:
+            print(f"again: python3 tests/fuzz/run.py {program} again {reader} {base64.b64encode(kept.read_bytes()).decode()}",
+                  flush=True)
+
+
 def fuzz(program, reader, seconds):
     """Whether the reader survives the input."""
+    begun = time.time() - 1
     folder = pathlib.Path(program).resolve().parent / "corpora" / reader
     folder.mkdir(parents=True, exist_ok=True)
     for number, seed in enumerate(each for each in SEEDS[reader]() if len(each) <= LARGEST):
@@ -101,10 +174,13 @@ def fuzz(program, reader, seconds):
     print(f"{reader}: {tried.group(1) if tried else 'no'} inputs in {seconds} s", flush=True)
     if run.returncode != 0:
         print(run.stderr[-6000:], flush=True)
+        print_failure(program, reader, folder.parent, begun)
     return run.returncode == 0
 
 
 def main(program, seconds, *chosen):
+    if seconds == "again":
+        sys.exit(again(program, *chosen))
     names = subprocess.run([program], stdout=subprocess.PIPE, text=True, check=True).stdout.split()
     wanted = chosen or names
     stood = [fuzz(program, reader, max(1, int(seconds) // len(wanted))) for reader in wanted]

@@ -341,7 +341,7 @@ TEST_CASE("damaged programs do the same however far the core runs ahead") {
         INFO(replay(seed));
         RandomStream random(seed, "damage");
         const auto code = random_code(seed, {.model = plain_models[seed % 5], .data_first = seed % 2 == 0});
-        auto bytes = assemble(code.source, code.origin).bytes;
+        auto bytes = transputer::assemble(code.source, code.origin).bytes;
         for (std::uint32_t i = random.below(6); i > 0; --i)
             bytes[random.below(static_cast<std::uint32_t>(bytes.size()))] = static_cast<std::uint8_t>(random());
         Both at_once(seed % 5, 65536, 3, 1), in_pieces(seed % 5, 65536, 3, 1);

@@ -2,6 +2,7 @@
 
 #include "random_network.hpp"
 
+#include "runtime/random.hpp"
 #include "tests/seeds.hpp"
 
 #include <doctest/doctest.h>
@@ -17,5 +18,22 @@ TEST_CASE("random networks do not depend on how far a transputer runs ahead, nor
         CHECK_EQ(difference_of(usual, run_network(network, {.instruction_by_instruction = true})), "");
         CHECK_EQ(difference_of(usual, run_network(network, {.order = seed + 1})), "");
         CHECK_EQ(difference_of(usual, run_network(network, {.order = seed + 1, .every_byte = true})), "");
+    }
+}
+
+TEST_CASE("a run that a limit stops has done what was to be done until then, and no more") {
+    for (const std::uint64_t seed : seeds(60)) {
+        INFO(replay(seed));
+        const RandomNetwork network = random_network(seed);
+        RandomStream random(seed, "limit");
+        for (int i = 0; i < 5; ++i) {
+            const Time until{random.below(800'000'000)}; // 0.8 ms
+            CAPTURE(until.count());
+            const std::vector<NodeOutcome> usual = run_network(network, {.until = until});
+            CHECK_EQ(difference_of(usual, run_network(network, {.instruction_by_instruction = true, .until = until})),
+                     "");
+            for (const NodeOutcome& node : usual)
+                CHECK_LE(node.time_busy, until);
+        }
     }
 }

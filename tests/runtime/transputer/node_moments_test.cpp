@@ -139,7 +139,8 @@ namespace {
 
 /// Runs a node whose links are busy in all directions. A process of high priority notes each microsecond or so how far
 /// one of low priority has counted. Returns the memory.
-std::vector<std::uint8_t> memory_after_traffic(int memory_cycles, bool one_by_one) {
+std::vector<std::uint8_t> memory_after_traffic(int memory_cycles, bool one_by_one,
+                                               std::int64_t bits_per_second = hardware::LinkTiming::usual_speed) {
     std::string program = "ldc 0\nsttimer\n", processes;
     for (std::uint32_t link = 0; link < 4; ++link) {
         const std::string in = fmt::format("in{}", link), out = fmt::format("out{}", link);
@@ -158,7 +159,7 @@ std::vector<std::uint8_t> memory_after_traffic(int memory_cycles, bool one_by_on
     TimedNode timed(program, one_by_one,
                     {.model = transputer::Model::t800, .memory = 32768, .timing = {.memory_cycles = memory_cycles}});
     for (int link = 0; link < 4; ++link) {
-        ScriptedEnd& host = timed.world.host(timed.node, link);
+        ScriptedEnd& host = timed.world.host(timed.node, link, {.bits_per_second = bits_per_second});
         if (link == 0)
             timed.world.boot(host, from_start(0x200), from_start(0x800));
         host.will_give(100us, std::vector<std::uint8_t>(1000, 7));
@@ -175,6 +176,16 @@ TEST_CASE("timers are attended to at their times while the links take accesses t
         CAPTURE(memory_cycles);
         CHECK(memory_after_traffic(memory_cycles, false) == memory_after_traffic(memory_cycles, true));
     }
+}
+
+TEST_CASE("links that are faster than the memory leave the times of timers as they are") {
+    for (const std::int64_t speed : {5'000'000, 30'000'000, 40'000'000, 60'000'000, 100'000'000, 200'000'000})
+        for (const int memory_cycles : {2, 3, 4, 6, 9, 20}) {
+            CAPTURE(speed);
+            CAPTURE(memory_cycles);
+            CHECK(memory_after_traffic(memory_cycles, false, speed) ==
+                  memory_after_traffic(memory_cycles, true, speed));
+        }
 }
 
 TEST_CASE("instructions are counted once although a program overwrites those that follow") {

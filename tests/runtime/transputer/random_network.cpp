@@ -342,7 +342,7 @@ std::vector<NodeOutcome> run_network(const RandomNetwork& network, const WayToRu
     }
     if (shuffles)
         world.simulation.shuffle(way.order);
-    world.run(Time{std::chrono::seconds{1}});
+    world.run(way.until);
     std::vector<NodeOutcome> outcomes;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         transputer::Core& core = nodes[i]->core();

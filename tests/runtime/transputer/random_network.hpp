@@ -42,7 +42,8 @@ RandomNetwork random_network(std::uint64_t seed, unsigned scale = 1);
 struct WayToRun {
     std::uint64_t order = 0; ///< decides the order in which nodes, links and hosts are made; 0: the usual one
     bool instruction_by_instruction = false;
-    bool every_byte = false; ///< LinkDirection::simulate_every_byte
+    bool every_byte = false;              ///< LinkDirection::simulate_every_byte
+    Time until = std::chrono::seconds{1}; ///< unlike the others, this matters
 };
 
 /// What has become of a node.
