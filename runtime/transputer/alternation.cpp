@@ -1,5 +1,5 @@
 #include "runtime/hardware/processor.hpp"
-#include "runtime/transputer/core.hpp"
+#include "runtime/transputer/communication.hpp"
 #include "runtime/transputer/words.hpp"
 
 #include <utility>

@@ -33,7 +33,8 @@ const Mnemonics& mnemonics() {
                          {"opr", {Unit::direct, operate, all_models}}};
         for (int i = 0; i < static_cast<int>(Operation::go_on); ++i) {
             const Instruction& each = description_of(static_cast<Operation>(i));
-            result[each.name] = {each.unit, each.code, each.models};
+            const Models others = result[each.name].models; // those that execute it in another way
+            result[each.name] = {each.unit, each.code, each.models | others};
         }
         return result;
     }();

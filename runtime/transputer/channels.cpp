@@ -1,7 +1,8 @@
-#include "runtime/transputer/core.hpp"
+#include "runtime/transputer/communication.hpp"
 #include "runtime/transputer/words.hpp"
 
 #include <cstddef>
+#include <utility>
 
 namespace placedpar::transputer {
 
@@ -15,43 +16,24 @@ void Core::transfer_ended(int channel) {
         enqueue(process);
 }
 
-void Core::wait_at(Word channel, Word address) {
-    store(channel, descriptor());
-    store(registers_.workspace - below::pointer, address);
-    leave_processor();
-}
-
-/// Performs an input or output of bytes.
-void Core::communicate(Word channel, Word address, Word bytes, bool output) {
-    if (const int hard = hard_channel(channel); hard >= 0) {
-        if (bytes == 0 && hard < static_cast<int>(hard_channels) - 1)
-            return;
-        if (!memory_.holds(NodeMemory::offset_of(address), bytes))
-            return fault(Stopped::by_bad_address, address);
-        store(channel, descriptor());
-        leave_processor();
-        links_.begin_transfer(hard, address, bytes);
-        return;
-    }
-    const Word partner = load(channel);
-    if (partner == not_a_process)
-        wait_at(channel, address);
+void Core::begin_communication(Operation operation) {
+    if (operation == Operation::outbyte || operation == Operation::outword)
+        store(registers_.workspace, registers_.a);
+    const Communication asked = communication_by(operation, registers_);
+    if (const int link = hard_channel(asked.channel); link >= 0)
+        communicate_by_link(link, asked);
     else
-        meet(channel, partner, address, bytes, output);
+        running_ = communicate(operation != Operation::in, asked, registers_) && stopped_ == Stopped::nothing;
 }
 
-void Core::meet(Word channel, Word partner, Word address, Word bytes, bool output) {
-    const Word other = load((partner & ~Word{3}) - below::pointer);
-    const bool in_alternative =
-        other == alternative::enabling || other == alternative::waiting || other == alternative::ready;
-    if (output && in_alternative) {
-        wake_alternative(partner, local_time());
-        wait_at(channel, address);
+void Core::communicate_by_link(int link, const Communication& asked) {
+    if (asked.bytes == 0 && link < static_cast<int>(hard_channels) - 1)
         return;
-    }
-    move_block(output ? address : other, output ? other : address, bytes);
-    store(channel, not_a_process);
-    enqueue(partner);
+    if (!memory_.holds(NodeMemory::offset_of(asked.address), asked.bytes))
+        return fault(Stopped::by_bad_address, asked.address);
+    store(asked.channel, descriptor());
+    leave_processor();
+    links_.begin_transfer(link, asked.address, asked.bytes);
 }
 
 /// Tells a process in an ALT that one of its channels is ready.
@@ -80,30 +62,14 @@ void Core::reset_channel() {
 
 // Instructions of the scheduler
 
-HalfCycles Core::cost_of_communication(Word channel, Word address, Word bytes) {
-    constexpr HalfCycles waits = 2 * 19;
-    if (hard_channel(channel) >= 0)
-        return waits;
-    const Word partner = load(channel);
-    if (partner == not_a_process)
-        return waits;
-    const Word other = load((partner & ~Word{3}) - below::pointer);
-    if (other == alternative::enabling || other == alternative::waiting || other == alternative::ready)
-        return waits;
-    return waits + 4 * words_touched(address, bytes) + outside_words(address, bytes) + outside_words(other, bytes);
-}
-
 HalfCycles Core::cost_of(Operation operation) {
     const Registers& r = registers_;
     const HalfCycles cycles = 2 * static_cast<HalfCycles>(cycles_of(operation, model_));
     switch (operation) {
     case Operation::in:
-    case Operation::out: return cost_of_communication(r.b, r.c, r.a);
+    case Operation::out:
     case Operation::outbyte:
-    case Operation::outword: {
-        const bool second = hard_channel(r.b) >= 0 || cost_of_communication(r.b, r.workspace, 4) > 2 * 19;
-        return cycles - (second ? 0 : 4);
-    }
+    case Operation::outword: return cost_of(operation, communication_by(operation, registers_));
     case Operation::move:
         return cycles + 4 * words_touched(r.c, r.a) + outside_words(r.c, r.a) + outside_words(r.b, r.a);
     case Operation::move2dall:
@@ -122,13 +88,10 @@ HalfCycles Core::cost_of(Operation operation) {
 void Core::perform(Operation operation) {
     Registers& r = registers_;
     switch (operation) {
-    case Operation::in: communicate(r.b, r.c, r.a, false); break;
-    case Operation::out: communicate(r.b, r.c, r.a, true); break;
+    case Operation::in:
+    case Operation::out:
     case Operation::outbyte:
-    case Operation::outword:
-        store(r.workspace, r.a);
-        communicate(r.b, r.workspace, operation == Operation::outword ? 4 : 1, true);
-        break;
+    case Operation::outword: begin_communication(operation); break;
     case Operation::resetch: reset_channel(); break;
     case Operation::enbc: enable_channel(); break;
     case Operation::enbt: enable_timer(); break;

@@ -169,7 +169,16 @@ public:
 
 private:
     /// Why execute() has returned to the scheduler.
-    enum class Left : std::uint8_t { budget, scheduling, timeslice, halt, unknown, unknown_selector, bad_address };
+    enum class Left : std::uint8_t {
+        budget,
+        scheduling, ///< an instruction of the scheduler must have its effect later
+        performed,  ///< an instruction of the scheduler had its effect, after which another process may run
+        timeslice,
+        halt,
+        unknown,
+        unknown_selector,
+        bad_address
+    };
     /// An instruction of the scheduler whose cycles pass before its effect.
     struct Pending {
         Operation operation;
@@ -181,50 +190,87 @@ private:
     };
 
     // engine.cpp
-    Left execute(HalfCycles budget);
+    Left execute(HalfCycles until, bool at_once);
     Word place_of(const Block&, const Entry&) const;
     static std::uint64_t instructions_after(const Block&, const Entry&);
     void code_was_written(Block&, const Entry&, Word offset, Word bytes);
 
     // scheduler.cpp: processes and time; channels.cpp; core_memory.cpp: memory, moves, errors
-    void execute_until(HalfCycles);
+    void execute_until(HalfCycles, bool at_once);
     void act_on(Left);
     bool finish_pending(HalfCycles limit, bool punctual, Pause&);
     bool must_begin_on_time(Operation, bool punctual) const;
     bool must_be_on_time(Operation, bool punctual) const;
     bool concerns_link(Operation) const;
+    Left perform_at_once(Operation, Registers&, HalfCycles until);
+    Left communicate_at_once(Operation, Registers&, HalfCycles until);
+    Left switch_at_once(bool goes_on, Registers&);
+    /// Returns whether the running process gives way at its next j or lend.
+    bool is_slice_over() const {
+        return is_analysed_ || (priority_ == 1 && slices_seen_ >= 2 && front_[1] != not_a_process);
+    }
     void attend();
     void begin_slice();
     void find_due();
     bool dispatch();
-    void take_front(int priority);
-    void continue_at(Word workspace, int priority);
+    void run_front(int priority);
+    void take_front(std::size_t priority, Registers&);
     void set_priority(int priority);
     void save_process();
     void interrupt();
     void resume_interrupted();
     void leave_processor();
+    void store_instruction(const Registers&);
     void give_way();
     void enqueue(Word process);
     void end_process();
-    void wait_at(Word channel, Word address);
-    void communicate(Word channel, Word address, Word bytes, bool output);
-    void meet(Word channel, Word partner, Word address, Word bytes, bool output);
+    /// What the running process asks of a channel, and who waits there if it is a word of memory.
+    struct Communication {
+        Word channel, address, bytes;
+        Word partner = not_a_process; ///< the descriptor of the process that waits
+        Word partner_pointer = 0;     ///< where its bytes are, or its state if it is in an ALT
+        bool meets_process() const { return partner != not_a_process && !meets_alternative(); }
+        bool meets_alternative() const;
+    };
+    Communication communication_by(Operation, const Registers&);
+    HalfCycles cost_of(Operation, const Communication&) const;
+    void begin_communication(Operation);
+    bool communicate(bool is_output, const Communication&, const Registers&);
+    void copy_message(Word from, Word to, Word bytes);
+    void communicate_by_link(int link, const Communication&);
     void wake_alternative(Word partner, Time);
     void reset_channel();
     HalfCycles cost_of(Operation);
-    HalfCycles cost_of_communication(Word channel, Word address, Word bytes);
     void perform(Operation);
     void perform_on_processes(Operation);
     void perform_on_queues(Operation);
     void move_block(Word from, Word to, Word bytes);
     void move_in_two_dimensions(Operation);
     // A bad address stops the core.
-    Word load(Word address);
-    void store(Word address, Word value);
+    [[gnu::always_inline]] Word load(Word address) {
+        const Word offset = NodeMemory::offset_of(address) & ~Word{3};
+        if (offset < memory_.size()) [[likely]]
+            return memory_.word(offset);
+        fault(Stopped::by_bad_address, address);
+        return not_a_process;
+    }
+    [[gnu::always_inline]] void store(Word address, Word value) {
+        const Word offset = NodeMemory::offset_of(address) & ~Word{3};
+        if (offset >= memory_.size()) [[unlikely]]
+            return fault(Stopped::by_bad_address, address);
+        if (memory_.has_code(offset)) [[unlikely]]
+            code_.forget(offset, 4);
+        memory_.set_word(offset, value);
+    }
     void write(Word offset, std::span<const std::uint8_t>);
-    static HalfCycles words_touched(Word address, Word bytes);
-    HalfCycles outside_words(Word address, Word bytes) const;
+    /// Returns the number of words that an interval touches, with part words at its ends.
+    static HalfCycles words_touched(Word address, Word bytes) {
+        return bytes == 0 ? 0 : ((HalfCycles{address} & 3) + bytes + 3) / 4;
+    }
+    /// Returns the half cycles that a copy takes longer since this end of it is outside of the chip.
+    HalfCycles outside_words(Word address, Word bytes) const {
+        return NodeMemory::offset_of(address) < traits_.bytes_on_chip ? 0 : words_touched(address, bytes) * penalty_;
+    }
     void fault(Stopped, Word address);
 
     // alternation.cpp: ALT, clocks and timers
@@ -246,7 +292,8 @@ private:
     void wake_timers(int priority);
     void find_next_timer();
 
-    Word descriptor() const { return registers_.workspace | static_cast<Word>(priority_); }
+    Word descriptor() const { return descriptor(registers_); }
+    Word descriptor(const Registers& r) const { return r.workspace | static_cast<Word>(priority_); }
     void push(Word value) {
         registers_.c = registers_.b;
         registers_.b = registers_.a;
@@ -265,6 +312,7 @@ private:
     LinkEngines& links_;
     Clock half_cycles_;
     HalfCycles penalty_; ///< of an access to data outside of the chip
+    HalfCycles switch_;  ///< of a switch to the next process
 
     Registers registers_;
     int priority_ = 1;

@@ -12,23 +12,6 @@ namespace placedpar::transputer {
 
 // Memory
 
-Word Core::load(Word address) {
-    const Word offset = NodeMemory::offset_of(address) & ~Word{3};
-    if (!memory_.holds(offset, 4)) {
-        fault(Stopped::by_bad_address, address);
-        return not_a_process;
-    }
-    return memory_.word(offset);
-}
-
-void Core::store(Word address, Word value) {
-    const Word offset = NodeMemory::offset_of(address) & ~Word{3};
-    if (!memory_.holds(offset, 4))
-        fault(Stopped::by_bad_address, address);
-    else
-        write(offset, {reinterpret_cast<const std::uint8_t*>(&value), 4});
-}
-
 void Core::write(Word offset, std::span<const std::uint8_t> bytes) {
     if (bytes.empty())
         return;
@@ -51,16 +34,6 @@ void Core::copy_to_memory(Word offset, std::span<const std::uint8_t> bytes) {
         write(offset, bytes);
     else
         fault(Stopped::by_bad_address, most_negative + offset);
-}
-
-/// Returns the number of words that an interval touches, with part words at its ends.
-HalfCycles Core::words_touched(Word address, Word bytes) {
-    return bytes == 0 ? 0 : ((HalfCycles{address} & 3) + bytes + 3) / 4;
-}
-
-/// Returns the half cycles that a copy takes longer since this end of it is outside of the chip.
-HalfCycles Core::outside_words(Word address, Word bytes) const {
-    return NodeMemory::offset_of(address) < traits_.bytes_on_chip ? 0 : words_touched(address, bytes) * penalty_;
 }
 
 void Core::move_block(Word from, Word to, Word bytes) {

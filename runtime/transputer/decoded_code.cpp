@@ -15,6 +15,16 @@ std::uint64_t bytes_of(const Block& block) {
     return sizeof(Block) + (block.instructions + 1) * (sizeof(Entry) + sizeof(std::uint32_t));
 }
 
+/// Joins direct functions in pairs.
+void join_pairs(std::span<Entry> entries) {
+    for (std::size_t i = 0; i + 1 < entries.size(); ++i) {
+        const Operation first = entries[i].operation;
+        entries[i].operation = pair_of(first, entries[i + 1].operation);
+        if (entries[i].operation != first)
+            ++i;
+    }
+}
+
 } // namespace
 
 DecodedCode::DecodedCode(NodeMemory& memory, const CodeTiming& timing)
@@ -65,14 +75,17 @@ bool DecodedCode::fill(Block& block, Word address) {
             operand *= 4;
         else if (description.unit != Unit::direct)
             operand = most_negative + next;
+        const bool may_break =
+            read.operation == Operation::j && read.operand == 0 && (with_breakpoints & only(timing_.model));
         scratch_bounds_[count] = after + extra;
-        scratch_[count++] = {read.operation, static_cast<std::uint8_t>(read.length), static_cast<std::uint16_t>(after),
-                             operand};
+        scratch_[count++] = {may_break ? Operation::j_zero : read.operation, static_cast<std::uint8_t>(read.length),
+                             static_cast<std::uint16_t>(after), operand};
         at = next;
         ended = ends_block(read.operation);
     }
     if (count == 0)
         return false;
+    join_pairs(std::span(scratch_).first(count));
     scratch_[count] = {Operation::go_on, 0, static_cast<std::uint16_t>(after), most_negative + at};
     block.bytes = at - begin;
     block.last_word = fetched;
@@ -89,6 +102,7 @@ Block* DecodedCode::front_of(const Block& block, std::uint64_t half_cycles) {
     for (std::size_t i = 0; i < count; ++i)
         bytes += block.entries[i].length;
     std::copy_n(block.entries.get(), count, front_.entries.get());
+    front_.entries[count - 1].operation = first_of(front_.entries[count - 1].operation);
     front_.entries[count] = {Operation::go_on, 0, block.entries[count - 1].after, block.start + bytes};
     front_.start = block.start;
     front_.bytes = bytes;

@@ -1,4 +1,4 @@
-#include "runtime/transputer/core.hpp"
+#include "runtime/transputer/communication.hpp"
 #include "runtime/transputer/single_length.hpp"
 #include "runtime/transputer/words.hpp"
 
@@ -10,6 +10,13 @@
 
 // Execution leads from one instruction to the next by the addresses of labels, which GCC and Clang know.
 #pragma GCC diagnostic ignored "-Wpedantic"
+
+// GCC moves what instructions have in common before the jumps between them, and so loses the registers of the host.
+#if defined(__GNUC__) && !defined(__clang__)
+#define PLACEDPAR_KEEPS_REGISTERS [[gnu::optimize("no-tree-pre", "no-gcse")]]
+#else
+#define PLACEDPAR_KEEPS_REGISTERS
+#endif
 
 namespace placedpar::transputer {
 
@@ -135,7 +142,23 @@ namespace placedpar::transputer {
         goto* labels[static_cast<std::size_t>(entered)];                                                               \
     } while (false)
 
-Core::Left Core::execute(HalfCycles budget) {
+// Instructions of the scheduler. `function` performs one if nothing can act on the core before it ends.
+#define AT_ONCE(function, operation_)                                                                                  \
+    {                                                                                                                  \
+        Registers r{entry->operand, W, A, B, C, registers_.error};                                                     \
+        local_ += std::exchange(spent, 0) + entry->after;                                                              \
+        begun_ = operation_;                                                                                           \
+        left = function(operation_, r, until_at_once);                                                                 \
+        A = r.a, B = r.b, C = r.c, W = r.workspace, next = r.instruction;                                              \
+        if (left != Left::budget)                                                                                      \
+            goto leave;                                                                                                \
+        slice_is_over = slices_seen_ >= 2 && is_slice_over();                                                          \
+        budget = until - local_;                                                                                       \
+        goto begin_block;                                                                                              \
+    }
+
+PLACEDPAR_KEEPS_REGISTERS
+Core::Left Core::execute(HalfCycles until, bool at_once) {
     static const void* const labels[] = {
 #define FUNCTION(code, name, cycles, extra, accesses, ...) &&at_##name,
 #define OPERATION(code, name, cycles, extra, accesses, models, ...) &&at_##name,
@@ -143,6 +166,7 @@ Core::Left Core::execute(HalfCycles budget) {
 #define RESULT(code, name, cycles, accesses, ...) &&at_##name,
 #define SELECTED(code, name, cycles, ...) &&at_##name,
 #define SCHEDULING(code, name, cycles, models) &&scheduling,
+#define COMMUNICATING(code, name, cycles, models) &&at_##name,
 #include "runtime/transputer/instructions.inc"
 #undef FUNCTION
 #undef OPERATION
@@ -150,17 +174,38 @@ Core::Left Core::execute(HalfCycles budget) {
 #undef RESULT
 #undef SELECTED
 #undef SCHEDULING
-        &&go_on, &&unknown};
+#undef COMMUNICATING
+        &&go_on,
+        &&j_zero,
+        &&unknown,
+#define FUNCTION(code, name, ...)                                                                                      \
+    &&at_##name##_ldl, &&at_##name##_ldc, &&at_##name##_ldlp, &&at_##name##_stl, &&at_##name##_adc,
+#define OPERATION(...)
+#define REAL OPERATION
+#define RESULT OPERATION
+#define SELECTED OPERATION
+#define SCHEDULING OPERATION
+#define COMMUNICATING OPERATION
+#include "runtime/transputer/instructions.inc"
+#undef FUNCTION
+#undef OPERATION
+#undef REAL
+#undef RESULT
+#undef SELECTED
+#undef SCHEDULING
+#undef COMMUNICATING
+    };
 
     std::uint8_t* const memory = memory_.data();
     const std::uint8_t* const code_flags = memory_.code_flags();
     const Word size = memory_.size(), on_chip = traits_.bytes_on_chip;
     const HalfCycles penalty = penalty_;
-    const bool slice_is_over = is_analysed_ || (priority_ == 1 && slices_seen_ >= 2 && front_[1] != not_a_process);
+    bool slice_is_over = is_slice_over();
     Word A = registers_.a, B = registers_.b, C = registers_.c, W = registers_.workspace;
     Word next = registers_.instruction, value = 0, bad = 0, last_fetched = last_fetched_;
     std::uint64_t wide = 0;
-    HalfCycles spent = 0;
+    HalfCycles budget = until - local_, spent = 0;
+    const HalfCycles until_at_once = at_once ? until : 0;
     Left left = Left::budget;
     Block* block = nullptr;
     const Entry* entry = nullptr;
@@ -171,7 +216,7 @@ begin_block:
     block = code_.at(next);
     if (!block) {
         left = Left::bad_address;
-        bad = next;
+        stopped_at_ = next;
         goto leave;
     }
     if (spent + block->most > budget)
@@ -205,6 +250,7 @@ begin_block:
     __VA_ARGS__;                                                                                                       \
     NEXT();
 #define SCHEDULING(code, name, cycles, models)
+#define COMMUNICATING(code, name, cycles, models) at_##name : AT_ONCE(communicate_at_once, Operation::name)
 #include "runtime/transputer/instructions.inc"
 #undef FUNCTION
 #undef OPERATION
@@ -212,6 +258,34 @@ begin_block:
 #undef RESULT
 #undef SELECTED
 #undef SCHEDULING
+#undef COMMUNICATING
+#define OPERATION(...)
+#define REAL OPERATION
+#define RESULT OPERATION
+#define SELECTED OPERATION
+#define SCHEDULING OPERATION
+#define COMMUNICATING OPERATION
+
+// Pairs of direct functions
+#define FUNCTION(code, name, cycles, extra, accesses, ...)                                                             \
+    PAIR(name, ldl, __VA_ARGS__)                                                                                       \
+    PAIR(name, ldc, __VA_ARGS__)                                                                                       \
+    PAIR(name, ldlp, __VA_ARGS__)                                                                                      \
+    PAIR(name, stl, __VA_ARGS__)                                                                                       \
+    PAIR(name, adc, __VA_ARGS__)
+#define PAIR(name, second, ...)                                                                                        \
+    at_##name##_##second : __VA_ARGS__;                                                                                \
+    ++entry;                                                                                                           \
+    goto at_##second;
+#include "runtime/transputer/instructions.inc"
+#undef PAIR
+#undef FUNCTION
+#undef OPERATION
+#undef REAL
+#undef RESULT
+#undef SELECTED
+#undef SCHEDULING
+#undef COMMUNICATING
 
 branch:
     spent += entry->after;
@@ -228,12 +302,16 @@ go_on:
     next = entry->operand;
     last_fetched = (NodeMemory::offset_of(next) - 1) & ~Word{3}; // a block that was written to may end early
     goto branch;
-scheduling:
+j_zero:
+    if (!breaks_at_j0_)
+        BRANCH_OR_GIVE_WAY(OPERAND);
     next = entry->operand;
-    spent += entry->after;
-    begun_ = entry->operation;
+    spent += entry->after - 2 * description_of(Operation::j).cycles; // ours: it takes as long as `break`
+    begun_ = Operation::break_;
     left = Left::scheduling;
     goto leave;
+scheduling:
+    AT_ONCE(perform_at_once, entry->operation)
 halt:
     next = place_of(*block, *entry) + entry->length;
     spent += entry->after;
@@ -243,6 +321,7 @@ halt:
 unknown:
     next = place_of(*block, *entry);
     spent += entry->after;
+    stopped_at_ = 0;
     left = Left::unknown;
     goto leave;
 unknown_selector:
@@ -250,12 +329,14 @@ unknown_selector:
     spent += entry->after;
     instructions_ -= instructions_after(*block, *entry);
     left = Left::unknown_selector;
+    stopped_at_ = bad;
     goto leave;
 bad_address:
     next = place_of(*block, *entry);
     spent += entry->after;
     instructions_ -= instructions_after(*block, *entry);
     left = Left::bad_address;
+    stopped_at_ = bad;
 leave:
     registers_.a = A;
     registers_.b = B;
@@ -263,7 +344,6 @@ leave:
     registers_.workspace = W;
     registers_.instruction = next;
     last_fetched_ = last_fetched;
-    stopped_at_ = bad;
     local_ += spent;
     return left;
 }
@@ -321,3 +401,4 @@ void Core::code_was_written(Block& block, const Entry& entry, Word offset, Word 
 #undef AWAIT_REALS
 #undef SET_REGISTERS
 #undef ENTER
+#undef AT_ONCE

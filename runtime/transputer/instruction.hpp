@@ -3,6 +3,7 @@
 #include "runtime/transputer/model.hpp"
 
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <string_view>
 
@@ -18,6 +19,7 @@ enum class Operation : std::uint8_t {
 #define RESULT(code, name, cycles, accesses, ...) name,
 #define SELECTED(code, name, cycles, ...) name,
 #define SCHEDULING(code, name, cycles, models) name,
+#define COMMUNICATING SCHEDULING
 #include "runtime/transputer/instructions.inc"
 #undef FUNCTION
 #undef OPERATION
@@ -25,9 +27,46 @@ enum class Operation : std::uint8_t {
 #undef RESULT
 #undef SELECTED
 #undef SCHEDULING
-    go_on,  ///< not an instruction: the block ends here, and execution goes on at the operand
-    unknown ///< not an instruction of the model
+#undef COMMUNICATING
+    go_on,   ///< not an instruction: the block ends here, and execution goes on at the operand
+    j_zero,  ///< `j 0` of a model that can make it a breakpoint, in decoded code only
+    unknown, ///< not an instruction of the model
+// In decoded code, a direct function and a frequent one after it: the engine goes on without looking for the second.
+#define FUNCTION(code, name, ...) name##_ldl, name##_ldc, name##_ldlp, name##_stl, name##_adc,
+#define OPERATION(...)
+#define REAL OPERATION
+#define RESULT OPERATION
+#define SELECTED OPERATION
+#define SCHEDULING OPERATION
+#define COMMUNICATING OPERATION
+#include "runtime/transputer/instructions.inc"
+#undef FUNCTION
+#undef OPERATION
+#undef REAL
+#undef RESULT
+#undef SELECTED
+#undef SCHEDULING
+#undef COMMUNICATING
 };
+
+/// Returns the operation that stands for two direct functions in decoded code; `first` if there is none. It is the
+/// entry of the first; that of the second follows it.
+constexpr Operation pair_of(Operation first, Operation second) {
+    if (first != Operation::ldlp && first != Operation::ldl && first != Operation::ldc && first != Operation::ldnl &&
+        first != Operation::ldnlp && first != Operation::adc && first != Operation::eqc)
+        return first;
+    constexpr Operation seconds[] = {Operation::ldl, Operation::ldc, Operation::ldlp, Operation::stl, Operation::adc};
+    for (unsigned i = 0; i < std::size(seconds); ++i)
+        if (seconds[i] == second)
+            return static_cast<Operation>(static_cast<unsigned>(Operation::j_ldl) +
+                                          std::size(seconds) * static_cast<unsigned>(first) + i);
+    return first;
+}
+/// Returns the first operation of a pair, or else the operation itself.
+constexpr Operation first_of(Operation operation) {
+    const unsigned pairs = static_cast<unsigned>(Operation::j_ldl), number = static_cast<unsigned>(operation);
+    return number < pairs ? operation : static_cast<Operation>((number - pairs) / 5);
+}
 
 /// How an instruction is executed.
 enum class Unit : std::uint8_t { direct, integer, scheduler, reals, selected };
@@ -45,7 +84,7 @@ struct Instruction {
     std::uint16_t real_cycles = 0; ///< cycles of the floating-point unit, of single length where it depends on that
 };
 
-/// Returns the description of an instruction; of `go_on` and `unknown` one without cycles.
+/// Returns the description of an instruction; of `go_on`, `j_zero` and `unknown` one without cycles.
 const Instruction& description_of(Operation);
 /// Returns the direct function of a code from 0 to 15, except of pfix, nfix and opr: these are `unknown`.
 Operation function_of(Word code);

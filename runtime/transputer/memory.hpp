@@ -41,6 +41,8 @@ public:
     /// Returns a flag for each page; not 0 if instructions of the page are decoded.
     std::uint8_t* code_flags() { return pages_.get(); }
 
+    /// Returns whether instructions of a byte's page may be decoded.
+    bool has_code(Word offset) const { return pages_[offset / page_bytes] != 0; }
     /// Returns whether instructions of these bytes may be decoded. REQUIRES: holds(offset, bytes), bytes > 0.
     bool has_code(Word offset, Word bytes) const {
         for (Word page = offset / page_bytes; page <= (offset + bytes - 1) / page_bytes; ++page)
@@ -55,6 +57,7 @@ public:
         std::memcpy(&result, &bytes_[offset], sizeof result);
         return result;
     }
+    void set_word(Word offset, Word value) { std::memcpy(&bytes_[offset], &value, sizeof value); }
     std::uint8_t byte(Word offset) const { return bytes_[offset]; }
     std::span<std::uint8_t> bytes(Word offset, Word count) { return {&bytes_[offset], count}; }
 

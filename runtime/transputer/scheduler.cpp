@@ -1,6 +1,6 @@
 #include "runtime/hardware/instructions.hpp"
 #include "runtime/hardware/processor.hpp"
-#include "runtime/transputer/core.hpp"
+#include "runtime/transputer/communication.hpp"
 #include "runtime/transputer/words.hpp"
 
 #include <fmt/format.h>
@@ -37,12 +37,28 @@ bool can_be_interrupted(Operation operation) {
     }
 }
 
+/// Returns whether an instruction of the scheduler concerns no clock.
+bool stays_on_processor(Operation operation) {
+    switch (operation) {
+    case Operation::enbc:
+    case Operation::altwt:
+    case Operation::disc:
+    case Operation::startp:
+    case Operation::endp:
+    case Operation::runp:
+    case Operation::stopp:
+    case Operation::move: return true;
+    default: return false;
+    }
+}
+
 } // namespace
 
 Core::Core(Model model, std::uint64_t memory_bytes, const CoreTiming& timing, LinkEngines& links)
     : model_(model), traits_(traits_of(model)), timing_(timing), memory_(memory_bytes),
       code_(memory_, code_timing(model, timing)), links_(links), half_cycles_(2 * timing.clock_hz),
-      penalty_(2 * static_cast<HalfCycles>(timing.memory_cycles - 1)) {
+      penalty_(2 * static_cast<HalfCycles>(timing.memory_cycles - 1)),
+      switch_(2 * static_cast<HalfCycles>(timing.switch_cycles)) {
     for (Word address = most_negative; address < most_negative + traits_.memory_start; address += 4)
         store(address, not_a_process);
     begin_slice();
@@ -81,18 +97,19 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
         }
         if (local_ >= limit)
             return Pause::limit;
-        execute_until(std::min(limit, due_));
+        execute_until(std::min(limit, due_), !punctual && !watcher_ && !is_analysed_);
     }
 }
 
-/// Executes up to a local time, or one instruction if they are watched.
-void Core::execute_until(HalfCycles until) {
+/// Executes up to a local time, or one instruction if they are watched. `at_once`: what the scheduler does on this
+/// processor may happen before its own moment.
+void Core::execute_until(HalfCycles until, bool at_once) {
     if (!watcher_)
-        return act_on(execute(until - local_));
+        return act_on(execute(until, at_once));
     const Word at = registers_.instruction;
     const HalfCycles began = local_;
     watcher_->begins(at);
-    const Left left = execute(1);
+    const Left left = execute(local_ + 1, false);
     act_on(left);
     if (left == Left::scheduling) {
         pending_->at = at;
@@ -104,7 +121,8 @@ void Core::execute_until(HalfCycles until) {
 
 void Core::act_on(Left left) {
     switch (left) {
-    case Left::budget: break;
+    case Left::budget:
+    case Left::performed: break;
     case Left::scheduling: pending_ = Pending{begun_, 0, false}; break;
     case Left::timeslice:
         if (is_analysed_)
@@ -155,6 +173,19 @@ bool Core::finish_pending(HalfCycles limit, bool punctual, Pause& pause) {
     perform(operation);
     pause = Pause::on_time; // if the caller's limit may be too late now
     return !link && (due_ >= due || !memory_is_shared_);
+}
+
+Core::Left Core::perform_at_once(Operation operation, Registers& r, HalfCycles until) {
+    if (!stays_on_processor(operation))
+        return Left::scheduling;
+    registers_ = r;
+    const HalfCycles ends = local_ + cost_of(operation);
+    if (concerns_link(operation) || ends + switch_ >= until || stopped_ != Stopped::nothing)
+        return Left::scheduling;
+    local_ = ends;
+    perform(operation);
+    r = registers_;
+    return switch_at_once(running_, r);
 }
 
 /// Returns whether the cycles of an instruction depend on what links do, or on clocks.
@@ -272,7 +303,7 @@ bool Core::may_be_interrupted() const {
 /// Takes the next process: of high priority, the interrupted one, or of low priority.
 bool Core::dispatch() {
     if (front_[0] != not_a_process) {
-        take_front(0);
+        run_front(0);
         return true;
     }
     if (priority_ == 0 && load(reserved::saved) != not_a_process) { // after analyse the word may be an old one
@@ -281,24 +312,14 @@ bool Core::dispatch() {
     }
     if (front_[1] == not_a_process)
         return false;
-    take_front(1);
+    run_front(1);
     return true;
 }
 
-void Core::take_front(int priority) {
-    const auto p = static_cast<std::size_t>(priority);
-    const Word workspace = front_[p];
-    front_[p] = workspace == back_[p] ? not_a_process : load(workspace - below::link);
-    local_ += 2 * static_cast<HalfCycles>(timing_.switch_cycles);
-    continue_at(workspace, priority);
-}
-
-void Core::continue_at(Word workspace, int priority) {
-    registers_.workspace = workspace;
-    registers_.instruction = load(workspace - below::instruction);
+void Core::run_front(int priority) {
+    take_front(static_cast<std::size_t>(priority), registers_);
     set_priority(priority);
     running_ = true;
-    slices_seen_ = 0;
 }
 
 /// Each priority has its own Error flag.
@@ -341,25 +362,14 @@ void Core::resume_interrupted() {
     running_ = true;
 }
 
-/// Stores where the running process goes on, and takes it off the processor.
 void Core::leave_processor() {
-    store(registers_.workspace - below::instruction, registers_.instruction);
+    store_instruction(registers_);
     running_ = false;
 }
 
 void Core::give_way() {
     leave_processor();
     enqueue(descriptor());
-}
-
-void Core::enqueue(Word process) {
-    const Word workspace = process & ~Word{3};
-    const std::size_t priority = process & 1;
-    if (front_[priority] == not_a_process)
-        front_[priority] = workspace;
-    else
-        store(back_[priority] - below::link, workspace);
-    back_[priority] = workspace;
 }
 
 void Core::boot(Word code_bytes, int input_channel) {

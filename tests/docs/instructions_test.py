@@ -7,8 +7,9 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs/reference/transputer.md"
 TABLE = ROOT / "runtime/transputer/instructions.inc"
-ENTRY = re.compile(r"^(FUNCTION|OPERATION|REAL|RESULT|SELECTED|SCHEDULING)\(0x(\w+), (\w+), (.*)", re.MULTILINE)
+ENTRY = re.compile(r"^(FUNCTION|OPERATION|REAL|RESULT|SELECTED|SCHEDULING|COMMUNICATING)\(0x(\w+), (\w+), (.*)", re.MULTILINE)
 TYPES = {"all_models": "", "with_reals": "T800, T805", "without_reals": "T414, T425, T400", "second_generation": "not T414",
+         "with_breakpoints & without_reals": "T425, T400",
          "with_breakpoints": "T425, T400, T805"}
 
 
@@ -21,7 +22,7 @@ def known(text):
     found = {}
     for macro, code, name, rest in ENTRY.findall(text):
         cycles, *others = [word.strip(" )") for word in rest.split(",")]
-        models = {"OPERATION": others[2:3], "SCHEDULING": others[:1]}.get(macro, ["all_models"])[0]
+        models = {"OPERATION": others[2:3], "SCHEDULING": others[:1], "COMMUNICATING": others[:1]}.get(macro, ["all_models"])[0]
         varies = macro in ("FUNCTION", "OPERATION") and others[0] != "0" and name != "fpentry"
         found[name.rstrip("_")] = {"code": int(code, 16), "cycles": numbers(cycles), "types": TYPES[models], "varies": varies,
                                    "macro": macro}

@@ -23,7 +23,7 @@ FILE_LINES = 500
 ROOM_FUNCTION_LINES = 50
 FUNCTION_LINES = 70
 # One function by nature: labels that lead to each other exist only within a function.
-LONG_FUNCTIONS = ("Core::Left Core::execute(HalfCycles budget)",)
+LONG_FUNCTIONS = ("PLACEDPAR_KEEPS_REGISTERS Core::Left Core::execute(HalfCycles until, bool at_once)",)
 SOURCES = (".cpp", ".hpp", ".py", ".sh", ".cmake", ".cfs", ".inc", "CMakeLists.txt")
 
 # The brackets keep this file from breaking its own rule.

@@ -61,6 +61,24 @@ TEST_CASE("half a round trip takes Poznan's 11 us plus 2.25 us a word, or 4.30 u
     CHECK(figure_of(replay, 0, "a word through three C004") == doctest::Approx(4.3).epsilon(0.01));
 }
 
+TEST_CASE("programs of emulated transputers measure the databook's latencies, turns, copies and links") {
+    const Replay replay = test::replay_named("emulated");
+    CHECK(replay.within_tolerance());
+    CHECK(figure_of(replay, 0, "code: interrupt, typical") == 19);
+    CHECK(figure_of(replay, 0, "code: interrupt of divisions, longest") == 58);
+    CHECK(figure_of(replay, 0, "code: interrupt of floating point, longest") > 39 + 16); // a step of a root takes 42
+    CHECK(figure_of(replay, 0, "code: interrupt of floating point, longest") <= 78);
+    CHECK(figure_of(replay, 1, "code: move outside of the chip") == doctest::Approx(20.0 * 4 / 6).epsilon(0.002));
+    CHECK(figure_of(replay, 1, "code: a word of code outside of the chip, beyond one on it") ==
+          doctest::Approx(1).epsilon(0.03));
+    CHECK(figure_of(replay, 1, "code: a loop of COMMSTIME") == doctest::Approx(282 - 8).epsilon(0.002)); // by the table
+    // Emulated transputers and processes in C++ use the same links.
+    const Replay links = test::replay_named("links");
+    for (const char* row : {"5 Mbit/s, one way", "10 Mbit/s, one way", "20 Mbit/s, one way", "20 Mbit/s, both ways"})
+        CHECK(figure_of(replay, 2, std::string("code: ") + row) ==
+              doctest::Approx(figure_of(links, 0, row)).epsilon(0.003));
+}
+
 TEST_CASE(
     "the evidence lists every published figure of the machine's replays with its mark, and constants with sources") {
     const Replay evidence = test::replay_named("evidence"); // made once for all checks, since it takes seconds
@@ -68,10 +86,10 @@ TEST_CASE(
     CHECK(figures.names_origins);
     CHECK(evidence.within_tolerance());
     std::size_t others = 0;
-    for (const char* name : {"links", "poznan", "processor"})
+    for (const char* name : {"links", "poznan", "processor", "emulated"})
         for (const Comparison& table : test::replay_named(name).comparisons)
             others += table.cells.size();
-    CHECK(others == 26);
+    CHECK(others == 26 + 18);
     CHECK(figures.cells.size() == others + 9); // nine cells belong to the farm
     REQUIRE_FALSE(evidence.constant_table.empty());
     for (const hardware::Constant& constant : evidence.constant_table)
@@ -80,8 +98,15 @@ TEST_CASE(
         CHECK_MESSAGE(figures.notes.find(name_of(origin)) != std::string::npos, name_of(origin));
 
     std::map<Origin, std::vector<std::string>> rows;
+    std::map<Origin, std::size_t> by_emulated_code;
     for (const Cell& cell : figures.cells)
-        rows[cell.origin].push_back(cell.row);
+        if (cell.row.starts_with("code: "))
+            ++by_emulated_code[cell.origin];
+        else
+            rows[cell.origin].push_back(cell.row);
+    CHECK(by_emulated_code ==
+          std::map<Origin, std::size_t>{
+              {Origin::outcome, 11}, {Origin::constant, 2}, {Origin::calibrated, 1}, {Origin::fitted, 4}});
     CHECK(rows[Origin::outcome] ==
           std::vector<std::string>{
               "5 Mbit/s, one way", "10 Mbit/s, one way", "no overlapped acknowledges", "through one C004",

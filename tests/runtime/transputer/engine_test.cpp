@@ -249,6 +249,27 @@ TEST_CASE("the engine executes direct functions and accesses to memory as the pl
         }
 }
 
+TEST_CASE("j 0 is a breakpoint while its flag is set, and break always is one") {
+    for (std::size_t model = 0; model < std::size(core_models); ++model)
+        for (const std::string_view code :
+             {"setj0break; testj0break; stl 1; clrj0break; testj0break; stl 2; j 0; setj0break; j 0; ldc 1",
+              "setj0break; ldc 0; cj 0; j end; ldc 2; end: opr #9C0B1; ldc 1", "j 0; ldc 3; break; ldc 1",
+              "setj0break; opr #80B2; j 0; ldc 4; setj0break; .byte #20, #20, 0; ldc 1"}) {
+            CAPTURE(code);
+            CAPTURE(model);
+            const bool can_break = model != 0 && model != 3; // T414 and T800 cannot
+            Both both(model, 8192, 3, 20);
+            both.poke(0x80000200, transputer::assemble(code).bytes);
+            both.set({0x80000200, workspace_at, 5, 6, 7, false});
+            const std::string difference = both.run_to_end();
+            CHECK((difference.empty() || !can_break));
+            CHECK(both.plain.stopped.find("break") == (can_break ? 0 : std::string::npos));
+            CHECK((!can_break || both.core.registers().instruction == both.plain.iptr));
+            CHECK(both.core.stopped() ==
+                  (can_break ? transputer::Stopped::by_break : transputer::Stopped::by_unknown_instruction));
+        }
+}
+
 namespace {
 
 void compare_random_programs(std::size_t count) {
@@ -278,7 +299,7 @@ TEST_CASE("damaged programs do the same however far the core runs ahead") {
         INFO(replay(seed));
         RandomStream random(seed, "damage");
         const auto code = random_code(seed, {.model = plain_models[seed % 5], .data_first = seed % 2 == 0});
-        auto bytes = assemble(code.source, code.origin).bytes;
+        auto bytes = transputer::assemble(code.source, code.origin).bytes;
         for (std::uint32_t i = random.below(6); i > 0; --i)
             bytes[random.below(static_cast<std::uint32_t>(bytes.size()))] = static_cast<std::uint8_t>(random());
         Both at_once(seed % 5, 65536, 3, 1), in_pieces(seed % 5, 65536, 3, 1);

@@ -272,7 +272,7 @@ constexpr PlainOperation table[] = {
     {0x3B, "sb", 4, all, store_byte},
     {0x02, "bsub", 1, all, [](P& p) { p.binary(p.a + p.b); }},
     {0x0A, "wsub", 2, all, [](P& p) { p.binary(p.a + 4 * p.b); }},
-    {0x81, "wsubdb", 3, t8, [](P& p) { p.binary(p.a + 8 * p.b); }},
+    {0x81, "wsubdb", 3, newer, [](P& p) { p.binary(p.a + 8 * p.b); }},
     {0x34, "bcnt", 2, all, [](P& p) { p.a *= 4; }},
     {0x3F, "wcnt", 5, all, count_words},
     {0x05, "add", 1, all, [](P& p) { p.binary(checked(p, wide(p.b) + wide(p.a))); }},
@@ -305,7 +305,7 @@ constexpr PlainOperation table[] = {
     {0x1D, "xdble", 2, all, extend},
     {0x4C, "csngl", 3, all, check_single},
     {0x42, "mint", 1, all, [](P& p) { p.push(P::most_neg); }},
-    {0x5A, "dup", 1, t8,
+    {0x5A, "dup", 1, newer,
      [](P& p) {
          const bool open = p.undefined & 1;
          p.push(p.a), p.undefined |= open;
@@ -317,6 +317,7 @@ constexpr PlainOperation table[] = {
     {0x6C, "postnormsn", 5, t414 | t425 | t400, postnormalise},
     {0x71, "ldinf", 1, t414 | t425 | t400, [](P& p) { p.push(0x7F800000); }},
     {0x73, "cflerr", 3, t414 | t425 | t400, check_real},
+    {0x9C, "fptesterror", 2, t425 | t400, [](P& p) { p.push(1); }},
     {0x5B, "move2dinit", 8, newer,
      [](P& p) { p.rows = p.a, p.target_stride = p.b, p.source_stride = p.c, p.undefined = 7; }},
     {0x5C, "move2dall", 0, newer, [](P& p) { move_block(p, Which::every); }, When::at_end_unless_interrupted,
@@ -348,7 +349,7 @@ constexpr PlainOperation table[] = {
      }},
     {0x79, "pop", 1, debugged, [](P& p) { p.pop(); }},
     {0x7E, "ldmemstartval", 1, debugged, [](P& p) { p.push(p.mem_start()); }},
-    {0xB1, "break", 9, debugged, [](P& p) { p.stop("break"); }},
+    {0xB1, "break", 9, debugged, [](P& p) { p.stop("break"); }, When::at_end},
     {0xB2, "clrj0break", 1, debugged, [](P& p) { p.j0_break = false; }},
     {0xB3, "setj0break", 1, debugged, [](P& p) { p.j0_break = true; }},
     {0xB4, "testj0break", 2, debugged, [](P& p) { p.push(p.j0_break); }},

@@ -166,8 +166,10 @@ void PlainTransputer::direct(unsigned function) {
     const Word o = operand;
     switch (function) {
     case 0x0: // j
-        if (j0_break && o == 0)
-            stop("break");
+        if (j0_break && o == 0) {
+            execute_from(plain_integer_operations, 0xB1); // takes as long as `break`
+            break;
+        }
         cycles += 3;
         iptr += o;
         may_slice = true;

@@ -26,7 +26,7 @@ constexpr std::string_view everywhere[] = {
     "and",  "or",   "xor",   "not",   "shl",   "shr",   "ladd", "lsub",    "lsum",  "ldiff",      "lmul", "lshl",
     "lshr", "norm", "xdble", "csub0", "csngl", "ccnt1", "mint", "testerr", "ldpri", "testhalterr"};
 constexpr std::string_view newer_only[] = {"crcword", "crcbyte", "bitcnt", "bitrevword"};
-constexpr std::string_view t8_only[] = {"dup", "wsubdb"};
+constexpr std::string_view newer_for_addresses[] = {"dup", "wsubdb"};
 constexpr std::string_view real_operations[] = {"fpadd", "fpsub", "fpmul", "fpdiv"};
 constexpr std::string_view real_entries[] = {"fpuabs", "fpuexpinc32", "fpuexpdec32", "fpumulby2", "fpudivby2"};
 constexpr std::string_view real_tests[] = {"fpgt", "fpeq", "fpordered", "fpnan", "fpnotfinite", "fptesterror"};
@@ -108,8 +108,8 @@ private:
                 write("{} #{:X}", any(std::array{"adc", "eqc", "ldnlp"}), constant());
             else if (kind_.model != t414 && one_in(8))
                 write("{}", any(newer_only));
-            else if (has_reals() && one_in(8))
-                write("{}", any(t8_only));
+            else if (kind_.model != t414 && one_in(8))
+                write("{}", any(newer_for_addresses));
             else
                 write("{}", any(everywhere));
         }
