@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <termios.h>
@@ -25,27 +26,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds look_for_interruption{100};
-
 std::string reason(int error = errno) { return std::generic_category().message(error); }
-
-} // namespace
-
-Wait wait_for(int descriptor, short events, const Interrupted& interrupted,
-              std::optional<std::chrono::milliseconds> patience) {
-    const Clock::time_point start = Clock::now();
-    pollfd end{.fd = descriptor, .events = events, .revents = 0};
-    for (;;) {
-        if (interrupted())
-            return Wait::interrupted;
-        if (::poll(&end, 1, static_cast<int>(look_for_interruption.count())) > 0)
-            return Wait::ready;
-        if (patience && Clock::now() - start > *patience)
-            return Wait::too_long;
-    }
-}
-
-namespace {
 
 OpenFile open_device(const std::string& name) {
     OpenFile device(::open(name.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
@@ -61,29 +42,6 @@ OpenFile open_device(const std::string& name) {
     }
     return device;
 }
-
-} // namespace
-
-NetworkAddress network_address(const std::string& name) {
-    const std::size_t colon = name.rfind(':');
-    std::string host = name.substr(4, std::max<std::size_t>(colon, 4) - 4);
-    if (host.starts_with('[') && host.ends_with(']'))
-        host = host.substr(1, host.size() - 2);
-    if (host.empty() || colon + 1 == name.size())
-        throw UserError(fmt::format("{}: a board on a network is written \"tcp:HOST:PORT\"", name));
-    return {host, name.substr(colon + 1)};
-}
-
-std::unique_ptr<addrinfo, void (*)(addrinfo*)> addresses_of(const std::string& name, const NetworkAddress& address) {
-    addrinfo wanted{};
-    wanted.ai_socktype = SOCK_STREAM;
-    addrinfo* found = nullptr;
-    if (const int error = ::getaddrinfo(address.host.c_str(), address.port.c_str(), &wanted, &found); error != 0)
-        throw UserError(fmt::format("{}: {}", name, ::gai_strerror(error)));
-    return {found, ::freeaddrinfo};
-}
-
-namespace {
 
 /// Tries one address. Returns 0, or the error as in errno; EINTR after an interruption.
 int try_to_connect(const OpenFile& socket, const addrinfo& address, const Interrupted& interrupted) {

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "iserver/descriptors.hpp"
 #include "iserver/server.hpp"
 
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,9 +30,6 @@ struct BoardRun {
     std::chrono::microseconds run_time{};     ///< from then to the end
     std::vector<Exchange> exchanges = {};     ///< the first requests, usually all
 };
-
-/// Is asked several times a second, and returns whether to stop.
-using Interrupted = std::function<bool()>;
 
 /// Connects to a board: "tcp:HOST:PORT" is a link adapter on a network, anything else the name of a character device. A
 /// serial line or pseudo terminal then passes all bytes unchanged. Throws UserError, with the name and the reason. The

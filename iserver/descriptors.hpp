@@ -1,16 +1,17 @@
 #pragma once
 
-#include "iserver/board.hpp"
-
 #include <netdb.h>
-#include <poll.h>
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 namespace placedpar::iserver {
+
+/// Is asked several times a second, and returns whether to stop.
+using Interrupted = std::function<bool()>;
 
 enum class Wait { ready, interrupted, too_long };
 

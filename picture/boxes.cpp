@@ -2,12 +2,12 @@
 
 #include "netlist/kinds/device_kind.hpp"
 #include "netlist/network/names.hpp"
+#include "netlist/print/text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 
 namespace placedpar::picture {
@@ -71,14 +71,7 @@ private:
             nodes_[node].inside = fmt::format("{} {} inside", count, count == 1 ? "channel" : "channels");
         for (std::size_t i = 0; i < nodes_.size(); ++i)
             if (n_.nodes[i].runs_own_code)
-                nodes_[i].inside = boot_of(n_.nodes[i]);
-    }
-
-    /// Says how a processor gets its code.
-    static std::string boot_of(const Node& node) {
-        if (node.boot_file.empty())
-            return "boots over its links";
-        return "boots " + shortened(std::filesystem::path(node.boot_file).filename().string());
+                nodes_[i].inside = shortened(print_boot(n_.nodes[i]));
     }
 
     void add_process(std::size_t index) {

@@ -3,6 +3,7 @@
 #include "netlist/kinds/device_kind.hpp"
 #include "netlist/print/buses_as_wires.hpp"
 #include "netlist/print/pieces_as_wires.hpp"
+#include "netlist/print/text.hpp"
 #include "picture/fault_marks.hpp"
 #include "picture/picture.hpp"
 #include "picture/software.hpp"
@@ -237,13 +238,9 @@ private:
             print_heads(index);
     }
 
-    /// Returns whether a wire leads to a transputer that executes its own code.
-    bool is_used_by_code(std::size_t index) const {
-        const LinkConnection& wire = n_.connections[index];
-        return n_.nodes[wire.a.node].runs_own_code || n_.nodes[wire.b.node].runs_own_code;
+    bool is_idle(std::size_t index) const {
+        return carried_[index].empty() && !is_used_by_code(n_, n_.connections[index]);
     }
-
-    bool is_idle(std::size_t index) const { return carried_[index].empty() && !is_used_by_code(index); }
 
     /// Draws an arrow head at each end to which a channel leads.
     void print_heads(std::size_t index) {
@@ -343,7 +340,7 @@ private:
         bool channels = false, code = false, idle = false;
         for (std::size_t i = 0; i < carried_.size(); ++i) {
             channels = channels || !carried_[i].empty();
-            code = code || is_used_by_code(i);
+            code = code || is_used_by_code(n_, n_.connections[i]);
             idle = idle || is_idle(i);
         }
         if (channels || code)

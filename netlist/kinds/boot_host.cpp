@@ -25,7 +25,8 @@ void BootHost::serve() {
     }
 }
 
-/// Answers a request. The reply to the last one is sent, too, but a program need not take it.
+/// Answers a request. The reply to the last one is sent, too, but the host does not wait until the program has taken
+/// it: many never do.
 void BootHost::answer(iserver::ByteView request) {
     ++requests_;
     if (request_time_ > Time{0})
@@ -37,15 +38,18 @@ void BootHost::answer(iserver::ByteView request) {
     if (answer.reply.empty())
         return;
     reply_ = std::move(answer.reply);
-    if (state_ != iserver::ServerState::running)
-        Kernel::here().future().schedule(alarm_, later(Kernel::here().now(), patience), EventQueue::timer);
-    send(reply_);
-    Kernel::here().future().cancel(alarm_);
+    give(reply_);
+    if (state_ == iserver::ServerState::running)
+        wait_for_link(Activity::outputting);
+}
+
+void BootHost::give(std::span<const std::uint8_t> bytes) {
+    to_send_ = bytes;
+    out->give(static_cast<std::uint32_t>(bytes.size()));
 }
 
 void BootHost::send(std::span<const std::uint8_t> bytes) {
-    to_send_ = bytes;
-    out->give(static_cast<std::uint32_t>(bytes.size()));
+    give(bytes);
     wait_for_link(Activity::outputting);
 }
 

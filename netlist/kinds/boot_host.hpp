@@ -2,7 +2,6 @@
 
 #include "iserver/packet.hpp"
 #include "iserver/server.hpp"
-#include "runtime/event.hpp"
 #include "runtime/process.hpp"
 #include "runtime/source_location.hpp"
 #include "runtime/transputer/byte_lane.hpp"
@@ -23,9 +22,6 @@ using Answering = std::function<iserver::Answer(iserver::ByteView request, std::
 /// requests until the program exits.
 class BootHost final : public transputer::ByteEnd {
 public:
-    /// How long a program that exits may take to read the last reply. Many programs do not read it.
-    static constexpr Time patience = std::chrono::milliseconds{1};
-
     /// `request_time`: how long the host works on a request. REQUIRES: request_time >= 0.
     BootHost(std::vector<std::uint8_t> file, Answering, Time request_time);
 
@@ -48,13 +44,6 @@ public:
     Time booted_at() const { return booted_at_; }
 
 private:
-    /// The end of the host's patience.
-    struct Alarm final : Event {
-        explicit Alarm(BootHost& h) : host(h) {}
-        void happen() noexcept override { host.go_on(); }
-        BootHost& host;
-    };
-
     void read(std::span<std::uint8_t>) override;
     void given() override { go_on(); }
     void write(std::span<const std::uint8_t>) override;
@@ -63,6 +52,7 @@ private:
 
     void wait_for_link(Activity);
     void go_on();
+    void give(std::span<const std::uint8_t>);
     void send(std::span<const std::uint8_t>);
     iserver::ByteView receive();
 
@@ -74,7 +64,6 @@ private:
     Process* process_ = nullptr;
     iserver::Bytes reply_;
     std::span<const std::uint8_t> to_send_; ///< of the file or the reply
-    Alarm alarm_{*this};
     std::vector<std::uint8_t> received_;
     iserver::PacketReader reader_;
     iserver::ServerState state_ = iserver::ServerState::running;

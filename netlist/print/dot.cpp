@@ -3,6 +3,7 @@
 #include "netlist/print/buses_as_wires.hpp"
 #include "netlist/print/pieces_as_wires.hpp"
 #include "netlist/print/print.hpp"
+#include "netlist/print/text.hpp"
 #include "text/utf8.hpp"
 
 #include <fmt/format.h>
@@ -98,6 +99,10 @@ private:
             index, drawing.frame, drawing.heading, as_markup(node.name), as_markup(node.type), facts(node));
         for (auto process : processes_of_[index])
             print_process(n_.processes[process]);
+        if (node.runs_own_code)
+            text_ +=
+                fmt::format("<tr><td bgcolor=\"#ffffff\"><font point-size=\"10\" color=\"#777777\">{}</font></td></tr>",
+                            as_markup(print_boot(node)));
         for (const Fault& fault : n_.faults)
             if (fault.link < 0 && fault.node == index)
                 text_ += fmt::format("<tr><td bgcolor=\"#ffffff\" border=\"3\" color=\"#16202a\"><b>{}</b></td></tr>",
@@ -144,10 +149,10 @@ private:
         text_ +=
             fmt::format("  n{} -- n{} [taillabel=\"{}\", headlabel=\"{}\"{}{}{}]\n", upper.node, lower.node,
                         link_label(upper), link_label(lower), label.empty() ? "" : fmt::format(", label=\"{}\"", label),
-                        !faults.empty()          ? ", style=dashed, color=\"#16202a\", penwidth=3.5"
-                        : channels[index] == 0   ? ", style=dotted"
-                        : connection.at_run_time ? ", style=dashed"
-                                                 : "",
+                        !faults.empty() ? ", style=dashed, color=\"#16202a\", penwidth=3.5"
+                        : channels[index] == 0 && !is_used_by_code(n_, connection) ? ", style=dotted"
+                        : connection.at_run_time                                   ? ", style=dashed"
+                                                                                   : "",
                         level_[upper.node] == level_[lower.node] ? ", constraint=false" : "");
     }
 

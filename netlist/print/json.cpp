@@ -38,6 +38,12 @@ json::object to_json(const Node& node) {
         object[attribute.json_name] = to_json(node.attributes.at(attribute.value.name));
     if (!node.other.empty())
         object["other"] = to_json(node.other);
+    if (node.runs_own_code)
+        object["executes_own_code"] = true;
+    if (!node.boot_file.empty()) {
+        object["boot_file"] = node.boot_file;
+        object["boot_hash"] = fmt::format("{:016x}", boot_hash(node));
+    }
     return object;
 }
 

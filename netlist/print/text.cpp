@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <map>
 
@@ -95,6 +96,16 @@ std::string print_list(const std::vector<std::string>& entries) {
         return "";
     auto one_line = fmt::format("({})", fmt::join(entries, ", "));
     return one_line.size() < 90 ? one_line : fmt::format("({})", fmt::join(entries, ",\n    "));
+}
+
+bool is_used_by_code(const Network& network, const LinkConnection& wire) {
+    return network.nodes[wire.a.node].runs_own_code || network.nodes[wire.b.node].runs_own_code;
+}
+
+std::string print_boot(const Node& node) {
+    if (node.boot_file.empty())
+        return "boots over its links";
+    return "boots " + std::filesystem::path(node.boot_file).filename().string();
 }
 
 } // namespace placedpar

@@ -28,4 +28,10 @@ std::vector<std::string> declarators_of(const std::vector<std::string>& names);
 /// Returns "(a = 1, b = 2)", with a line break after each entry if the list is long; "" for an empty list.
 std::string print_list(const std::vector<std::string>& entries);
 
+/// Returns whether a wire leads to a transputer that executes its own code.
+bool is_used_by_code(const Network& network, const LinkConnection& wire);
+
+/// Says how a transputer that executes its own code gets it: "boots hello.btl", "boots over its links".
+std::string print_boot(const Node& node);
+
 } // namespace placedpar

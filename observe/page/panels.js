@@ -70,6 +70,7 @@ function showMeasures() {
   const rows = (list, row) => (list || []).map(row);
   d3.select("#measures").html("<div class=\"tables\">" +
     tableOf("Measured", ["process", "what", "value", "unit"], rows(report.measurements, each => [processLink(each.process), escaped(each.name), numberText(each.value), escaped(each.unit)])) +
+    tableOf("Booted transputers", ["name", "instructions", "requests", "its program"], rows(report.programs, each => [escaped(each.name), each.instructions, each.requests, escaped(each.state)])) +
     tableOf("Processors", ["name", "type", "busy"], rows(report.processors, each => [escaped(each.name), escaped(each.type), busyText(each)])) +
     tableOf("Links", ["from", "to", "bytes", "occupied"], rows((report.links || []).filter(each => each.bytes), each => [escaped(each.from), escaped(each.to), each.bytes, percent(each.occupied)])) +
     tableOf("Processes", ["name", "on", "waiting"], rows(report.processes, each => [processLink(each.name), escaped(each.processor || each.on || ""), waitingText(each)])) + "</div>");

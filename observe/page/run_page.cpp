@@ -123,9 +123,17 @@ std::string filled(const std::string& frame, std::span<const Part> parts) {
     return out.append(frame, at);
 }
 
-std::string picture_or_nothing(const Network& network, std::string (*print)(const Network&)) {
-    bool small = network.nodes.size() <= most_drawn && network.processes.size() <= most_drawn;
-    return small && !network.processes.empty() ? print(network) : "";
+bool is_small(const Network& network) {
+    return network.nodes.size() <= most_drawn && network.processes.size() <= most_drawn;
+}
+
+std::string machine_or_nothing(const Network& network) {
+    const bool has_programs = !network.processes.empty() || has_bootable_file(network);
+    return is_small(network) && has_programs ? print_svg(network) : "";
+}
+
+std::string software_or_nothing(const Network& network) {
+    return is_small(network) && !network.processes.empty() ? print_software_svg(network) : "";
 }
 
 } // namespace
@@ -144,8 +152,8 @@ std::string RunPage::html(const PageContent& content, std::span<const PathPart> 
     std::string title = std::filesystem::path(content.network.source_path).filename().string();
     const Part parts[] = {{"@TITLE@", as_markup(title)},
                           {"@STYLE@", page::style_css()},
-                          {"@MACHINE@", picture_or_nothing(content.network, print_svg)},
-                          {"@SOFTWARE@", picture_or_nothing(content.network, print_software_svg)},
+                          {"@MACHINE@", machine_or_nothing(content.network)},
+                          {"@SOFTWARE@", software_or_nothing(content.network)},
                           {"@LIBRARY@", page::library_js()},
                           {"@DATA@", text_of_data(data)},
                           {"@STRETCHES@", stretch_elements(recorder_.stretches())},

@@ -188,6 +188,23 @@ class Pictures(unittest.TestCase):
                 with self.subTest(path=path.name):
                     self.check(path)
 
+    def test_booted_transputers_name_their_file(self):
+        (self.path.parent / "a-program.btl").write_bytes(b"\x02\x21\xf5")
+        booted = """T800 (memory = 2M) root, worker, other; connect root.link[0] to host; connect root.link[1] to worker.link[0];
+            connect root.link[2] to other.link[0]; use "a-program.btl" for root;\n"""
+        process = """process (interface (output out)) a; process (interface (input in)) b; use "csp.producer" for a; use "csp.consumer" for b;
+            connect a.out to b.in; place a on other; place b on other;\n"""
+        texts = lambda drawing: {each.text for each in drawing.root.iter(f"{SVG}text")}  # noqa: E731
+        for more, expected, absent in (
+                ("", {"network.cfs: 3 processors, 3 wires, 1 bootable file", "wire that carries bytes of programs"},
+                 {"transputer with its processes"}),
+                (process, {"network.cfs: 3 processors, 3 wires, 1 bootable file, 2 processes, 1 channel", "transputer with its processes"},
+                 set())):
+            self.path.write_text(booted + more, encoding="utf-8")
+            shown = texts(self.check(self.path))
+            self.assertLessEqual(expected | {"boots a-program.btl", "boots over its links", "transputer that executes its own code"}, shown)
+            self.assertFalse(shown & (absent | {"wire without a channel"}))
+
     def test_made_up_networks(self):
         for name, text in MADE_UP.items():
             with self.subTest(name=name):

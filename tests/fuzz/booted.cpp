@@ -64,7 +64,7 @@ struct Machine {
     explicit Machine(const std::string& text)
         : model(static_cast<transputer::Model>(byte(text, 0) % std::size(transputer::all_traits))),
           memory(2048ULL << (byte(text, 1) % 7)), timing{.clock_hz = byte(text, 1) & 0x80 ? 30'000'000 : 20'000'000,
-                                                         .memory_cycles = 2 + byte(text, 2) % 8,
+                                                         .memory_cycles = 2 + static_cast<int>(byte(text, 2) % 8),
                                                          .switch_cycles = byte(text, 2) & 0x80 ? 4 : 0,
                                                          .wraps = (byte(text, 2) & 0x40) == 0},
           how(byte(text, 3)), when(byte(text, 4) * 4us) {}
