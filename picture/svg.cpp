@@ -40,13 +40,15 @@ constexpr const char* style =
 .frame { fill: #ffffff; stroke-width: 1.4; }
 .cross { stroke-width: 0.6; }
 .edge .frame { stroke-dasharray: 5 3; }
-.booted .frame { stroke-width: 3; }
 .wire { fill: none; stroke: #3b5b7a; stroke-width: 1.6; }
 .idle { stroke: #8898a8; stroke-dasharray: 2 3; }
 .channels rect { fill: #ffffff; stroke: #3b5b7a; stroke-width: 0.8; }
 .channels path, .head { fill: #3b5b7a; }
 )";
 
+/// This style is added if transputers execute their own code.
+constexpr const char* style_of_code = R"(.booted .frame { stroke-width: 3; }
+)";
 /// This style is added if there are faults.
 constexpr const char* style_of_faults =
     R"(.struck { fill: none; stroke: #16202a; stroke-width: 3.6; stroke-dasharray: 9 5; }
@@ -131,7 +133,8 @@ public:
         for (std::size_t i = 0; i < n_.connections.size(); ++i)
             print_labels(i);
         return pen_.add(legend).document({{drawing.left() - border + width / 2, top + height / 2}, width, height},
-                                         style + std::string(marks_.empty() ? "" : style_of_faults));
+                                         style + std::string(executes_code() ? style_of_code : "") +
+                                             (marks_.empty() ? "" : style_of_faults));
     }
 
 private:
@@ -158,6 +161,10 @@ private:
     static std::string outline_of(const Box& box) {
         double left = box.left(), right = box.right(), top = box.top(), bottom = box.bottom();
         return svg_corners({{left, top}, {right, top}, {right, bottom}, {left, bottom}}) + " Z";
+    }
+
+    bool executes_code() const {
+        return std::ranges::any_of(n_.nodes, [](const Node& node) { return node.runs_own_code; });
     }
 
     std::string title_of() const {
@@ -274,7 +281,8 @@ private:
         for (const ProcessLine& line : node.processes)
             print_process(line, texts);
         if (!node.inside.empty())
-            texts.text({node.box.centre.x, node.box.bottom() - 6}, "inside", node.inside);
+            texts.text({node.box.centre.x, node.box.bottom() - (n_.nodes[index].runs_own_code ? 11 : 6)}, "inside",
+                       node.inside);
         pen_.group({{"class", "texts"}}, texts);
     }
 

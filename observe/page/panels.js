@@ -44,9 +44,8 @@ function showChosen(name, moment, from, to) {
 const numberText = value => typeof value === "number" ? Number(value.toPrecision(6)).toString() : escaped(value);
 const percent = share => typeof share === "number" ? (100 * share).toFixed(1) + " %" : "";
 
-function busyText(processor) {
-  return typeof processor.busy === "number" ? percent(processor.busy) : timeText(processor.busy_ps || 0, span);
-}
+// A share of the run, or the time itself where the run has no share: after a deadlock.
+const shareText = (share, ps) => typeof share === "number" ? percent(share) : timeText(ps || 0, span);
 
 function waitingText(process) {
   if (process.waits_since_ps === undefined) return percent(process.waiting);
@@ -71,8 +70,8 @@ function showMeasures() {
   d3.select("#measures").html("<div class=\"tables\">" +
     tableOf("Measured", ["process", "what", "value", "unit"], rows(report.measurements, each => [processLink(each.process), escaped(each.name), numberText(each.value), escaped(each.unit)])) +
     tableOf("Booted transputers", ["name", "instructions", "requests", "its program"], rows(report.programs, each => [escaped(each.name), each.instructions, each.requests, escaped(each.state)])) +
-    tableOf("Processors", ["name", "type", "busy"], rows(report.processors, each => [escaped(each.name), escaped(each.type), busyText(each)])) +
-    tableOf("Links", ["from", "to", "bytes", "occupied"], rows((report.links || []).filter(each => each.bytes), each => [escaped(each.from), escaped(each.to), each.bytes, percent(each.occupied)])) +
+    tableOf("Processors", ["name", "type", "busy"], rows(report.processors, each => [escaped(each.name), escaped(each.type), shareText(each.busy, each.busy_ps)])) +
+    tableOf("Links", ["from", "to", "bytes", "occupied"], rows((report.links || []).filter(each => each.bytes), each => [escaped(each.from), escaped(each.to), each.bytes, shareText(each.occupied, each.occupied_ps)])) +
     tableOf("Processes", ["name", "on", "waiting"], rows(report.processes, each => [processLink(each.name), escaped(each.processor || each.on || ""), waitingText(each)])) + "</div>");
   d3.selectAll("#measures a.to").on("click", function () { choose(this.dataset.process); });
 }

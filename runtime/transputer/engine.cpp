@@ -168,32 +168,12 @@ Core::Left Core::execute(HalfCycles until, bool at_once) {
 #define SCHEDULING(code, name, cycles, models) &&scheduling,
 #define COMMUNICATING(code, name, cycles, models) &&at_##name,
 #include "runtime/transputer/instructions.inc"
-#undef FUNCTION
-#undef OPERATION
-#undef REAL
-#undef RESULT
-#undef SELECTED
-#undef SCHEDULING
-#undef COMMUNICATING
         &&go_on,
         &&j_zero,
         &&unknown,
 #define FUNCTION(code, name, ...)                                                                                      \
     &&at_##name##_ldl, &&at_##name##_ldc, &&at_##name##_ldlp, &&at_##name##_stl, &&at_##name##_adc,
-#define OPERATION(...)
-#define REAL OPERATION
-#define RESULT OPERATION
-#define SELECTED OPERATION
-#define SCHEDULING OPERATION
-#define COMMUNICATING OPERATION
 #include "runtime/transputer/instructions.inc"
-#undef FUNCTION
-#undef OPERATION
-#undef REAL
-#undef RESULT
-#undef SELECTED
-#undef SCHEDULING
-#undef COMMUNICATING
     };
 
     std::uint8_t* const memory = memory_.data();
@@ -251,22 +231,8 @@ begin_block:
     at_##name : { AWAIT_REALS(cycles); }                                                                               \
     __VA_ARGS__;                                                                                                       \
     NEXT();
-#define SCHEDULING(code, name, cycles, models)
 #define COMMUNICATING(code, name, cycles, models) at_##name : AT_ONCE(communicate_at_once, Operation::name)
 #include "runtime/transputer/instructions.inc"
-#undef FUNCTION
-#undef OPERATION
-#undef REAL
-#undef RESULT
-#undef SELECTED
-#undef SCHEDULING
-#undef COMMUNICATING
-#define OPERATION(...)
-#define REAL OPERATION
-#define RESULT OPERATION
-#define SELECTED OPERATION
-#define SCHEDULING OPERATION
-#define COMMUNICATING OPERATION
 
 // Pairs of direct functions
 #define FUNCTION(code, name, cycles, extra, accesses, ...)                                                             \
@@ -281,13 +247,6 @@ begin_block:
     goto at_##second;
 #include "runtime/transputer/instructions.inc"
 #undef PAIR
-#undef FUNCTION
-#undef OPERATION
-#undef REAL
-#undef RESULT
-#undef SELECTED
-#undef SCHEDULING
-#undef COMMUNICATING
 
 branch:
     spent += entry->after;

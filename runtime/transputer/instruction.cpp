@@ -26,17 +26,9 @@ constexpr Instruction instruction_table[] = {
 #define SELECTED(code, name, cycles, ...)                                                                              \
     {NAME(name), code, Unit::selected, 1, CYCLES(cycles, true), 0, with_reals, CYCLES(cycles, false)},
 #define SCHEDULING(code, name, cycles, models) {NAME(name), code, Unit::scheduler, cycles, 0, 0, models},
-#define COMMUNICATING SCHEDULING
 #include "runtime/transputer/instructions.inc"
 #undef NAME
 #undef CYCLES
-#undef FUNCTION
-#undef OPERATION
-#undef REAL
-#undef RESULT
-#undef SELECTED
-#undef SCHEDULING
-#undef COMMUNICATING
     {"", 0, Unit::direct, 0, 0, 0, 0}, // go_on
     {"", 0, Unit::direct, 0, 0, 0, 0}, // j_zero
     {"", 0, Unit::direct, 0, 0, 0, 0}, // unknown

@@ -19,53 +19,35 @@ enum class Operation : std::uint8_t {
 #define RESULT(code, name, cycles, accesses, ...) name,
 #define SELECTED(code, name, cycles, ...) name,
 #define SCHEDULING(code, name, cycles, models) name,
-#define COMMUNICATING SCHEDULING
 #include "runtime/transputer/instructions.inc"
-#undef FUNCTION
-#undef OPERATION
-#undef REAL
-#undef RESULT
-#undef SELECTED
-#undef SCHEDULING
-#undef COMMUNICATING
     go_on,   ///< not an instruction: the block ends here, and execution goes on at the operand
     j_zero,  ///< `j 0` of a model that can make it a breakpoint, in decoded code only
     unknown, ///< not an instruction of the model
 // In decoded code, a direct function and a frequent one after it: the engine goes on without looking for the second.
 #define FUNCTION(code, name, ...) name##_ldl, name##_ldc, name##_ldlp, name##_stl, name##_adc,
-#define OPERATION(...)
-#define REAL OPERATION
-#define RESULT OPERATION
-#define SELECTED OPERATION
-#define SCHEDULING OPERATION
-#define COMMUNICATING OPERATION
 #include "runtime/transputer/instructions.inc"
-#undef FUNCTION
-#undef OPERATION
-#undef REAL
-#undef RESULT
-#undef SELECTED
-#undef SCHEDULING
-#undef COMMUNICATING
 };
 
-/// Returns the operation that stands for two direct functions in decoded code; `first` if there is none. It is the
-/// entry of the first; that of the second follows it.
+/// The direct functions that can be the second of a pair, in the order of the names above.
+inline constexpr Operation seconds_of_pairs[] = {Operation::ldl, Operation::ldc, Operation::ldlp, Operation::stl,
+                                                 Operation::adc};
+
+/// Returns the pair of two direct functions that follow each other, or `first` if they are not joined. Only functions
+/// that neither branch nor write to the memory are first: code that was overwritten must not be executed.
 constexpr Operation pair_of(Operation first, Operation second) {
     if (first != Operation::ldlp && first != Operation::ldl && first != Operation::ldc && first != Operation::ldnl &&
         first != Operation::ldnlp && first != Operation::adc && first != Operation::eqc)
         return first;
-    constexpr Operation seconds[] = {Operation::ldl, Operation::ldc, Operation::ldlp, Operation::stl, Operation::adc};
-    for (unsigned i = 0; i < std::size(seconds); ++i)
-        if (seconds[i] == second)
+    for (unsigned i = 0; i < std::size(seconds_of_pairs); ++i)
+        if (seconds_of_pairs[i] == second)
             return static_cast<Operation>(static_cast<unsigned>(Operation::j_ldl) +
-                                          std::size(seconds) * static_cast<unsigned>(first) + i);
+                                          std::size(seconds_of_pairs) * static_cast<unsigned>(first) + i);
     return first;
 }
 /// Returns the first operation of a pair, or else the operation itself.
 constexpr Operation first_of(Operation operation) {
     const unsigned pairs = static_cast<unsigned>(Operation::j_ldl), number = static_cast<unsigned>(operation);
-    return number < pairs ? operation : static_cast<Operation>((number - pairs) / 5);
+    return number < pairs ? operation : static_cast<Operation>((number - pairs) / std::size(seconds_of_pairs));
 }
 
 /// How an instruction is executed.

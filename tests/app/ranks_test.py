@@ -83,19 +83,19 @@ class Ranks(InFolder):
         for dying in (0, 2):
             with self.subTest(rank=dying):
                 name = f"killed-{dying}"
-                with self.start(3, *STUDY, "--seeds", 150, "--results", name) as mpirun:
+                with self.start(3, *STUDY, "--seeds", 400, "--results", name) as mpirun:
                     while self.kept(name) < 4 and mpirun.poll() is None:
                         time.sleep(0.01)
                     os.kill(ranks_of(mpirun)[dying], signal.SIGKILL)
                     mpirun.communicate(timeout=60)
                 self.assertNotEqual(mpirun.returncode, 0)
                 left = rows(self.folder / name)
-                self.assertTrue(4 <= len(left) < 600, len(left))
-                self.finish(self.start(2, *STUDY, "--seeds", 150, "--results", name))
-                self.assertEqual(len(rows(self.folder / name)), 600)
+                self.assertTrue(4 <= len(left) < 1600, len(left))
+                self.finish(self.start(2, *STUDY, "--seeds", 400, "--results", name))
+                self.assertEqual(len(rows(self.folder / name)), 1600)
                 self.assertLessEqual(set(left), set(rows(self.folder / name)))
         self.assertEqual(rows(self.folder / "killed-0"), rows(self.folder / "killed-2"))
-        self.sweep(*STUDY[1:], "--seeds", 150, "--results", "whole")
+        self.sweep(*STUDY[1:], "--seeds", 400, "--results", "whole")
         self.assertEqual(rows(self.folder / "killed-0"), rows(self.folder / "whole"))
 
     def test_what_a_rank_leaves_that_alone_is_stopped_is_missed(self):

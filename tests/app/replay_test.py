@@ -98,7 +98,7 @@ class Replay(unittest.TestCase):
         _, evidence = replay("evidence", self.folder)
         self.assertTrue(evidence["within_tolerance"])
         figures = {}
-        for experiment in ("links", "poznan", "processor", "ray-farm"):
+        for experiment in ("emulated", "links", "poznan", "processor", "ray-farm"):
             _, document = replay(experiment, self.folder)
             for part in [document, *document["other_readings"]]:
                 figures.update((c["row"], c["simulated"]) for c in part["cells"])
