@@ -34,7 +34,7 @@ struct SendOptions {
     BootedOptions booted;
 };
 
-double seconds(std::chrono::duration<double> time) { return time.count(); }
+double in_seconds(std::chrono::duration<double> time) { return time.count(); }
 
 std::string print_end(const iserver::BoardRun& run) {
     switch (run.state) {
@@ -93,7 +93,7 @@ std::optional<SimulatedTimes> simulate(const SendOptions& options, const Options
     if (interruption.requested())
         return std::nullopt;
     const Time booted = report.programs.front().booted_at;
-    SimulatedTimes times{.boot = seconds(booted), .run = seconds(report.result.time - booted)};
+    SimulatedTimes times{.boot = in_seconds(booted), .run = in_seconds(report.result.time - booted)};
     if (host.departed())
         times.departure = fmt::format("request {} differs from that on the board", host.repeated() + 1);
     else if (host.repeated() < board.requests)
@@ -105,7 +105,7 @@ std::optional<SimulatedTimes> simulate(const SendOptions& options, const Options
 /// Prints a time on the board, measured by the clock of this computer, and the simulated one beside it.
 std::string print_times(const std::string& what, std::chrono::microseconds measured, std::optional<double> simulated,
                         const std::string& more) {
-    return fmt::format("{:<9}  {:10.6f} s  {:>12}   {}\n", what, seconds(measured),
+    return fmt::format("{:<9}  {:10.6f} s  {:>12}   {}\n", what, in_seconds(measured),
                        simulated ? fmt::format("{:10.6f} s", *simulated) : "-", more);
 }
 
@@ -119,7 +119,7 @@ std::string print_board_run(const SendOptions& options, std::size_t bytes, const
         painted(Paint::heading, fmt::format("{:<9}  {:>12}  {:>12}\n", "", "measured", "simulated")) +
         print_times("boot", run.boot_time, times(&SimulatedTimes::boot),
                     fmt::format("{} bytes, {:.0f} Kbyte/s measured", bytes,
-                                static_cast<double>(bytes) / 1000 / std::max(seconds(run.boot_time), 1e-6))) +
+                                static_cast<double>(bytes) / 1000 / std::max(in_seconds(run.boot_time), 1e-6))) +
         print_times("run", run.run_time, times(&SimulatedTimes::run), counted(run.requests, "request"));
     if (simulated)
         text += fmt::format("simulated: {} with {} of memory, an access in {} cycles; the host takes no time\n",
