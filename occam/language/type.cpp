@@ -1,0 +1,111 @@
+#include "occam/language/type.hpp"
+
+#include "occam/language/tree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace placedpar::occam {
+
+namespace {
+
+struct BasicTraits {
+    const char* name;
+    std::uint32_t bytes;
+};
+constexpr std::array<BasicTraits, 8> basic_traits = {
+    {{"BOOL", 1}, {"BYTE", 1}, {"INT", 4}, {"INT16", 2}, {"INT32", 4}, {"INT64", 8}, {"REAL32", 4}, {"REAL64", 8}}};
+
+std::string name_of(const ProtocolItem& item) {
+    return item.count ? name_of(*item.count) + "::" + name_of(*item.type) : name_of(*item.type);
+}
+
+std::string name_of(const ProtocolType& protocol) {
+    if (protocol.declared)
+        return protocol.declared->name;
+    if (protocol.kind == ProtocolType::Kind::any)
+        return "ANY";
+    std::string text;
+    for (const ProtocolItem& item : protocol.items)
+        text += (text.empty() ? "" : "; ") + name_of(item);
+    return text;
+}
+
+} // namespace
+
+std::string name_of(Basic basic) { return basic_traits[static_cast<std::size_t>(basic)].name; }
+
+std::uint32_t bytes_of(Basic basic) { return basic_traits[static_cast<std::size_t>(basic)].bytes; }
+
+bool is_integer(Basic basic) { return basic != Basic::boolean && !is_real(basic); }
+
+bool is_real(Basic basic) { return basic == Basic::real32 || basic == Basic::real64; }
+
+std::string name_of(const Type& type) {
+    switch (type.kind) {
+    case Type::Kind::basic: return name_of(type.basic);
+    case Type::Kind::array:
+        return "[" + (type.count ? std::to_string(*type.count) : std::string()) + "]" + name_of(*type.element);
+    case Type::Kind::record:
+    case Type::Kind::derived: return type.declared->name;
+    case Type::Kind::channel: return "CHAN OF " + name_of(*type.protocol);
+    case Type::Kind::timer: return "TIMER";
+    case Type::Kind::port: return "PORT OF " + name_of(*type.element);
+    case Type::Kind::mistaken: break;
+    }
+    return "a type in error";
+}
+
+std::uint64_t bytes_of(const Type& type) {
+    switch (type.kind) {
+    case Type::Kind::array: return std::uint64_t{type.count.value_or(0)} * bytes_of(*type.element);
+    case Type::Kind::derived: return bytes_of(*type.element);
+    case Type::Kind::record:
+        return type.fields.empty() ? 0 : type.fields.back().offset + bytes_of(*type.fields.back().type);
+    default: return bytes_of(type.basic);
+    }
+}
+
+const Type* Types::unique(const Type& type) {
+    const auto equal = [&](const Type& other) {
+        return other.kind == type.kind && other.basic == type.basic && other.element == type.element &&
+               other.count == type.count && other.protocol == type.protocol;
+    };
+    const auto known = std::ranges::find_if(types_, equal);
+    return known != types_.end() ? &*known : &types_.emplace_back(type);
+}
+
+const Type* Types::basic(Basic basic) { return unique({.kind = Type::Kind::basic, .basic = basic}); }
+
+const Type* Types::array(const Type* element, std::optional<std::uint32_t> count) {
+    return unique({.kind = Type::Kind::array, .element = element, .count = count});
+}
+
+const Type* Types::channel(const ProtocolType* protocol) {
+    return unique({.kind = Type::Kind::channel, .protocol = protocol});
+}
+
+const Type* Types::port(const Type* element) { return unique({.kind = Type::Kind::port, .element = element}); }
+
+const Type* Types::timer() { return unique({.kind = Type::Kind::timer}); }
+
+const Type* Types::mistaken() { return unique({.kind = Type::Kind::mistaken}); }
+
+const Type* Types::record(const Declaration* declared, std::vector<Field> fields) {
+    return &types_.emplace_back(Type{.kind = Type::Kind::record, .declared = declared, .fields = std::move(fields)});
+}
+
+const Type* Types::derived(const Declaration* declared, const Type* element) {
+    return &types_.emplace_back(Type{.kind = Type::Kind::derived, .element = element, .declared = declared});
+}
+
+const ProtocolType* Types::protocol(ProtocolType protocol) {
+    const auto equal = [&](const ProtocolType& other) {
+        return !other.declared && other.kind == protocol.kind && other.items == protocol.items;
+    };
+    const auto known = protocol.declared ? protocols_.end() : std::ranges::find_if(protocols_, equal);
+    return known != protocols_.end() ? &*known : &protocols_.emplace_back(std::move(protocol));
+}
+
+} // namespace placedpar::occam

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace placedpar::occam {
+
+struct Declaration; // occam/language/tree.hpp
+
+/// The types that hold a single value. INT has 32 bits, but is another type than INT32.
+enum class Basic : std::uint8_t { boolean, byte, integer, int16, int32, int64, real32, real64 };
+
+/// Returns the name of the language, such as "REAL32".
+std::string name_of(Basic);
+/// Returns the number of bytes in memory and on a channel: 1 for BOOL and BYTE.
+std::uint32_t bytes_of(Basic);
+bool is_integer(Basic); ///< BYTE, INT, INT16, INT32, INT64
+bool is_real(Basic);
+
+struct Type;
+
+/// A field of a record, in order of its place in memory.
+struct Field {
+    std::string name;
+    const Type* type = nullptr;
+    std::uint32_t offset = 0; ///< bytes from the start of the record
+};
+
+/// A type of the language. Types are made by a Types table, which makes each type once: two types are equal if their
+/// pointers are.
+struct Type {
+    enum class Kind : std::uint8_t {
+        basic,
+        array,
+        record,  ///< DATA TYPE ... RECORD
+        derived, ///< DATA TYPE T IS element
+        channel, ///< a single channel; its protocol is `protocol`
+        timer,
+        port,    ///< of `element`
+        mistaken ///< of whatever could not be understood; agrees with every type, so that no error follows from another
+    };
+    Kind kind = Kind::mistaken;
+    Basic basic = Basic::integer;
+    const Type* element = nullptr;                 ///< of an array, a derived type or a port
+    std::optional<std::uint32_t> count = {};       ///< elements of an array; nothing for an open array `[]T`
+    const struct ProtocolType* protocol = nullptr; ///< of a channel
+    const Declaration* declared = nullptr;         ///< of a record or a derived type
+    std::vector<Field> fields = {};                ///< of a record
+
+    bool is(Basic b) const { return kind == Kind::basic && basic == b; }
+};
+
+/// An item of a protocol: a value of `type`, or an array that its length of type `count` precedes: `count::[]element`.
+struct ProtocolItem {
+    const Type* type = nullptr;  ///< of a counted array: the open array
+    const Type* count = nullptr; ///< null unless the array is counted
+    bool operator==(const ProtocolItem&) const = default;
+};
+
+/// A tag of a variant protocol with the items that follow it.
+struct ProtocolTag {
+    std::string name;
+    std::uint8_t value = 0; ///< the byte on the channel
+    std::vector<ProtocolItem> items = {};
+};
+
+/// What a channel carries. Protocols without a name are equal if their items are; named ones if they are one
+/// declaration.
+struct ProtocolType {
+    enum class Kind : std::uint8_t { any, sequence, variant };
+    Kind kind = Kind::any;
+    const Declaration* declared = nullptr; ///< null unless it has a name
+    std::vector<ProtocolItem> items = {};  ///< of a sequence
+    std::vector<ProtocolTag> tags = {};    ///< of a variant; those of another variant that it names are among them
+};
+
+/// Makes the types of a program, each once, and owns them.
+class Types {
+public:
+    const Type* basic(Basic);
+    const Type* array(const Type* element, std::optional<std::uint32_t> count);
+    const Type* channel(const ProtocolType*);
+    const Type* port(const Type* element);
+    const Type* timer();
+    const Type* mistaken();
+    /// Make a new type or protocol for a declaration.
+    const Type* record(const Declaration*, std::vector<Field>);
+    const Type* derived(const Declaration*, const Type* element);
+    const ProtocolType* protocol(ProtocolType);
+
+private:
+    const Type* unique(const Type&);
+    std::deque<Type> types_;
+    std::deque<ProtocolType> protocols_;
+};
+
+/// Returns the type as the language writes it: "[4][]BYTE", "CHAN OF INT::[]BYTE".
+std::string name_of(const Type&);
+/// Returns the bytes of a value in memory. REQUIRES: it is basic, a record, a derived type, or an array of known size.
+std::uint64_t bytes_of(const Type&);
+
+} // namespace placedpar::occam
