@@ -76,8 +76,8 @@ void Generator::return_results(const Function& f, Level& level) {
                                .type = type});
     value_process(f.body, [&] {
         if (f.body.results.size() == 1 && targets.size() > 1) {
-            if (const auto* inner = std::get_if<Call>(&f.body.results.front().form))
-                return call_function(*inner, targets);
+            if (std::holds_alternative<Call>(f.body.results.front().form))
+                return call_function(f.body.results.front(), targets);
             const auto& values = std::get<ValueProcess>(f.body.results.front().form);
             return value_process(values, [&] {
                 for (std::size_t i = 0; i < targets.size(); ++i)
@@ -204,9 +204,11 @@ void Generator::call_with(Routine& routine, Arguments words) {
     clear_error();
 }
 
-void Generator::call_function(const Call& c, const std::vector<Location>& results) {
+/// Calls a function. Without places for its results, its only one is left in a register.
+void Generator::call_function(const Expression& e, const std::vector<Location>& results) {
+    const auto& c = std::get<Call>(e.form);
     if (std::holds_alternative<Predefined>(c.meaning->form))
-        return predefined_call(c, results);
+        return predefined_call(e, c, results);
     const auto& function = std::get<Function>(c.meaning->form);
     const bool in_register = returns_in_register(function);
     call(*c.meaning, c.arguments, in_register ? std::vector<Location>() : results);

@@ -15,8 +15,8 @@ void Generator::expression(const Expression& e) {
         return binary(*operation);
     if (const auto* converted = std::get_if<Conversion>(&e.form))
         return conversion(e, *converted);
-    if (const auto* call = std::get_if<Call>(&e.form))
-        return call_function(*call, {});
+    if (std::holds_alternative<Call>(e.form))
+        return call_function(e, {});
     if (const auto* values = std::get_if<ValueProcess>(&e.form))
         return value_process(*values, [&] { expression(values->results.front()); });
     load(locate(e));

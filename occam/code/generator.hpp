@@ -16,7 +16,7 @@ namespace placedpar::occam {
 
 /// The elements of a dimension: a constant, or a word that has the count.
 struct Extent {
-    std::optional<std::int64_t> constant;
+    std::optional<std::int64_t> constant = {};
     Cell cell = {};
 };
 
@@ -35,7 +35,7 @@ struct Location {
     Label label = 0;
     std::int64_t offset = 0; ///< bytes
     const Type* type = nullptr;
-    std::vector<Extent> extents; ///< of the open dimensions of the type
+    std::vector<Extent> extents = {}; ///< of the open dimensions of the type
     bool has_index = false;
     bool is_scalar = false; ///< a whole word of the workspace holds the value, which is shorter
 
@@ -176,7 +176,7 @@ private:
 
     // wide_code.cpp: INT64
     struct Wide {
-        std::optional<std::int64_t> constant;
+        std::optional<std::int64_t> constant = {};
         Cell cell = {};
     };
     enum class WideRoutine : std::uint8_t { multiply, divide, remainder };
@@ -290,10 +290,10 @@ private:
         std::vector<std::pair<const Declaration*, Cell>> indices; ///< of the replicators around it
     };
     struct Nest {
-        std::unordered_map<const Declaration*, Cell> kept; ///< the index of each replicator, of the chosen guard
-        std::vector<std::pair<const Declaration*, Cell>> chosen; ///< those of the replicators around
+        std::unordered_map<const Declaration*, Cell> kept = {}; ///< the index of each replicator, of the chosen guard
+        std::vector<std::pair<const Declaration*, Cell>> chosen = {}; ///< those of the replicators around
         Label after = 0;                                         ///< behind altend
-        std::vector<Branch> branches;
+        std::vector<Branch> branches = {};
     };
     void alternation(const Alternation&);
     static bool has_timer(const Alternation&);
@@ -318,10 +318,17 @@ private:
     void add_pointer(Arguments&, Location, const Type& parameter);
     void call_with(Routine&, Arguments);
     static bool returns_in_register(const Function&);
-    void call_function(const Call&, const std::vector<Location>& results);
+    void call_function(const Expression&, const std::vector<Location>& results);
 
     // predefined_code.cpp
-    void predefined_call(const Call&, const std::vector<Location>& results);
+    void predefined_call(const Expression&, const Call&, const std::vector<Location>& results);
+    bool word_function(const Expression&, const Call&, const std::vector<Location>& results);
+    bool predefined_shift(const Call&);
+    bool real_test(const Call&);
+    bool real_function(const Expression&, const Call&);
+    void real_operands_behind(const Expression& second);
+    void real_sign(const Call&, bool copies);
+    void move_in_two_dimensions(const Instance&);
     void predefined_instance(const Process&, const Instance&);
 
     const Program& program_;

@@ -490,8 +490,8 @@ Location Generator::value_in_memory(const Expression& e) {
     Location result = temporary_location(*e.type);
     if (const auto* table = std::get_if<TableLiteral>(&e.form))
         fill_table(*table, result);
-    else if (const auto* call = std::get_if<Call>(&e.form); call && !is_word(*e.type))
-        call_function(*call, {result});
+    else if (std::holds_alternative<Call>(e.form) && !is_word(*e.type))
+        call_function(e, {result});
     else if (const auto* values = std::get_if<ValueProcess>(&e.form))
         value_process(*values, [&] { assign_to(values->results.front(), result); });
     else

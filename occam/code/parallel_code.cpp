@@ -71,8 +71,8 @@ void Generator::join(Label done, std::int64_t processes) {
     store({frame_, Cell::Area::low, 0});
 }
 
-void Generator::load_base_of(const Frame& frame) {
-    emitter_.put(Operation::ldlp, Cell{const_cast<Frame*>(&frame), Cell::Area::base, 0}, *frame_);
+void Generator::load_base_of(Frame& frame) {
+    emitter_.put(Operation::ldlp, Cell{&frame, Cell::Area::base, 0}, *frame_);
     stack_ = 1;
 }
 

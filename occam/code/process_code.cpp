@@ -159,15 +159,14 @@ void Generator::check_sizes(const Location& a, const Location& b) {
 
 void Generator::multiple_assignment(const Assignment& a) {
     std::vector<Location> results;
-    const auto* call = std::get_if<Call>(&a.values.front().form);
     const auto* values = std::get_if<ValueProcess>(&a.values.front().form);
     for (const Expression& target : a.targets)
         results.push_back(temporary_location(*target.type));
     if (a.values.size() > 1) {
         for (std::size_t i = 0; i < results.size(); ++i)
             assign_to(a.values[i], results[i]);
-    } else if (call) {
-        call_function(*call, results);
+    } else if (!values) {
+        call_function(a.values.front(), results);
     } else {
         value_process(*values, [&] {
             for (std::size_t i = 0; i < results.size(); ++i)

@@ -25,8 +25,8 @@ void Generator::real(const Expression& e) {
         real_binary(*operation);
     } else if (const auto* converted = std::get_if<Conversion>(&e.form); converted && !bits) {
         real_conversion(e, *converted);
-    } else if (const auto* call = std::get_if<Call>(&e.form); call && !bits) {
-        call_function(*call, {});
+    } else if (std::holds_alternative<Call>(e.form) && !bits) {
+        call_function(e, {});
         reals_ = 1;
     } else if (const auto* values = std::get_if<ValueProcess>(&e.form); values && !bits) {
         value_process(*values, [&] { real(values->results.front()); });

@@ -44,8 +44,8 @@ Generator::Wide Generator::wide(const Expression& e) {
         wide_binary(*binary_operation, result.cell);
     else if (const auto* converted = std::get_if<Conversion>(&e.form))
         wide_conversion(*converted, result.cell);
-    else if (const auto* call = std::get_if<Call>(&e.form))
-        call_function(*call, {{.cell = result.cell, .type = e.type}});
+    else if (std::holds_alternative<Call>(e.form))
+        call_function(e, {{.cell = result.cell, .type = e.type}});
     else if (const auto* values = std::get_if<ValueProcess>(&e.form))
         value_process(*values, [&] { wide_store(wide(values->results.front()), {.cell = result.cell, .type = e.type}); });
     stack_ = 0;
