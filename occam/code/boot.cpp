@@ -14,6 +14,7 @@ namespace {
 /// The loader reads the code behind it, and goes to it. The numbers in front of it are offsets from the start of memory.
 /// The workspace of the program may cover the loader, which is no longer needed then.
 constexpr const char* loader = R"(
+        ajw 4                           -- instructions use words below the workspace
         stl 0; stl 0; stl 1             -- A and B are not needed; C is the link
         mint; sthf; mint; stlf          -- no process is ready
         ldc 0; stl 2; ldc 11; stl 3     -- channels and timers of the links, from the start of memory
@@ -42,7 +43,7 @@ std::string loader_source(const Code& code, const CodeOptions& options, Word cod
 } // namespace
 
 std::vector<std::uint8_t> bootable(const Code& code, const CodeOptions& options) {
-    constexpr Word words_of_loader = 8; // its workspace, and what its instructions use below
+    constexpr Word words_of_loader = 8; // what its instructions use, and its variables
     const Word start = transputer::traits_of(options.model).memory_start;
     const auto needed = static_cast<Word>(4 * code.workspace_words);
     const auto above = static_cast<Word>(4 * code.first_workspace_words);

@@ -98,8 +98,7 @@ void Generator::input_counted(const Expression& on, const Item& item) {
     const std::int64_t unit = size_of(*plain(*array.type).element);
     load(counter);
     if (options_.range_checks) {
-        load_extent(outer_extent(array));
-        op(Operation::adc, 1);
+        load_extent(outer_extent(array), 1);
         op(Operation::csub0);
         settle();
     }
@@ -191,8 +190,7 @@ void Generator::output_counted(const Expression& on, const Item& item) {
     const Location number = in_workspace(count_type);
     expression(item.value);
     if (options_.range_checks && !constant_of(item.value)) {
-        load_extent(outer_extent(array));
-        op(Operation::adc, 1);
+        load_extent(outer_extent(array), 1);
         op(Operation::csub0);
     }
     settle();

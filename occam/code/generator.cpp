@@ -3,6 +3,7 @@
 #include "text/diagnostic.hpp"
 #include "text/user_error.hpp"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
@@ -102,11 +103,12 @@ void Generator::load_address(const Cell& cell) {
     count(1);
 }
 
-void Generator::load_extent(const Extent& extent) {
+void Generator::load_extent(const Extent& extent, std::int64_t more) {
     if (extent.constant)
-        constant(*extent.constant);
-    else
-        load(extent.cell);
+        return constant(*extent.constant + more);
+    load(extent.cell);
+    if (more != 0)
+        op(Operation::adc, more);
 }
 
 void Generator::jump(Label label) { emitter_.branch(Operation::j, label); }

@@ -90,7 +90,8 @@ private:
     void store(const Cell&);
     void load_address(const Cell&);
     void load_frame_of(const Level&);
-    void load_extent(const Extent&);
+    /// Loads a count of elements plus a constant.
+    void load_extent(const Extent&, std::int64_t more = 0);
     void jump(Label);
     void jump_if_false(Label);
     void mark(Label);

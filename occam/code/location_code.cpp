@@ -215,8 +215,7 @@ Extent Generator::segment_count(const Segment& segment, const Extent& all) {
     if (segment.count) {
         expression(*segment.count);
         if (options_.range_checks) {
-            load_extent(all);
-            op(Operation::adc, 1);
+            load_extent(all, 1);
             op(Operation::csub0);
         }
     } else {
@@ -251,8 +250,7 @@ Location Generator::move_to_segment(Location location, const Segment& segment, c
         if (all.constant && extent.constant) {
             constant(*all.constant - *extent.constant + 1);
         } else {
-            load_extent(all);
-            op(Operation::adc, 1);
+            load_extent(all, 1);
             load_extent(extent);
             op(Operation::sub);
         }
