@@ -345,6 +345,7 @@ private:
     Frame* frame_ = nullptr;
     double weight_ = 1; ///< how often code is executed, roughly
     std::string path_;  ///< name of the code around, with a slash
+    std::uint32_t line_ = 0; ///< of the statement
     int stack_ = 0;     ///< words on the register stack
     int reals_ = 0;     ///< values on the stack of the floating-point unit
     bool checked_ = false; ///< an instruction since the last settle() may have set Error

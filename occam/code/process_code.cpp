@@ -11,6 +11,7 @@ void Generator::process(const Process& p) {
     const Kept vector(level_->vector_now);
     if (!std::holds_alternative<Sequence>(p.form) && !std::holds_alternative<Scope>(p.form))
         emitter_.line(p.at);
+    line_ = p.at.line;
     stack_ = 0;
     struct Visitor {
         Generator& g;
