@@ -48,15 +48,12 @@ int Generator::depth_of_binary(const BinaryOperation& operation) const {
     const Type& type = *operation.left->type;
     if (!is_word(type) || size_of(type) == 2)
         return 3;
-    const int left = depth_of(*operation.left);
-    int right = depth_of(*operation.right);
-    switch (operation.operation) {
-    case Operator::logical_and:
-    case Operator::logical_or: return std::max(left, right);
-    case Operator::shift_left:
-    case Operator::shift_right: right = std::max(right, constant_of(*operation.right) ? 1 : 2); break;
-    default: break;
-    }
+    const int left = depth_of(*operation.left), right = depth_of(*operation.right);
+    if (operation.operation == Operator::logical_and || operation.operation == Operator::logical_or)
+        return std::max(left, right);
+    const bool shifts = operation.operation == Operator::shift_left || operation.operation == Operator::shift_right;
+    if (shifts && !constant_of(*operation.right))
+        return 3;
     const int both = left == right ? std::min(left + 1, 3) : std::max(left, right);
     return std::max(both, size_of(type) == 4 ? 2 : 3);
 }
