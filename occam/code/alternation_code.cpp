@@ -16,7 +16,6 @@ bool Generator::has_timer(const Alternation& a) {
 /// Enables all guards, waits, disables them in the same order, and goes to the branch of the first that was ready.
 void Generator::alternation(const Alternation& a) {
     const bool timer = has_timer(a);
-    frame_->need_low(1);
     frame_->need_below(timer ? 5 : 3);
     Nest nest{.after = emitter_.new_label()};
     reserve(a, nest);
@@ -25,6 +24,7 @@ void Generator::alternation(const Alternation& a) {
     op(timer ? Operation::taltwt : Operation::altwt);
     clear_error();
     disable(a, nest);
+    frame_->need_low(1);
     op(Operation::altend);
     mark(nest.after);
     const Label done = emitter_.new_label();
@@ -65,6 +65,7 @@ void Generator::enable(const Alternative& a) {
     if (const auto* nested = std::get_if<std::unique_ptr<Alternation>>(&a.guard))
         return enable(**nested);
     load_guard(a);
+    frame_->need_low(1);
     op(std::holds_alternative<Delay>(a.guard) ? Operation::enbt : guard_channel(a) ? Operation::enbc : Operation::enbs);
     stack_ = 0;
 }
@@ -121,6 +122,7 @@ void Generator::disable(const Alternative& a, Nest& nest) {
         return disable(**nested, nest);
     nest.branches.push_back({&a, emitter_.new_label(), nest.chosen});
     load_guard(a);
+    frame_->need_low(1); // all of these words stay as they are until altend
     emitter_.difference(nest.branches.back().label, nest.after);
     op(std::holds_alternative<Delay>(a.guard) ? Operation::dist : guard_channel(a) ? Operation::disc : Operation::diss);
     stack_ = 1;

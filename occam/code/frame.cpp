@@ -1,7 +1,6 @@
 #include "occam/code/frame.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace placedpar::occam {
 
@@ -11,6 +10,7 @@ Cell Frame::allocate(int words) {
     if (uses.size() < static_cast<std::size_t>(top)) {
         uses.resize(static_cast<std::size_t>(top));
         joined.resize(static_cast<std::size_t>(top));
+        above_low.resize(static_cast<std::size_t>(top));
     }
     for (int i = 1; i < words; ++i)
         joined[static_cast<std::size_t>(cell.index + i)] = true;
@@ -22,32 +22,57 @@ void Frame::use(const Cell& cell, double weight) {
         uses[static_cast<std::size_t>(cell.index)] += weight;
 }
 
-namespace {
+void Frame::need_low(int words) {
+    low = std::max(low, words);
+    for (int i = 0; i < top; ++i)
+        above_low[static_cast<std::size_t>(i)] = std::max(above_low[static_cast<std::size_t>(i)], words);
+}
 
-/// Orders the local words of a frame by use. Words that are joined stay together.
-void order_by_use(Frame& frame) {
+/// Gives each local word its place, the lowest to those that are used most. Words that are joined stay together.
+void Frame::order_by_use() {
     struct Block {
-        int first, words;
+        int first, words, least;
         double use;
     };
     std::vector<Block> blocks;
-    for (std::size_t i = 0; i < frame.uses.size(); ++i) {
-        if (!frame.joined[i])
-            blocks.push_back({static_cast<int>(i), 0, 0});
-        ++blocks.back().words;
-        blocks.back().use += frame.uses[i];
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        if (!joined[i])
+            blocks.push_back({static_cast<int>(i), 0, 0, 0});
+        Block& block = blocks.back();
+        ++block.words;
+        block.least = std::max(block.least, above_low[i]);
+        block.use += uses[i];
     }
     std::ranges::stable_sort(blocks, [](const Block& a, const Block& b) { return a.use / a.words > b.use / b.words; });
-    frame.position.resize(frame.uses.size());
-    int next = 0;
-    for (const Block& block : blocks)
-        for (int i = 0; i < block.words; ++i)
-            frame.position[static_cast<std::size_t>(block.first + i)] = next++;
+    position.resize(uses.size());
+    std::vector<bool> taken(uses.size() + static_cast<std::size_t>(low));
+    size = low;
+    int first_free = 0;
+    for (const Block& block : blocks) {
+        const auto is_free = [&](int place) {
+            for (int i = 0; i < block.words; ++i)
+                if (taken[static_cast<std::size_t>(place + i)])
+                    return false;
+            return true;
+        };
+        int place = std::max(block.least, first_free);
+        while (!is_free(place))
+            ++place;
+        for (int i = 0; i < block.words; ++i) {
+            position[static_cast<std::size_t>(block.first + i)] = place + i;
+            taken[static_cast<std::size_t>(place + i)] = true;
+        }
+        while (static_cast<std::size_t>(first_free) < taken.size() && taken[static_cast<std::size_t>(first_free)])
+            ++first_free;
+        size = std::max<std::int64_t>(size, place + block.words);
+    }
 }
+
+namespace {
 
 /// Computes what a frame and all frames below it need, from the innermost on.
 void size_up(Frame& frame) {
-    order_by_use(frame);
+    frame.order_by_use();
     for (const std::vector<Frame*>& components : frame.parallels) {
         std::int64_t words = 0;
         for (Frame* component : components) {
@@ -82,7 +107,7 @@ std::int64_t coordinate_of(const Cell& cell) {
     const std::int64_t parameters = level.main.words() + 1;
     switch (cell.area) {
     case Cell::Area::local:
-        return cell.frame->coordinate + cell.frame->low + cell.frame->position[static_cast<std::size_t>(cell.index)];
+        return cell.frame->coordinate + cell.frame->position[static_cast<std::size_t>(cell.index)];
     case Cell::Area::low: return cell.frame->coordinate + cell.index;
     case Cell::Area::parameter: return parameters + level.uses_link + cell.index;
     case Cell::Area::link: return parameters;

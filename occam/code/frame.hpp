@@ -37,18 +37,25 @@ struct Frame {
     /// Reserve local words that lie together, until `top` is set back.
     Cell allocate(int words);
     void use(const Cell& cell, double weight);
-    /// States that the process needs so many words below its frame, or at the bottom of it.
+    /// States that the process needs so many words below its frame.
     void need_below(std::int64_t words) { below = below < words ? words : below; }
-    void need_low(int words) { low = low < words ? words : low; }
-    std::int64_t words() const { return low + static_cast<std::int64_t>(uses.size()); }
+    /// States that an instruction uses so many of the lowest words of the frame. They are not those of variables that
+    /// have a place now.
+    void need_low(int words);
+    /// Returns the words of the frame. REQUIRES: it is laid out.
+    std::int64_t words() const { return size; }
+    void order_by_use();
 
     Level* level;
-    int top = 0, low = 0;
+    int top = 0;
+    int low = 0;                 ///< lowest words that instructions use
     std::int64_t below = 0;      ///< words below the lowest word of the frame
     std::int64_t coordinate = 0; ///< of the workspace pointer, in words from that of the procedure
     std::vector<double> uses;    ///< of each local word
     std::vector<bool> joined;    ///< states that a local word must follow the one before it
+    std::vector<int> above_low;  ///< of each local word: how many of the lowest words it must not be
     std::vector<int> position;   ///< of each local word
+    std::int64_t size = 0;       ///< words of the frame
     std::vector<std::vector<Frame*>> parallels; ///< the components of each PAR
 };
 

@@ -151,7 +151,7 @@ private:
     Location in_vector_space(const Type&);
     Location pointer_to(Location);
     void fill_table(const TableLiteral&, const Location&);
-    std::optional<std::int64_t> constant_of(const Expression&) const;
+    static std::optional<std::int64_t> constant_of(const Expression&);
     const Type* basic(Basic) const;
 
     // expression_code.cpp: values of a word
@@ -204,7 +204,8 @@ private:
     void real_load(Location);
     void real_store(Location);
     int depth_of_real(const Expression&) const;
-    bool is_real_leaf(const Expression&) const;
+    static bool disturbs_reals(const Expression&);
+    static bool is_real_leaf(const Expression&);
     void real_operands(const Expression& left, const Expression& right, bool commutes);
     void real_binary(const BinaryOperation&);
     void real_remainder(const Expression& left, const Expression& right);
@@ -221,6 +222,7 @@ private:
     void assignment(const Assignment&);
     void assign(const Expression& target, const Expression& value);
     void assign_to(const Expression& value, const Location& target);
+    bool is_bits(const Expression& value) const;
     void assign_word(const Expression& value, int depth, const std::function<Location()>& target);
     void assign_compound(const Expression& value, int depth, const std::function<Location()>& target);
     void copy(const Location& source, Location target);
@@ -230,8 +232,9 @@ private:
     void sequence(const Sequence&);
     void replicated(const Replicator&, const std::function<void()>& body);
     Cell begin_replication(const Replicator&, Label end);
-    void choices(const If&, Label done);
-    void choice(const Choice&, Label done);
+    /// Return whether one of the choices is always taken.
+    bool choices(const If&, Label done, bool is_last);
+    bool choice(const Choice&, Label done, bool is_last);
     void selection(const Case&);
     using Targets = std::vector<std::pair<std::int64_t, Label>>;
     void select(const Cell& selector, std::span<const Targets::value_type>, Label otherwise);

@@ -79,7 +79,7 @@ void Generator::load_size(const Location& location) {
     }
 }
 
-std::optional<std::int64_t> Generator::constant_of(const Expression& e) const {
+std::optional<std::int64_t> Generator::constant_of(const Expression& e) {
     return e.constant && !e.constant->bytes ? std::optional(e.constant->bits) : std::nullopt;
 }
 

@@ -205,6 +205,7 @@ void Generator::start_components(const Replicator& replicator, std::int64_t comp
         op(Operation::ldnlp, -all);
         store(workspace);
     });
+    frame_->need_low(2);
 }
 
 /// Generates the code of a procedure or of a component of a replicated PAR. Its first instructions depend on what the

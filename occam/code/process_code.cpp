@@ -27,8 +27,8 @@ void Generator::process(const Process& p) {
         void operator()(const Parallel& each) { g.parallel(p, each); }
         void operator()(const If& i) {
             const Label done = g.emitter_.new_label();
-            g.choices(i, done);
-            g.stop_here();
+            if (!g.choices(i, done, true))
+                g.stop_here();
             g.mark(done);
         }
         void operator()(const Case& c) { g.selection(c); }
@@ -59,27 +59,36 @@ void Generator::assignment(const Assignment& a) {
 void Generator::assign(const Expression& target, const Expression& value) {
     const auto where = [&] { return locate(target); };
     const int depth = depth_of_location(target);
-    if (is_word(*target.type))
+    if (is_word(*target.type) || is_bits(value))
         return assign_word(value, depth, where);
     if (is_compound(plain(*target.type)))
         return assign_compound(value, depth, where);
-    const bool first = depth == 3; // the address may need a call, which would use all registers
+    if (!is_real(*target.type))
+        return wide_store(wide(value), pointer_to(locate(target)));
+    const bool first = disturbs_reals(target);
     const Location pointer = first ? pointer_to(locate(target)) : Location{};
-    if (is_real(*target.type)) {
-        real(value);
-        real_store(first ? pointer : locate(target));
-    } else {
-        wide_store(wide(value), first ? pointer : locate(target));
-    }
+    begin_reals();
+    stack_ = 0;
+    real(value);
+    real_store(first ? pointer : locate(target));
+}
+
+/// Returns whether a REAL32 is copied as a word, since nothing is computed.
+bool Generator::is_bits(const Expression& value) const {
+    return size_of(*value.type) == 4 && is_real(*value.type) &&
+           (constant_of(value) || std::holds_alternative<NameUse>(value.form) ||
+            std::holds_alternative<Subscript>(value.form));
 }
 
 void Generator::assign_to(const Expression& value, const Location& target) {
     const auto where = [&] { return target; };
-    if (is_word(*target.type)) {
+    if (is_word(*target.type) || is_bits(value)) {
         assign_word(value, 1, where);
     } else if (is_compound(plain(*target.type))) {
         assign_compound(value, 1, where);
     } else if (is_real(*target.type)) {
+        begin_reals();
+        stack_ = 0;
         real(value);
         real_store(target);
     } else {
@@ -253,16 +262,18 @@ void Generator::replicated(const Replicator& r, const std::function<void()>& bod
     mark(end);
 }
 
-void Generator::choices(const If& i, Label done) {
+bool Generator::choices(const If& i, Label done, bool is_last) {
     if (i.replicator) {
-        replicated(*i.replicator, [&] { choice(i.choices.front(), done); });
-    } else {
-        for (const Choice& each : i.choices)
-            choice(each, done);
+        replicated(*i.replicator, [&] { choice(i.choices.front(), done, false); });
+        return false;
     }
+    for (const Choice& each : i.choices)
+        if (choice(each, done, is_last && &each == &i.choices.back()))
+            return true;
+    return false;
 }
 
-void Generator::choice(const Choice& c, Label done) {
+bool Generator::choice(const Choice& c, Label done, bool is_last) {
     const Kept top(frame_->top);
     const Kept vector(level_->vector_now);
     emitter_.line(c.at);
@@ -270,13 +281,24 @@ void Generator::choice(const Choice& c, Label done) {
     for (const DeclarationBox& each : c.declarations)
         declare(*each);
     if (c.nested)
-        return choices(*c.nested, done);
+        return choices(*c.nested, done, is_last);
+    const auto value = constant_of(*c.condition);
+    if (std::holds_alternative<Skip>(c.process->form) && !value) {
+        expression(*c.condition);
+        op(Operation::eqc, 0);
+        settle();
+        jump_if_false(done);
+        stack_ = 0;
+        return false;
+    }
     const Label next = emitter_.new_label();
     condition(*c.condition, next);
     process(*c.process);
-    jump(done);
+    if (!(value && is_last))
+        jump(done);
     mark(next);
     stack_ = 0;
+    return value && *value != 0;
 }
 
 void Generator::repetition(const While& w) {

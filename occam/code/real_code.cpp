@@ -90,19 +90,33 @@ int Generator::depth_of_real(const Expression& e) const {
         const int left = depth_of_real(*operation->left), right = depth_of_real(*operation->right);
         return std::min(left == right ? left + 1 : std::max(left, right), 3);
     }
-    if (const auto* converted = std::get_if<Conversion>(&e.form))
-        return is_real(*converted->operand->type)                                           ? depth_of_real(*converted->operand)
-               : is_word(*converted->operand->type) && depth_of(*converted->operand) <= 2 ? 1
-                                                                                          : 3;
+    if (const auto* converted = std::get_if<Conversion>(&e.form)) {
+        if (is_real(*converted->operand->type))
+            return depth_of_real(*converted->operand);
+        return is_word(*converted->operand->type) && !disturbs_reals(*converted->operand) ? 1 : 3;
+    }
     if (std::holds_alternative<Call>(e.form) || std::holds_alternative<ValueProcess>(e.form))
         return 3;
-    return depth_of_location(e) <= 2 ? 1 : 3;
+    return disturbs_reals(e) ? 3 : 1;
 }
 
-/// Returns whether a value is in memory at an address that no call computes.
-bool Generator::is_real_leaf(const Expression& e) const {
+/// Returns whether an expression may use the floating-point unit, or call a function that does.
+bool Generator::disturbs_reals(const Expression& e) {
+    if (e.constant || std::holds_alternative<NameUse>(e.form))
+        return false;
+    if (const auto* subscript = std::get_if<Subscript>(&e.form))
+        return disturbs_reals(*subscript->array) || (!subscript->field && disturbs_reals(*subscript->index));
+    const auto* operation = std::get_if<BinaryOperation>(&e.form);
+    return !operation || is_real(*operation->left->type) || disturbs_reals(*operation->left) ||
+           disturbs_reals(*operation->right);
+}
+
+/// Returns whether a value is in memory, at an address that is computed without the floating-point unit.
+bool Generator::is_real_leaf(const Expression& e) {
+    if (const auto bits = constant_of(e))
+        return *bits != 0;
     const bool in_memory = std::holds_alternative<NameUse>(e.form) || std::holds_alternative<Subscript>(e.form);
-    return constant_of(e) ? *constant_of(e) != 0 : in_memory && depth_of_location(e) <= 2;
+    return in_memory && !disturbs_reals(e);
 }
 
 void Generator::real_operands(const Expression& left, const Expression& right, bool commutes) {
