@@ -30,9 +30,11 @@ void Generator::alternation(const Alternation& a) {
     const Label done = emitter_.new_label();
     for (const Branch& each : nest.branches) {
         branch(each);
-        jump(done);
+        if (&each != &nest.branches.back())
+            jump(done);
     }
     mark(done);
+    clear_error();
 }
 
 /// Reserves a word for the index of each replicator.

@@ -228,6 +228,7 @@ void Generator::variant_input(const VariantInput& v) {
     mark(otherwise);
     stop_here();
     mark(done);
+    clear_error();
 }
 
 /// Inputs what follows the tag, and executes the process of the variant.

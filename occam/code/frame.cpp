@@ -49,6 +49,8 @@ void Frame::order_by_use() {
     size = low;
     int first_free = 0;
     for (const Block& block : blocks) {
+        if (block.use == 0)
+            break; // nothing names these words
         const auto is_free = [&](int place) {
             for (int i = 0; i < block.words; ++i)
                 if (taken[static_cast<std::size_t>(place + i)])

@@ -144,6 +144,7 @@ void Generator::loop(const Cell& control, Label start, const std::function<void(
     {
         const Kept weight(weight_, weight_ * 8);
         mark(start);
+        clear_error();
         body();
         load_address(control);
         const Label end = emitter_.new_label();

@@ -30,6 +30,7 @@ void Generator::process(const Process& p) {
             if (!g.choices(i, done, true))
                 g.stop_here();
             g.mark(done);
+            g.clear_error();
         }
         void operator()(const Case& c) { g.selection(c); }
         void operator()(const While& w) { g.repetition(w); }
@@ -306,6 +307,7 @@ void Generator::repetition(const While& w) {
     {
         const Kept weight(weight_, weight_ * 8);
         mark(start);
+        clear_error();
         condition(w.condition, end);
         process(*w.process);
         jump(start);
@@ -352,13 +354,15 @@ void Generator::selection(const Case& c) {
         for (const DeclarationBox& each : option.declarations)
             declare(*each);
         process(*option.process);
-        jump(done);
+        if (i + 1 < labels.size() || !has_else)
+            jump(done);
     }
     if (!has_else) {
         mark(otherwise);
         stop_here();
     }
     mark(done);
+    clear_error();
 }
 
 /// Goes to the target of a value, by a binary search.
