@@ -1,6 +1,7 @@
 #include "occam/check/check.hpp"
 
 #include "occam/check/checker.hpp"
+#include "occam/check/usage.hpp"
 
 #include <variant>
 
@@ -15,9 +16,11 @@ void Checker::check_program() {
     names_.leave(0);
 }
 
-void check(Program& program, const SourceOptions&, Reporter& reporter) {
+void check(Program& program, const SourceOptions& options, Reporter& reporter) {
     try {
         Checker(program, reporter).check_program();
+        if (!reporter.failed() && (options.usage_checks || options.alias_checks))
+            UsageCheck(program, options.usage_checks, options.alias_checks, reporter).check_program();
     } catch (const GiveUp&) {
         return; // the last diagnostic says why
     }
