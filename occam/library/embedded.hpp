@@ -9,5 +9,6 @@ namespace placedpar::occam::embedded {
 std::string convert_occ();
 std::string hostio_inc();
 std::string hostio_occ();
+std::string terminal_occ();
 
 } // namespace placedpar::occam::embedded

@@ -17,6 +17,7 @@ constexpr std::array library_files{
     LibraryFile{"convert.lib", embedded::convert_occ},
     LibraryFile{"hostio.inc", embedded::hostio_inc},
     LibraryFile{"hostio.lib", embedded::hostio_occ},
+    LibraryFile{"terminal.lib", embedded::terminal_occ},
 };
 
 } // namespace
