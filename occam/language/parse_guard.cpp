@@ -81,8 +81,7 @@ void Parser::parse_guard(Alternative& alternative) {
         alternative.guard = Delay{std::move(channel), parse_expression()};
         return end_line("a guard");
     }
-    if (peek().is_word("CASE")) {
-        take();
+    if (accept_word("CASE")) {
         VariantInput input{std::move(channel), {}};
         parse_variants(input, first);
         alternative.guard = std::move(input);
