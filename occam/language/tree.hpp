@@ -180,8 +180,8 @@ struct Expression {
                  Conversion, Subscript, Segment, Call, ValueProcess, TypeBound, OffsetOf>
         form;
     std::optional<bool> written_output = {}; ///< `c!` or `c?`: a channel that is passed or abbreviated
-    const Type* type = nullptr;       ///< checked; of a call with several results: that of the first
-    std::optional<Constant> constant; ///< checked: the value, if it is known at compile time
+    const Type* type = nullptr;              ///< checked; of a call with several results: that of the first
+    std::optional<Constant> constant;        ///< checked: the value, if it is known at compile time
 };
 
 // Processes
@@ -385,6 +385,7 @@ struct Use {
 /// A procedure or function of the language itself, such as LONGADD or ASSERT.
 struct Predefined {
     std::vector<const Type*> parameters, results;
+    std::vector<Parameter::Passing> passing = {}; ///< of each parameter
 };
 
 /// How a PROC uses a channel parameter or a declared channel.

@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 60> keywords = {
 
 constexpr std::array<std::string_view, 16> operator_words = {"AFTER", "AND",   "BITAND", "BITNOT", "BITOR", "FOR",
                                                              "FROM",  "IS",    "MINUS",  "NOT",    "OR",    "PLUS",
-                                                             "REM",   "SIZE",  "TIMES",  "STEP"};
+                                                             "REM",   "SIZE",  "TIMES",  "RETYPES"};
 
 /// The symbols, the longer before those that they begin with.
 constexpr std::array<std::string_view, 33> symbols = {":=", "::", "<=", ">=", "<>", "<<", ">>", "><", "/\\", "\\/", "+",
