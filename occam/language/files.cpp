@@ -36,6 +36,9 @@ std::vector<std::string> file_names(const std::string& name, FileUse use) {
     return {stem + ".occ", stem + ".module"};
 }
 
+/// Returns whether the name is that of a library: there is no source of one file beside it.
+bool is_library(const std::string& name) { return lower_case(name).ends_with(".lib"); }
+
 std::vector<Path> folders_of(const Reading& reading, const Place& named_at) {
     std::vector<Path> folders{Path(reading.program.files[named_at.file]->path()).parent_path()};
     folders.insert(folders.end(), reading.options.folders.begin(), reading.options.folders.end());
@@ -103,27 +106,36 @@ bool may_open(Reading& reading, const std::string& key, const std::string& name,
     return reading.open.size() <= deepest_files;
 }
 
+/// Finds a file that is stored beside the one that names it, or in one of the folders.
+std::optional<FoundFile> stored_file(Reading& reading, const Path& path, const std::string& name, FileUse use,
+                                     const Place& at) {
+    std::error_code error;
+    const std::string key = std::filesystem::weakly_canonical(path, error).string();
+    if (use == FileUse::use && reading.units.contains(key))
+        return FoundFile{key, nullptr};
+    return may_open(reading, key, name, at) ? std::optional(loaded(reading, path, key, at)) : std::nullopt;
+}
+
+std::optional<FoundFile> own_file(Reading& reading, FoundFile found, const std::string& name, FileUse use,
+                                  const Place& at) {
+    if (use == FileUse::use && reading.units.contains(found.key))
+        return FoundFile{found.key, nullptr};
+    return may_open(reading, found.key, name, at) ? std::optional(std::move(found)) : std::nullopt;
+}
+
 } // namespace
 
 std::optional<FoundFile> find_file(Reading& reading, const std::string& name, FileUse use, const Place& named_at) {
     const auto names = file_names(name, use);
     const auto folders = folders_of(reading, named_at);
     const auto path = path_of(folders, names);
-    std::optional<FoundFile> found;
-    if (path) {
-        std::error_code error;
-        const std::string key = std::filesystem::weakly_canonical(*path, error).string();
-        if (use == FileUse::use && reading.units.contains(key))
-            return FoundFile{key, nullptr};
-        if (may_open(reading, key, name, named_at))
-            found = loaded(reading, *path, key, named_at);
-    } else if (found = built_in_file(reading, name); !found)
-        refuse_missing(reading, name, names, folders, named_at);
-    else if (use == FileUse::use && reading.units.contains(found->key))
-        found->file = nullptr;
-    else if (!may_open(reading, found->key, name, named_at))
-        found.reset();
-    return found;
+    auto own = built_in_file(reading, name);
+    if (own && (!path || is_library(name)))
+        return own_file(reading, std::move(*own), name, use, named_at);
+    if (path)
+        return stored_file(reading, *path, name, use, named_at);
+    refuse_missing(reading, name, names, folders, named_at);
+    return std::nullopt;
 }
 
 std::uint32_t add_file(Reading& reading, std::shared_ptr<const SourceFile> file, const Location& named_at) {

@@ -43,8 +43,8 @@ struct FoundFile {
     std::shared_ptr<const SourceFile> file; ///< null if the file has been refused
 };
 
-/// Looks for a file that is named at a place: beside the file that names it, in the folders, then among ours. Reports
-/// if there is none, if it is open already, or if files are too deep within files.
+/// Looks for a file that is named at a place: beside the file that names it, in the folders, then among ours (libraries
+/// first among ours). Reports if there is none, if it is open already, or if files are too deep within files.
 std::optional<FoundFile> find_file(Reading&, const std::string& name, FileUse, const Place& named_at);
 
 /// Adds a file to the program, and returns its index.

@@ -235,10 +235,21 @@ void Parser::parse_protocol(std::vector<DeclarationBox>& declarations) {
         add(declarations, name, std::move(protocol));
         return end_declaration("a protocol");
     }
-    expect_word("CASE", "or IS behind the name of a protocol");
-    end_line("CASE");
     protocol.is_variant = true;
-    parse_tags(protocol, head);
+    if (accept_word("CASE")) {
+        end_line("CASE");
+        parse_tags(protocol, head);
+    } else {
+        end_line("the name of a protocol without IS");
+        parse_block(head, [&] {
+            const Word below = peek();
+            expect_word("CASE", "below the name of a protocol without IS");
+            end_line("CASE");
+            parse_tags(protocol, below);
+        });
+    }
+    if (protocol.tags.empty())
+        reading_.reporter.error(at(head), "a protocol with CASE has at least one tag");
     add(declarations, name, std::move(protocol));
     end_body(head, fmt::format("PROTOCOL {}", name.text));
 }

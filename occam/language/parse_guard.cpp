@@ -81,10 +81,12 @@ void Parser::parse_guard(Alternative& alternative) {
         alternative.guard = Delay{std::move(channel), parse_expression()};
         return end_line("a guard");
     }
-    if (peek().is_word("CASE")) {
-        take();
+    if (accept_word("CASE")) {
         VariantInput input{std::move(channel), {}};
+        const bool is_one_tag = peek().kind != WordKind::end;
         parse_variants(input, first);
+        if (is_one_tag)
+            input.variants.front().process = parse_body(first);
         alternative.guard = std::move(input);
         return;
     }
@@ -92,7 +94,7 @@ void Parser::parse_guard(Alternative& alternative) {
     end_line("a guard");
 }
 
-/// Reads what follows `c ? CASE`: variants below, each with its process, or one in the line without a process.
+/// Reads what follows `c ? CASE`: variants below, each with its process, or one in the line.
 void Parser::parse_variants(VariantInput& input, const Word& head) {
     if (peek().kind != WordKind::end) {
         Variant variant;

@@ -193,7 +193,7 @@ Process Parser::parse_assignment_or_communication() {
         refuse_statement(first);
     Expression target = parse_element("a variable or channel");
     if (accept("?"))
-        return parse_input(std::move(target));
+        return parse_input(std::move(target), first);
     if (accept("!"))
         return parse_output(std::move(target));
     Assignment assignment;
@@ -219,15 +219,14 @@ Expression Parser::parse_element(std::string_view what) {
     return parse_subscripts(made(word, NameUse{name}));
 }
 
-Process Parser::parse_input(Expression channel) {
-    const Place start = channel.at;
+Process Parser::parse_input(Expression channel, const Word& head) {
+    const Place start = head.at;
     if (accept_word("AFTER")) {
         Delay delay{std::move(channel), parse_expression()};
         end_line("a time");
         return {start, std::move(delay)};
     }
-    if (peek().is_word("CASE")) {
-        const Word head = take();
+    if (accept_word("CASE")) {
         VariantInput input{std::move(channel), {}};
         parse_variants(input, head);
         return {start, std::move(input)};

@@ -118,7 +118,7 @@ private:
     Process parse_case();
     Process parse_while();
     Process parse_processor();
-    Process parse_input(Expression channel);
+    Process parse_input(Expression channel, const Word& head);
     Process parse_output(Expression channel);
     std::vector<Item> parse_items();
     Item parse_item();

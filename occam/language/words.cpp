@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 60> keywords = {
 
 constexpr std::array<std::string_view, 16> operator_words = {"AFTER", "AND",   "BITAND", "BITNOT", "BITOR", "FOR",
                                                              "FROM",  "IS",    "MINUS",  "NOT",    "OR",    "PLUS",
-                                                             "REM",   "SIZE",  "TIMES",  "STEP"};
+                                                             "REM",   "SIZE",  "TIMES",  "RETYPES"};
 
 /// The symbols, the longer before those that they begin with.
 constexpr std::array<std::string_view, 33> symbols = {":=", "::", "<=", ">=", "<>", "<<", ">>", "><", "/\\", "\\/", "+",
@@ -75,7 +75,8 @@ bool WordScanner::scan(std::string_view line, Place start, std::uint32_t indenta
     line_ = line;
     start_ = start;
     position_ = counted_ = 0;
-    blanks_ = indentation;
+    blanks_ = 0;
+    indentation_ = indentation;
     return scan_rest(words);
 }
 
@@ -84,7 +85,8 @@ bool WordScanner::continue_string(std::string_view line, Place start, std::uint3
     line_ = line;
     start_ = start;
     position_ = counted_ = 0;
-    blanks_ = indentation;
+    blanks_ = 0;
+    indentation_ = indentation;
     skip_blanks();
     if (at(position_) != '*')
         error(position_, "a string that is broken by \"*\" goes on with \"*\" below");
@@ -117,7 +119,7 @@ bool WordScanner::scan_word(std::vector<Word>& words) {
     Word& word = words.emplace_back();
     const std::size_t start = position_;
     word.at = {start_.file, start_.line, static_cast<std::uint32_t>(start + 1)};
-    word.indentation = blanks_;
+    word.indentation = indentation_ + blanks_;
     bool goes_on = false;
     const char c = at(position_);
     if (is_letter(c))

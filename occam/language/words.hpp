@@ -83,6 +83,7 @@ private:
     Place start_;
     std::size_t position_ = 0;
     std::uint32_t blanks_ = 0; ///< blanks in front of position_, if all in front of it were blanks
+    std::uint32_t indentation_ = 0;
     std::size_t counted_ = 0;  ///< bytes of the line that are in blanks_
 };
 
