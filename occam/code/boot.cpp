@@ -7,7 +7,6 @@
 
 namespace placedpar::occam {
 
-using transputer::Word;
 
 namespace {
 
@@ -29,7 +28,7 @@ cleared:
         mint; ldnlp start; adc offset; gcall
 )";
 
-std::string loader_source(const Code& code, const CodeOptions& options, Word code_at, Word workspace) {
+std::string loader_source(const Code& code, const CodeOptions& options, transputer::Word code_at, transputer::Word workspace) {
     std::string source = fmt::format("code = {}\nlength = {}\nworkspace = {}\nstart = {}\noffset = {}\n", code_at / 4,
                                      code.bytes.size(), workspace / 4, (code_at + code.entry) / 4, code.entry % 4);
     std::string text = loader;
@@ -43,15 +42,15 @@ std::string loader_source(const Code& code, const CodeOptions& options, Word cod
 } // namespace
 
 std::vector<std::uint8_t> bootable(const Code& code, const CodeOptions& options) {
-    constexpr Word words_of_loader = 8; // what its instructions use, and its variables
-    const Word start = transputer::traits_of(options.model).memory_start;
-    const auto needed = static_cast<Word>(4 * code.workspace_words);
-    const auto above = static_cast<Word>(4 * code.first_workspace_words);
+    constexpr transputer::Word words_of_loader = 8; // what its instructions use, and its variables
+    const transputer::Word start = transputer::traits_of(options.model).memory_start;
+    const auto needed = static_cast<transputer::Word>(4 * code.workspace_words);
+    const auto above = static_cast<transputer::Word>(4 * code.first_workspace_words);
     std::vector<std::uint8_t> packet;
-    Word code_at = 0;
+    transputer::Word code_at = 0;
     // The length of the loader depends on the numbers in it.
     for (std::size_t length = 0;; length = packet.size()) {
-        code_at = start + std::max(needed, static_cast<Word>(length) + 4 * words_of_loader + 12);
+        code_at = start + std::max(needed, static_cast<transputer::Word>(length) + 4 * words_of_loader + 12);
         code_at = (code_at + 3) / 4 * 4;
         packet = transputer::assemble(loader_source(code, options, code_at, code_at - above)).bytes;
         if (packet.size() == length)

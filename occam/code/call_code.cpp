@@ -53,9 +53,9 @@ void Generator::bind_parameters(const std::vector<DeclarationBox>& parameters, L
         const bool is_value = std::get<Parameter>(each->form).passing == Parameter::Passing::value;
         if (type.kind == Type::Kind::timer)
             continue;
-        Location location{.base = Location::Base::pointer, .cell = next(), .type = each->type};
+        Storage location{.base = Storage::Base::pointer, .cell = next(), .type = each->type};
         if (is_value && type.kind == Type::Kind::basic && bytes_of(type.basic) <= 4) {
-            location.base = Location::Base::cell;
+            location.base = Storage::Base::cell;
             location.is_scalar = bytes_of(type.basic) < 4;
         }
         for (const Type* dimension = &type; dimension->kind == Type::Kind::array; dimension = &plain(*dimension->element))
@@ -68,10 +68,10 @@ void Generator::bind_parameters(const std::vector<DeclarationBox>& parameters, L
 /// Leaves the result of a function in a register, or stores the results where the caller wants them.
 void Generator::return_results(const Function& f, Level& level) {
     const bool in_register = returns_in_register(f);
-    std::vector<Location> targets;
+    std::vector<Storage> targets;
     for (const Type* type : f.result_types)
         if (!in_register)
-            targets.push_back({.base = Location::Base::pointer,
+            targets.push_back({.base = Storage::Base::pointer,
                                .cell = {&level.main, Cell::Area::parameter, level.parameters++},
                                .type = type});
     value_process(f.body, [&] {
@@ -108,14 +108,14 @@ void Generator::instance(const Process& p, const Instance& i) {
 }
 
 void Generator::call(const Declaration& d, const std::vector<Expression>& arguments,
-                     const std::vector<Location>& results) {
+                     const std::vector<Storage>& results) {
     Routine& routine = routine_of(d);
     const auto* procedure = std::get_if<Procedure>(&d.form);
     const auto& parameters = procedure ? procedure->parameters : std::get<Function>(d.form).parameters;
     Arguments words;
     for (std::size_t i = 0; i < arguments.size(); ++i)
         add_argument(words, *parameters[i], arguments[i]);
-    for (const Location& each : results)
+    for (const Storage& each : results)
         words.push_back({1, [this, each] { address(each); }});
     call_with(routine, std::move(words));
 }
@@ -143,13 +143,13 @@ void Generator::add_value(Arguments& words, const Expression& e) {
     } else if (const auto bits = constant_of(e)) {
         words.push_back({1, [this, bits] { constant(*bits); }});
     } else {
-        const Location location = pointer_to(value_in_memory(e));
+        const Storage location = pointer_to(value_in_memory(e));
         words.push_back({1, [this, location] { load_bits(location); }});
     }
 }
 
 /// Adds the address of a value, and its counts of elements if the parameter is an open array.
-void Generator::add_pointer(Arguments& words, Location location, const Type& parameter) {
+void Generator::add_pointer(Arguments& words, Storage location, const Type& parameter) {
     location = pointer_to(location);
     stack_ = 0;
     words.push_back({1, [this, location] { address(location); }});
@@ -205,13 +205,13 @@ void Generator::call_with(Routine& routine, Arguments words) {
 }
 
 /// Calls a function. Without places for its results, its only one is left in a register.
-void Generator::call_function(const Expression& e, const std::vector<Location>& results) {
+void Generator::call_function(const Expression& e, const std::vector<Storage>& results) {
     const auto& c = std::get<Call>(e.form);
     if (std::holds_alternative<Predefined>(c.meaning->form))
         return predefined_call(e, c, results);
     const auto& function = std::get<Function>(c.meaning->form);
     const bool in_register = returns_in_register(function);
-    call(*c.meaning, c.arguments, in_register ? std::vector<Location>() : results);
+    call(*c.meaning, c.arguments, in_register ? std::vector<Storage>() : results);
     const bool is_word_result = in_register && is_word(*function.result_types.front());
     stack_ = is_word_result ? 1 : 0;
     if (!in_register || results.empty())

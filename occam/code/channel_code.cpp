@@ -40,7 +40,7 @@ void Generator::transfer(Operation operation, const std::function<void()>& load_
 }
 
 /// Transfers a value whose location needs no registers.
-void Generator::transfer(Operation operation, const Location& location, const Expression& on) {
+void Generator::transfer(Operation operation, const Storage& location, const Expression& on) {
     const auto bytes = fixed_bytes(location);
     std::optional<Cell> size;
     if (!bytes) {
@@ -68,7 +68,7 @@ void Generator::store_top(const Expression& target) {
         return store(locate(target));
     const Cell saved = temporary();
     store(saved);
-    const Location pointer = pointer_to(locate(target));
+    const Storage pointer = pointer_to(locate(target));
     load(saved);
     store(pointer);
 }
@@ -88,13 +88,13 @@ void Generator::input_items(const Expression& on, const std::vector<Item>& items
 
 /// Inputs a count, checks it, and inputs so many elements if there are any.
 void Generator::input_counted(const Expression& on, const Item& item) {
-    const Location counter = in_workspace(*item.value.type);
+    const Storage counter = in_workspace(*item.value.type);
     if (counter.is_scalar) {
         constant(0);
         store(counter.cell);
     }
     transfer(Operation::in, counter, on);
-    const Location array = pointer_to(locate(*item.counted_array));
+    const Storage array = pointer_to(locate(*item.counted_array));
     const std::int64_t unit = size_of(*plain(*array.type).element);
     load(counter);
     if (options_.range_checks) {
@@ -114,7 +114,7 @@ void Generator::input_counted(const Expression& on, const Item& item) {
     store_top(item.value);
 }
 
-void Generator::transfer_elements(Operation operation, const Location& array, const Cell& number, std::int64_t unit,
+void Generator::transfer_elements(Operation operation, const Storage& array, const Cell& number, std::int64_t unit,
                                   const Expression& on) {
     Cell bytes = number;
     if (unit != 1 && unit != 4) {
@@ -152,14 +152,14 @@ void Generator::output_item(const Expression& on, const Expression& value) {
     const std::int64_t size = size_of(type);
     if (is_word(type) && size != 2)
         return output_word(on, [&] { expression(value); }, depth_of(value), size);
-    const Location location = pointer_to(value_in_memory(value));
+    const Storage location = pointer_to(value_in_memory(value));
     if (size == 4 && !is_compound(plain(type)))
         return output_word(on, [&] { load_bits(location); }, 1, size);
     transfer(Operation::out, location, on);
 }
 
 /// Loads a value of four bytes as it is in memory.
-void Generator::load_bits(Location location) {
+void Generator::load_bits(Storage location) {
     location.type = basic(Basic::int32);
     load(location);
 }
@@ -184,10 +184,10 @@ void Generator::output_word(const Expression& on, const std::function<void()>& v
 }
 
 void Generator::output_counted(const Expression& on, const Item& item) {
-    const Location array = pointer_to(value_in_memory(*item.counted_array));
+    const Storage array = pointer_to(value_in_memory(*item.counted_array));
     const std::int64_t unit = size_of(*plain(*array.type).element);
     const Type& count_type = *item.value.type;
-    const Location number = in_workspace(count_type);
+    const Storage number = in_workspace(count_type);
     expression(item.value);
     if (options_.range_checks && !constant_of(item.value)) {
         load_extent(outer_extent(array), 1);
@@ -207,7 +207,7 @@ void Generator::output_counted(const Expression& on, const Item& item) {
 }
 
 void Generator::variant_input(const VariantInput& v) {
-    const Location tag = in_workspace(*basic(Basic::byte));
+    const Storage tag = in_workspace(*basic(Basic::byte));
     constant(0);
     store(tag.cell);
     transfer(Operation::in, tag, v.channel);

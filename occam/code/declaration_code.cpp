@@ -28,7 +28,7 @@ void Generator::declare_variable(const Declaration& d, const Variable& variable)
         refuse(d.at, "only channels and ports can be placed at an address");
     const bool in_frame = d.placement ? d.placement->where == Placement::Where::workspace
                                       : !is_compound(type) || size_of(type) <= 8 || !options_.vector_space;
-    const Location location = in_frame ? in_workspace(*d.type) : in_vector_space(*d.type);
+    const Storage location = in_frame ? in_workspace(*d.type) : in_vector_space(*d.type);
     bindings_[&d] = location;
     if (variable.initial) {
         assign_to(*variable.initial, location);
@@ -54,7 +54,7 @@ void Generator::declare_channels(const Declaration& d) {
     if (d.type->kind == Type::Kind::port && !placed)
         refuse(d.at, "PORT \"" + d.name + "\" is not placed; write PLACE " + d.name + " AT n:");
     if (d.type->kind == Type::Kind::port || (placed && d.type->kind == Type::Kind::channel)) {
-        bindings_[&d] = {.base = Location::Base::absolute, .offset = 4 * at, .type = d.type};
+        bindings_[&d] = {.base = Storage::Base::absolute, .offset = 4 * at, .type = d.type};
         return;
     }
     if (d.type->kind == Type::Kind::channel) {
@@ -64,14 +64,14 @@ void Generator::declare_channels(const Declaration& d) {
     }
     const std::int64_t count = channels_of(*d.type);
     const Type& words = *array_of(*basic(Basic::integer), static_cast<std::uint32_t>((placed ? 1 : 2) * count));
-    Location pointers = count <= 8 || !options_.vector_space ? in_workspace(words) : in_vector_space(words);
+    Storage pointers = count <= 8 || !options_.vector_space ? in_workspace(words) : in_vector_space(words);
     pointers.type = d.type;
     bindings_[&d] = pointers;
     if (count <= 4 || placed) {
         for (std::int64_t i = 0; i < count; ++i) {
-            Location pointer = pointers;
+            Storage pointer = pointers;
             pointer.offset += 4 * i;
-            Location channel = placed ? Location{.base = Location::Base::absolute, .offset = 4 * (at + i)} : pointers;
+            Storage channel = placed ? Storage{.base = Storage::Base::absolute, .offset = 4 * (at + i)} : pointers;
             channel.offset += placed ? 0 : 4 * (count + i);
             pointer.type = channel.type = basic(Basic::integer);
             address(channel);
@@ -87,17 +87,17 @@ void Generator::declare_channels(const Declaration& d) {
 }
 
 /// Makes many channels by a loop. Their words follow the pointers to them.
-void Generator::make_channels(Location pointers, std::int64_t count) {
+void Generator::make_channels(Storage pointers, std::int64_t count) {
     const Cell control = temporary(2);
     pointers.type = basic(Basic::integer);
-    Location channels = pointers;
+    Storage channels = pointers;
     channels.offset += 4 * count;
     constant(0);
     store(control);
     constant(count);
     store(control.after(1));
     loop(control, emitter_.new_label(), [&] {
-        const auto element = [&](Location location) {
+        const auto element = [&](Storage location) {
             load(control);
             location.has_index = true;
             return location;
@@ -110,9 +110,9 @@ void Generator::make_channels(Location pointers, std::int64_t count) {
 }
 
 /// Returns a location as a value of another type with the same dimensions.
-Location Generator::seen_as(Location location, const Type& type) {
+Storage Generator::seen_as(Storage location, const Type& type) {
     std::vector<Extent> extents;
-    Location rest = location;
+    Storage rest = location;
     for (const Type* each = &type; plain(*each).kind == Type::Kind::array; each = plain(*each).element) {
         const Extent extent = outer_extent(rest);
         if (!plain(*each).count)
@@ -137,7 +137,7 @@ void Generator::abbreviate(const Declaration& d, const Abbreviation& a) {
             channel(a.value);
             const Cell pointer = temporary();
             store(pointer);
-            bindings_[&d] = {.base = Location::Base::pointer, .cell = pointer, .type = d.type};
+            bindings_[&d] = {.base = Storage::Base::pointer, .cell = pointer, .type = d.type};
         }
         return;
     }
@@ -146,10 +146,10 @@ void Generator::abbreviate(const Declaration& d, const Abbreviation& a) {
     if (is_compound(plain(*d.type))) {
         if (!level_ && !a.value.constant)
             refuse(d.at, "the value of \"" + d.name + "\" is not known at compile time, and no procedure is around it");
-        const Location location = a.is_value ? value_in_memory(a.value) : locate(a.value);
+        const Storage location = a.is_value ? value_in_memory(a.value) : locate(a.value);
         bindings_[&d] = seen_as(level_ ? pointer_to(location) : location, *d.type);
     } else if (!a.is_value) {
-        Location location = pointer_to(locate(a.value));
+        Storage location = pointer_to(locate(a.value));
         location.type = d.type;
         bindings_[&d] = location;
     } else if (!a.value.constant) {
@@ -162,7 +162,7 @@ void Generator::retype(const Declaration& d, const Retyping& r) {
     stack_ = 0;
     if (!level_ && !r.value.constant)
         refuse(d.at, "the value of \"" + d.name + "\" is not known at compile time, and no procedure is around it");
-    Location location = r.is_value ? value_in_memory(r.value) : locate(r.value);
+    Storage location = r.is_value ? value_in_memory(r.value) : locate(r.value);
     if (level_)
         location = pointer_to(location);
     const Type& type = plain(*d.type);

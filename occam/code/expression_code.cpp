@@ -274,7 +274,7 @@ void Generator::unary(const UnaryOperation& operation) {
 void Generator::size_of_array(const Expression& array) {
     if (const auto* name = std::get_if<NameUse>(&array.form))
         return load_extent(outer_extent(bindings_.at(name->meaning)));
-    const Location location = locate(array);
+    const Storage location = locate(array);
     if (!location.is_static()) {
         store(temporary()); // the address is not needed
     }

@@ -158,8 +158,8 @@ void Generator::loop(const Cell& control, Label start, const std::function<void(
     frame_->need_below(3);
 }
 
-Location Generator::bytes_constant(const Type& type, std::span<const std::uint8_t> bytes) {
-    Location location{.base = Location::Base::constant, .label = emitter_.constant(bytes, true), .type = &type};
+Storage Generator::bytes_constant(const Type& type, std::span<const std::uint8_t> bytes) {
+    Storage location{.base = Storage::Base::constant, .label = emitter_.constant(bytes, true), .type = &type};
     return location;
 }
 

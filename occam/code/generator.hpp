@@ -22,7 +22,7 @@ struct Extent {
 
 /// Where a value is, as far as the compiler knows. If `has_index`, the code so far has left an index on the register
 /// stack; it counts values of the type. If the base is `computed`, the code has left an address there.
-struct Location {
+struct Storage {
     enum class Base : std::uint8_t {
         cell,     ///< in the workspace
         pointer,  ///< its address is in `cell`
@@ -103,7 +103,7 @@ private:
     void clear_error();
     void stop_here();
     void loop(const Cell& control, Label start, const std::function<void()>& body);
-    Location bytes_constant(const Type&, std::span<const std::uint8_t>);
+    Storage bytes_constant(const Type&, std::span<const std::uint8_t>);
 
     // compile.cpp
     struct Argument {
@@ -122,35 +122,35 @@ private:
     static bool is_channel(const Type&);
     static std::int64_t size_of(const Type&); ///< bytes in memory; of channels the pointer
     static std::optional<std::int64_t> fixed_size(const Type&);
-    static std::optional<std::int64_t> fixed_bytes(const Location&);
-    Extent outer_extent(const Location&) const;
-    void load_size(const Location&); ///< in bytes
-    Location locate(const Expression&);
-    Location locate_field(const Subscript&);
-    Location locate_element(const Subscript&);
-    Location locate_segment(const Segment&);
+    static std::optional<std::int64_t> fixed_bytes(const Storage&);
+    Extent outer_extent(const Storage&) const;
+    void load_size(const Storage&); ///< in bytes
+    Storage locate(const Expression&);
+    Storage locate_field(const Subscript&);
+    Storage locate_element(const Subscript&);
+    Storage locate_segment(const Segment&);
     Extent segment_count(const Segment&, const Extent& all);
-    Location move_to_segment(Location, const Segment&, const Extent& all, const Extent& count);
-    void add_index(Location&, const Extent&, const Expression& index);
+    Storage move_to_segment(Storage, const Segment&, const Extent& all, const Extent& count);
+    void add_index(Storage&, const Extent&, const Expression& index);
     void check_index(const Extent&, const Expression& index);
-    void load_base(Location&);
-    void finish_address(Location&);
+    void load_base(Storage&);
+    void finish_address(Storage&);
     void add_offset(std::int64_t bytes);
-    void address(Location);
-    void load(Location);
-    void load_int16(Location);
-    void store(Location);
+    void address(Storage);
+    void load(Storage);
+    void load_int16(Storage);
+    void store(Storage);
     void store_int16();
     const Type* array_of(const Type& element, std::optional<std::uint32_t> count = {});
     int depth_of_location(const Expression&) const;
     std::optional<Range> range_of(const Expression&) const;
-    Location value_in_memory(const Expression&);
-    Location constant_in_memory(const Expression&);
-    Location temporary_location(const Type&);
-    Location in_workspace(const Type&);
-    Location in_vector_space(const Type&);
-    Location pointer_to(Location);
-    void fill_table(const TableLiteral&, const Location&);
+    Storage value_in_memory(const Expression&);
+    Storage constant_in_memory(const Expression&);
+    Storage temporary_location(const Type&);
+    Storage in_workspace(const Type&);
+    Storage in_vector_space(const Type&);
+    Storage pointer_to(Storage);
+    void fill_table(const TableLiteral&, const Storage&);
     static std::optional<std::int64_t> constant_of(const Expression&);
     const Type* basic(Basic) const;
 
@@ -184,8 +184,8 @@ private:
     void load_part(const Wide&, int part);
     Wide wide(const Expression&);
     Wide wide_variable(const Wide&);
-    Wide wide_copy(Location);
-    void wide_store(const Wide&, Location);
+    Wide wide_copy(Storage);
+    void wide_store(const Wide&, Storage);
     void wide_unary(const UnaryOperation&, const Cell& to);
     void wide_binary(const BinaryOperation&, const Cell& to);
     void wide_sum(const Wide&, const Wide&, bool checked, const Cell& to);
@@ -200,9 +200,9 @@ private:
 
     // real_code.cpp
     void real(const Expression&);
-    Location real_constant(const Expression&);
-    void real_load(Location);
-    void real_store(Location);
+    Storage real_constant(const Expression&);
+    void real_load(Storage);
+    void real_store(Storage);
     int depth_of_real(const Expression&) const;
     static bool disturbs_reals(const Expression&);
     static bool is_real_leaf(const Expression&);
@@ -221,13 +221,13 @@ private:
     void process(const Process&);
     void assignment(const Assignment&);
     void assign(const Expression& target, const Expression& value);
-    void assign_to(const Expression& value, const Location& target);
+    void assign_to(const Expression& value, const Storage& target);
     bool is_bits(const Expression& value) const;
-    void assign_word(const Expression& value, int depth, const std::function<Location()>& target);
-    void assign_compound(const Expression& value, int depth, const std::function<Location()>& target);
-    void copy(const Location& source, Location target);
-    void store_from(const Location& value, const Expression& target);
-    void check_sizes(const Location&, const Location&);
+    void assign_word(const Expression& value, int depth, const std::function<Storage()>& target);
+    void assign_compound(const Expression& value, int depth, const std::function<Storage()>& target);
+    void copy(const Storage& source, Storage target);
+    void store_from(const Storage& value, const Expression& target);
+    void check_sizes(const Storage&, const Storage&);
     void multiple_assignment(const Assignment&);
     void sequence(const Sequence&);
     void replicated(const Replicator&, const std::function<void()>& body);
@@ -245,8 +245,8 @@ private:
     void declare(const Declaration&);
     void declare_variable(const Declaration&, const Variable&);
     void declare_channels(const Declaration&);
-    void make_channels(Location pointers, std::int64_t count);
-    Location seen_as(Location, const Type&);
+    void make_channels(Storage pointers, std::int64_t count);
+    Storage seen_as(Storage, const Type&);
     void abbreviate(const Declaration&, const Abbreviation&);
     void declare_routine(const Declaration&);
     void retype(const Declaration&, const Retyping&);
@@ -266,20 +266,20 @@ private:
 
     // channel_code.cpp
     void channel(const Expression&);
-    void channel_location(Location);
+    void channel_location(Storage);
     int depth_of_channel(const Expression&) const;
     void transfer(Operation, const std::function<void()>& load_address, const Expression& on,
                   const std::function<void()>& load_count);
-    void transfer(Operation, const Location&, const Expression& on);
+    void transfer(Operation, const Storage&, const Expression& on);
     void input(const Input&);
     void store_top(const Expression& target);
     void input_items(const Expression& on, const std::vector<Item>&);
     void input_counted(const Expression& on, const Item&);
-    void transfer_elements(Operation, const Location& array, const Cell& number, std::int64_t unit,
+    void transfer_elements(Operation, const Storage& array, const Cell& number, std::int64_t unit,
                            const Expression& on);
     void output(const Output&);
     void output_item(const Expression& on, const Expression& value);
-    void load_bits(Location);
+    void load_bits(Storage);
     void output_word(const Expression& on, const std::function<void()>& value, int depth, std::int64_t bytes);
     void output_counted(const Expression& on, const Item&);
     void variant_input(const VariantInput&);
@@ -316,17 +316,17 @@ private:
     void bind_parameters(const std::vector<DeclarationBox>&, Level&);
     void return_results(const Function&, Level&);
     void instance(const Process&, const Instance&);
-    void call(const Declaration&, const std::vector<Expression>& arguments, const std::vector<Location>& results);
+    void call(const Declaration&, const std::vector<Expression>& arguments, const std::vector<Storage>& results);
     void add_argument(Arguments&, const Declaration& parameter, const Expression&);
     void add_value(Arguments&, const Expression&);
-    void add_pointer(Arguments&, Location, const Type& parameter);
+    void add_pointer(Arguments&, Storage, const Type& parameter);
     void call_with(Routine&, Arguments);
     static bool returns_in_register(const Function&);
-    void call_function(const Expression&, const std::vector<Location>& results);
+    void call_function(const Expression&, const std::vector<Storage>& results);
 
     // predefined_code.cpp
-    void predefined_call(const Expression&, const Call&, const std::vector<Location>& results);
-    bool word_function(const Expression&, const Call&, const std::vector<Location>& results);
+    void predefined_call(const Expression&, const Call&, const std::vector<Storage>& results);
+    bool word_function(const Expression&, const Call&, const std::vector<Storage>& results);
     bool predefined_shift(const Call&);
     bool real_test(const Call&);
     bool real_function(const Expression&, const Call&);
@@ -340,7 +340,7 @@ private:
     Emitter emitter_;
     std::list<CodeBuffer> buffers_;
     std::list<Level> levels_;
-    std::unordered_map<const Declaration*, Location> bindings_; ///< looked up only
+    std::unordered_map<const Declaration*, Storage> bindings_; ///< looked up only
     std::unordered_map<const Declaration*, Range> ranges_;
     std::unordered_map<const Declaration*, std::unique_ptr<Routine>> routines_;
     std::deque<Type> arrays_; ///< types of segments and of words for channels

@@ -47,12 +47,12 @@ std::optional<std::int64_t> Generator::fixed_size(const Type& given) {
     return type.count && element ? std::optional(*type.count * *element) : std::nullopt;
 }
 
-Extent Generator::outer_extent(const Location& location) const {
+Extent Generator::outer_extent(const Storage& location) const {
     const Type& type = plain(*location.type);
     return type.count ? Extent{*type.count} : location.extents.front();
 }
 
-std::optional<std::int64_t> Generator::fixed_bytes(const Location& location) {
+std::optional<std::int64_t> Generator::fixed_bytes(const Storage& location) {
     std::int64_t size = size_of(*location.type);
     for (const Extent& extent : location.extents) {
         if (!extent.constant)
@@ -62,7 +62,7 @@ std::optional<std::int64_t> Generator::fixed_bytes(const Location& location) {
     return size;
 }
 
-void Generator::load_size(const Location& location) {
+void Generator::load_size(const Storage& location) {
     if (const auto fixed = fixed_bytes(location))
         return constant(*fixed);
     const std::int64_t unit = size_of(*location.type);
@@ -93,7 +93,7 @@ const Type* Generator::basic(Basic basic) const {
     return &types[static_cast<std::size_t>(basic)];
 }
 
-Location Generator::locate(const Expression& e) {
+Storage Generator::locate(const Expression& e) {
     if (e.constant && !std::holds_alternative<Subscript>(e.form))
         return value_in_memory(e);
     if (const auto* name = std::get_if<NameUse>(&e.form))
@@ -105,8 +105,8 @@ Location Generator::locate(const Expression& e) {
     return value_in_memory(e);
 }
 
-Location Generator::locate_field(const Subscript& subscript) {
-    Location location = locate(*subscript.array);
+Storage Generator::locate_field(const Subscript& subscript) {
+    Storage location = locate(*subscript.array);
     if (location.has_index)
         finish_address(location);
     const Field& field = plain(*location.type).fields[*subscript.field];
@@ -116,9 +116,9 @@ Location Generator::locate_field(const Subscript& subscript) {
     return location;
 }
 
-Location Generator::locate_element(const Subscript& subscript) {
-    Location location = locate(*subscript.array);
-    if (location.base == Location::Base::computed && !location.has_index)
+Storage Generator::locate_element(const Subscript& subscript) {
+    Storage location = locate(*subscript.array);
+    if (location.base == Storage::Base::computed && !location.has_index)
         location = pointer_to(location);
     const Extent extent = outer_extent(location);
     const Type& array = plain(*location.type);
@@ -134,7 +134,7 @@ Location Generator::locate_element(const Subscript& subscript) {
     return location;
 }
 
-void Generator::add_index(Location& location, const Extent& extent, const Expression& index) {
+void Generator::add_index(Storage& location, const Extent& extent, const Expression& index) {
     if (!location.has_index) {
         expression(index);
         check_index(extent, index);
@@ -183,8 +183,8 @@ std::optional<Range> Generator::range_of(const Expression& e) const {
                                               : Range{left->least - right->most, left->most - right->least};
 }
 
-Location Generator::locate_segment(const Segment& segment) {
-    Location location = locate(*segment.array);
+Storage Generator::locate_segment(const Segment& segment) {
+    Storage location = locate(*segment.array);
     const Extent all = outer_extent(location);
     const Type& array = plain(*location.type);
     const std::optional<std::int64_t> from = segment.from ? constant_of(*segment.from) : 0,
@@ -237,10 +237,10 @@ Extent Generator::segment_count(const Segment& segment, const Extent& all) {
 }
 
 /// Adds the beginning of a segment to its location, checked against the elements of the array.
-Location Generator::move_to_segment(Location location, const Segment& segment, const Extent& all,
+Storage Generator::move_to_segment(Storage location, const Segment& segment, const Extent& all,
                                     const Extent& extent) {
     const Type& element = *plain(*location.type).element;
-    if (location.has_index || location.base == Location::Base::computed)
+    if (location.has_index || location.base == Storage::Base::computed)
         location = pointer_to(location);
     if (segment.from)
         expression(*segment.from);
@@ -256,7 +256,7 @@ Location Generator::move_to_segment(Location location, const Segment& segment, c
         }
         op(Operation::csub0);
     }
-    Location start = location;
+    Storage start = location;
     start.type = &element;
     start.extents.erase(start.extents.begin());
     start.has_index = true;
@@ -273,27 +273,27 @@ const Type* Generator::array_of(const Type& element, std::optional<std::uint32_t
     return &arrays_.emplace_back(Type{.kind = Type::Kind::array, .element = &element, .count = count});
 }
 
-Location Generator::pointer_to(Location location) {
+Storage Generator::pointer_to(Storage location) {
     if (location.is_static())
         return location;
     finish_address(location);
     location.cell = temporary();
     store(location.cell);
-    location.base = Location::Base::pointer;
+    location.base = Storage::Base::pointer;
     return location;
 }
 
-void Generator::load_base(Location& location) {
+void Generator::load_base(Storage& location) {
     switch (location.base) {
-    case Location::Base::cell:
+    case Storage::Base::cell:
         load_address(location.cell.after(static_cast<int>(location.offset / 4)));
         location.offset %= 4;
         break;
-    case Location::Base::pointer: load(location.cell); break;
-    case Location::Base::absolute:
+    case Storage::Base::pointer: load(location.cell); break;
+    case Storage::Base::absolute:
         op(Operation::mint);
         break;
-    case Location::Base::constant: {
+    case Storage::Base::constant: {
         const Label here = emitter_.new_label();
         emitter_.difference(location.label, here, location.offset);
         count(1);
@@ -302,15 +302,15 @@ void Generator::load_base(Location& location) {
         location.offset = 0;
         break;
     }
-    case Location::Base::computed: break;
+    case Storage::Base::computed: break;
     }
 }
 
 /// Loads the address of a location, apart from its offset.
-void Generator::finish_address(Location& location) {
+void Generator::finish_address(Storage& location) {
     if (!location.has_index) {
         load_base(location);
-        location.base = Location::Base::computed;
+        location.base = Storage::Base::computed;
         return;
     }
     std::int64_t size = size_of(*location.type);
@@ -328,7 +328,7 @@ void Generator::finish_address(Location& location) {
     }
     load_base(location);
     op(doubles ? Operation::wsubdb : words ? Operation::wsub : Operation::bsub);
-    location.base = Location::Base::computed;
+    location.base = Storage::Base::computed;
     location.has_index = false;
 }
 
@@ -339,14 +339,14 @@ void Generator::add_offset(std::int64_t bytes) {
         emitter_.put(Operation::adc, bytes);
 }
 
-void Generator::address(Location location) {
+void Generator::address(Storage location) {
     finish_address(location);
     add_offset(location.offset);
 }
 
-void Generator::load(Location location) {
+void Generator::load(Storage location) {
     const std::int64_t size = size_of(*location.type);
-    const bool in_word = location.base == Location::Base::cell && !location.has_index &&
+    const bool in_word = location.base == Storage::Base::cell && !location.has_index &&
                          (location.is_scalar || (size == 4 && location.offset % 4 == 0));
     if (size == 2)
         return load_int16(location);
@@ -359,7 +359,7 @@ void Generator::load(Location location) {
     op(size == 4 ? Operation::ldnl : Operation::lb);
 }
 
-void Generator::load_int16(Location location) {
+void Generator::load_int16(Storage location) {
     if (location.is_scalar) {
         load(location.cell);
     } else {
@@ -379,9 +379,9 @@ void Generator::load_int16(Location location) {
     op(Operation::xword);
 }
 
-void Generator::store(Location location) {
+void Generator::store(Storage location) {
     const std::int64_t size = size_of(*location.type);
-    const bool in_word = location.base == Location::Base::cell && !location.has_index &&
+    const bool in_word = location.base == Storage::Base::cell && !location.has_index &&
                          (location.is_scalar || (size == 4 && location.offset % 4 == 0));
     if (in_word) {
         settle();
@@ -430,19 +430,19 @@ int Generator::depth_of_location(const Expression& e) const {
     return is_name ? 1 : 3;
 }
 
-Location Generator::in_workspace(const Type& type) {
+Storage Generator::in_workspace(const Type& type) {
     const std::int64_t size = size_of(type);
     return {.cell = temporary(static_cast<int>(std::max<std::int64_t>((size + 3) / 4, 1))),
             .type = &type,
             .is_scalar = size < 4 && !is_compound(plain(type))};
 }
 
-Location Generator::in_vector_space(const Type& type) {
+Storage Generator::in_vector_space(const Type& type) {
     const std::int64_t offset = level_->vector_now;
     level_->vector_now += (size_of(type) + 3) / 4 * 4;
     level_->vector_most = std::max(level_->vector_most, level_->vector_now);
     level_->uses_vector = true;
-    Location location{.base = Location::Base::pointer, .cell = level_->vector, .type = &type};
+    Storage location{.base = Storage::Base::pointer, .cell = level_->vector, .type = &type};
     if (offset == 0)
         return location;
     load(level_->vector);
@@ -452,13 +452,13 @@ Location Generator::in_vector_space(const Type& type) {
     return location;
 }
 
-Location Generator::temporary_location(const Type& type) {
+Storage Generator::temporary_location(const Type& type) {
     return size_of(type) <= 8 || !options_.vector_space ? in_workspace(type) : in_vector_space(type);
 }
 
-Location Generator::constant_in_memory(const Expression& e) {
+Storage Generator::constant_in_memory(const Expression& e) {
     if (e.constant->bytes) {
-        Location location = bytes_constant(*e.type, *e.constant->bytes);
+        Storage location = bytes_constant(*e.type, *e.constant->bytes);
         if (plain(*e.type).kind == Type::Kind::array && !plain(*e.type).count)
             location.extents = {{static_cast<std::int64_t>(e.constant->bytes->size()) /
                                  std::max<std::int64_t>(size_of(*plain(*e.type).element), 1)}};
@@ -470,7 +470,7 @@ Location Generator::constant_in_memory(const Expression& e) {
     return bytes_constant(*e.type, bytes);
 }
 
-Location Generator::value_in_memory(const Expression& e) {
+Storage Generator::value_in_memory(const Expression& e) {
     if (e.constant)
         return constant_in_memory(e);
     if (std::holds_alternative<NameUse>(e.form) || std::holds_alternative<Subscript>(e.form) ||
@@ -481,11 +481,11 @@ Location Generator::value_in_memory(const Expression& e) {
         return bytes_constant(*e.type, {first, text->bytes.size()});
     }
     if (const auto* conversion = std::get_if<Conversion>(&e.form); conversion && is_compound(plain(*e.type))) {
-        Location location = value_in_memory(*conversion->operand);
+        Storage location = value_in_memory(*conversion->operand);
         location.type = e.type;
         return location;
     }
-    Location result = temporary_location(*e.type);
+    Storage result = temporary_location(*e.type);
     if (const auto* table = std::get_if<TableLiteral>(&e.form))
         fill_table(*table, result);
     else if (std::holds_alternative<Call>(e.form) && !is_word(*e.type))
@@ -497,10 +497,10 @@ Location Generator::value_in_memory(const Expression& e) {
     return result;
 }
 
-void Generator::fill_table(const TableLiteral& table, const Location& to) {
+void Generator::fill_table(const TableLiteral& table, const Storage& to) {
     const Type& type = plain(*to.type);
     for (std::size_t i = 0; i < table.elements.size(); ++i) {
-        Location element = to;
+        Storage element = to;
         element.is_scalar = false;
         element.type = type.kind == Type::Kind::record ? type.fields[i].type : type.element;
         element.offset += type.kind == Type::Kind::record ? type.fields[i].offset

@@ -38,7 +38,7 @@ constexpr std::array<WordFunction, 14> word_functions = {{
 
 } // namespace
 
-void Generator::predefined_call(const Expression& e, const Call& c, const std::vector<Location>& results) {
+void Generator::predefined_call(const Expression& e, const Call& c, const std::vector<Storage>& results) {
     const bool left_in_register = results.empty();
     if (word_function(e, c, results))
         return;
@@ -56,7 +56,7 @@ void Generator::predefined_call(const Expression& e, const Call& c, const std::v
     }
 }
 
-bool Generator::word_function(const Expression& e, const Call& c, const std::vector<Location>& results) {
+bool Generator::word_function(const Expression& e, const Call& c, const std::vector<Storage>& results) {
     const std::string_view name = c.name == "CRCBYTE" ? "CRCWORD" : std::string_view(c.name);
     const auto* function = std::ranges::find(word_functions, name, &WordFunction::name);
     if (function == word_functions.end())
@@ -137,7 +137,7 @@ bool Generator::real_test(const Call& c) {
 void Generator::real_operands_behind(const Expression& second) {
     if (depth_of_real(second) <= 3 - reals_)
         return real(second);
-    const Location first = in_workspace(*second.type);
+    const Storage first = in_workspace(*second.type);
     load_address(first.cell);
     op(bytes_of(*second.type) == 8 ? Operation::fpstnldb : Operation::fpstnlsn);
     --reals_;
@@ -180,7 +180,7 @@ bool Generator::real_function(const Expression& e, const Call& c) {
 void Generator::real_sign(const Call& c, bool copies) {
     const bool is_double = is_wide(*c.arguments[0].type);
     const Operation store_real = is_double ? Operation::fpstnldb : Operation::fpstnlsn;
-    const Location value = in_workspace(*c.arguments[0].type), sign = in_workspace(*c.arguments[0].type);
+    const Storage value = in_workspace(*c.arguments[0].type), sign = in_workspace(*c.arguments[0].type);
     for (std::size_t i = 0; i < c.arguments.size(); ++i) {
         real(c.arguments[i]);
         load_address(i == 0 ? value.cell : sign.cell);
@@ -241,7 +241,7 @@ void Generator::move_in_two_dimensions(const Instance& i) {
     for (std::size_t side = 0; side < 2; ++side) {
         stack_ = 0;
         const Expression* const arguments = &i.arguments[3 * side];
-        const Location array = pointer_to(side == 0 ? value_in_memory(arguments[0]) : locate(arguments[0]));
+        const Storage array = pointer_to(side == 0 ? value_in_memory(arguments[0]) : locate(arguments[0]));
         const Type& rows = *plain(*array.type).element;
         strides[side] = plain(rows).count ? Extent{*plain(rows).count} : array.extents.back();
         const Cell x = temporary();

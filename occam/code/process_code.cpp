@@ -67,7 +67,7 @@ void Generator::assign(const Expression& target, const Expression& value) {
     if (!is_real(*target.type))
         return wide_store(wide(value), pointer_to(locate(target)));
     const bool first = disturbs_reals(target);
-    const Location pointer = first ? pointer_to(locate(target)) : Location{};
+    const Storage pointer = first ? pointer_to(locate(target)) : Storage{};
     begin_reals();
     stack_ = 0;
     real(value);
@@ -81,7 +81,7 @@ bool Generator::is_bits(const Expression& value) const {
             std::holds_alternative<Subscript>(value.form));
 }
 
-void Generator::assign_to(const Expression& value, const Location& target) {
+void Generator::assign_to(const Expression& value, const Storage& target) {
     const auto where = [&] { return target; };
     if (is_word(*target.type) || is_bits(value)) {
         assign_word(value, 1, where);
@@ -97,22 +97,22 @@ void Generator::assign_to(const Expression& value, const Location& target) {
     }
 }
 
-void Generator::assign_word(const Expression& value, int depth, const std::function<Location()>& target) {
+void Generator::assign_word(const Expression& value, int depth, const std::function<Storage()>& target) {
     if (depth <= 2) {
         expression(value);
         return store(target());
     }
-    const Location pointer = pointer_to(target());
+    const Storage pointer = pointer_to(target());
     expression(value);
     store(pointer);
 }
 
-void Generator::assign_compound(const Expression& value, int depth, const std::function<Location()>& target) {
-    const Location source = value_in_memory(value);
+void Generator::assign_compound(const Expression& value, int depth, const std::function<Storage()>& target) {
+    const Storage source = value_in_memory(value);
     const auto size = fixed_bytes(source);
     if (source.is_static() && depth <= 2 && size) {
         address(source);
-        const Location to = target();
+        const Storage to = target();
         if (fixed_bytes(to)) {
             address(to);
             settle();
@@ -121,13 +121,13 @@ void Generator::assign_compound(const Expression& value, int depth, const std::f
         }
         return copy(source, to);
     }
-    const Location from = pointer_to(source);
+    const Storage from = pointer_to(source);
     stack_ = 0;
     copy(from, target());
 }
 
 /// Copies a value whose location needs no registers.
-void Generator::copy(const Location& source, Location target) {
+void Generator::copy(const Storage& source, Storage target) {
     target = pointer_to(target);
     stack_ = 0;
     if (!fixed_bytes(source) || !fixed_bytes(target))
@@ -152,7 +152,7 @@ void Generator::copy(const Location& source, Location target) {
 }
 
 /// Arrays that are assigned must be of one size.
-void Generator::check_sizes(const Location& a, const Location& b) {
+void Generator::check_sizes(const Storage& a, const Storage& b) {
     if (!options_.range_checks)
         return;
     load_size(a);
@@ -169,7 +169,7 @@ void Generator::check_sizes(const Location& a, const Location& b) {
 }
 
 void Generator::multiple_assignment(const Assignment& a) {
-    std::vector<Location> results;
+    std::vector<Storage> results;
     const auto* values = std::get_if<ValueProcess>(&a.values.front().form);
     for (const Expression& target : a.targets)
         results.push_back(temporary_location(*target.type));
@@ -191,12 +191,12 @@ void Generator::multiple_assignment(const Assignment& a) {
 }
 
 /// Copies a value from a location that needs no registers.
-void Generator::store_from(const Location& value, const Expression& target) {
+void Generator::store_from(const Storage& value, const Expression& target) {
     if (is_word(*target.type) && depth_of_location(target) <= 2) {
         load(value);
         store(locate(target));
     } else if (is_word(*target.type)) {
-        const Location pointer = pointer_to(locate(target));
+        const Storage pointer = pointer_to(locate(target));
         load(value);
         store(pointer);
     } else {

@@ -36,7 +36,7 @@ void Generator::real(const Expression& e) {
 }
 
 /// Returns where a constant is, among the large constants of the procedure.
-Location Generator::real_constant(const Expression& e) {
+Storage Generator::real_constant(const Expression& e) {
     auto& constants = level_->constants;
     const std::int64_t bits = *constant_of(e);
     std::vector<std::uint32_t> words = {static_cast<std::uint32_t>(bits)};
@@ -46,13 +46,13 @@ Location Generator::real_constant(const Expression& e) {
     if (static_cast<std::size_t>(known) == constants.size())
         constants.insert(constants.end(), words.begin(), words.end());
     level_->uses_table = true;
-    return {.base = Location::Base::pointer, .cell = level_->table, .offset = 4 * known, .type = e.type};
+    return {.base = Storage::Base::pointer, .cell = level_->table, .offset = 4 * known, .type = e.type};
 }
 
-void Generator::real_load(Location location) {
+void Generator::real_load(Storage location) {
     const bool two_words = is_long(*location.type);
     ++reals_;
-    if (location.has_index && location.base != Location::Base::computed) {
+    if (location.has_index && location.base != Storage::Base::computed) {
         load_base(location);
         add_offset(location.offset);
         return op(two_words ? Operation::fpldnldbi : Operation::fpldnlsni);
@@ -73,7 +73,7 @@ void Generator::begin_reals() {
     op(Operation::fptesterror);
 }
 
-void Generator::real_store(Location location) {
+void Generator::real_store(Storage location) {
     address(location);
     check_reals();
     settle();
@@ -131,7 +131,7 @@ void Generator::real_operands(const Expression& left, const Expression& right, b
             op(Operation::fprev);
     } else {
         real(right);
-        const Location saved = in_workspace(*right.type);
+        const Storage saved = in_workspace(*right.type);
         load_address(saved.cell);
         op(is_long(*right.type) ? Operation::fpstnldb : Operation::fpstnlsn);
         --reals_;

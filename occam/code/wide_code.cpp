@@ -32,8 +32,8 @@ Generator::Wide Generator::wide(const Expression& e) {
     if (const auto bits = constant_of(e))
         return {.constant = bits};
     if (std::holds_alternative<NameUse>(e.form) || std::holds_alternative<Subscript>(e.form)) {
-        const Location location = locate(e);
-        if (location.base == Location::Base::cell && !location.has_index && location.cell.frame->level == level_)
+        const Storage location = locate(e);
+        if (location.base == Storage::Base::cell && !location.has_index && location.cell.frame->level == level_)
             return {.cell = location.cell.after(static_cast<int>(location.offset / 4))};
         return wide_copy(location);
     }
@@ -52,11 +52,11 @@ Generator::Wide Generator::wide(const Expression& e) {
     return result;
 }
 
-Generator::Wide Generator::wide_copy(Location location) {
+Generator::Wide Generator::wide_copy(Storage location) {
     location = pointer_to(location);
     const Wide result{.cell = temporary(2)};
     for (int part = 0; part < 2; ++part) {
-        Location half = location;
+        Storage half = location;
         half.type = basic(Basic::int32);
         half.offset += 4 * part;
         load(half);
@@ -65,7 +65,7 @@ Generator::Wide Generator::wide_copy(Location location) {
     return result;
 }
 
-void Generator::wide_store(const Wide& value, Location location) {
+void Generator::wide_store(const Wide& value, Storage location) {
     stack_ = 0;
     location = pointer_to(location);
     location.type = basic(Basic::int32);
