@@ -184,7 +184,7 @@ std::optional<Range> Generator::range_of(const Expression& e) const {
 }
 
 Storage Generator::locate_segment(const Segment& segment) {
-    Storage location = locate(*segment.array);
+    Storage location = pointer_to(locate(*segment.array));
     const Extent all = outer_extent(location);
     const Type& array = plain(*location.type);
     const std::optional<std::int64_t> from = segment.from ? constant_of(*segment.from) : 0,
@@ -201,7 +201,7 @@ Storage Generator::locate_segment(const Segment& segment) {
         extent = {count};
     else
         extent = segment_count(segment, all);
-    if (from && size && !location.has_index && (all.constant || !options_.range_checks) &&
+    if (from && size && (all.constant || !options_.range_checks) &&
         (extent.constant || *from == 0)) {
         location.offset += *from * *size;
         return location;
@@ -240,8 +240,6 @@ Extent Generator::segment_count(const Segment& segment, const Extent& all) {
 Storage Generator::move_to_segment(Storage location, const Segment& segment, const Extent& all,
                                     const Extent& extent) {
     const Type& element = *plain(*location.type).element;
-    if (location.has_index || location.base == Storage::Base::computed)
-        location = pointer_to(location);
     if (segment.from)
         expression(*segment.from);
     else
