@@ -44,6 +44,10 @@ struct Code {
 /// Compiles a program that was checked without errors. Throws RefusedInput for what this compiler cannot compile.
 Code compile(const Program&, const Declaration& main, const CodeOptions&);
 
+/// Returns where the loader puts the code, in bytes from the start of memory. The vector space is behind it, then comes
+/// what the main procedure gets as free memory.
+std::uint32_t where_code_is(const Code&, const CodeOptions&);
+
 /// Returns a bootable file that runs the program on one transputer: a loader of ours, and the code.
 std::vector<std::uint8_t> bootable(const Code&, const CodeOptions&);
 
