@@ -146,7 +146,6 @@ TEST_CASE("files are found beside the file, and each is used once") {
     const auto messages = [&](const std::string& text) {
         return test::read_text(text, (folder / "main.occ").string()).messages;
     };
-    write("values.inc", "VAL a IS 1:\n\tVAL never IS 2:\n");
     write("other.occ", "#USE \"known.lib\"\nPROC q ()\n  SKIP\n:\n");
     write("itself.inc", "#INCLUDE \"itself.inc\"\n");
     write("two.module", "#USE \"other\"\n");
