@@ -57,7 +57,7 @@ void Parser::parse_declarations(std::vector<DeclarationBox>& declarations, bool 
         const std::size_t line = lines_taken_;
         if (first.indentation < indentation)
             return;
-        if (first.indentation > indentation && !indentation_in_doubt_)
+        if (first.indentation > indentation && !std::exchange(indentation_in_doubt_, true))
             reading_.reporter.error(at(first), "this declaration is indented further than the one above");
         try {
             parse_declaration(declarations);
@@ -296,7 +296,7 @@ void Parser::parse_record(DataType& type, const Word& head) {
         end_line("RECORD");
         parse_fields(type, record);
     });
-    if (type.fields.empty())
+    if (type.fields.empty() && !reading_.reporter.failed())
         reading_.reporter.error(at(head), "a RECORD has at least one field");
 }
 

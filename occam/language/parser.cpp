@@ -127,6 +127,9 @@ std::vector<DeclarationBox> Parser::parse_file() {
                 reading_.reporter.error(at(first), "a declaration of a file is not indented");
                 indentation_in_doubt_ = true;
             }
+            const bool is_remainder = first.is(":") || first.indentation != 0;
+            if (is_remainder && reading_.reporter.failed()) // it may belong to what has been refused
+                throw LineRefused{};
             if (first.is(":"))
                 refuse(first, "this \":\" ends nothing", "the PROC or FUNCTION has ended above");
             if (!is_declaration(false))

@@ -32,7 +32,7 @@ ReadText read_text(const std::string& text, const std::string& shown_path, const
     occam::ParseOptions options;
     options.defined = defined;
     options.built_in = [](const std::string& name) -> std::optional<std::string> {
-        const bool is_known = name.starts_with("known") || name == "hostio.inc" || name.ends_with(".lib");
+        const bool is_known = name.starts_with("known") || name.starts_with("hostio");
         return is_known ? std::optional<std::string>("") : std::nullopt;
     };
     LoadedSource source = check_source(shown_path, text);
