@@ -1,3 +1,4 @@
+#include "occam/check/checker.hpp"
 #include "occam/check/usage.hpp"
 
 #include <algorithm>
@@ -12,6 +13,17 @@ namespace {
 /// Returns ", through "p"" of an access in the body of a routine.
 std::string through_text(const Access& access) {
     return access.through ? ", through \"" + access.through->name + "\"" : "";
+}
+
+/// Returns whether an abbreviation stands for a part of another one.
+bool is_part_of(const Declaration& abbreviation, const Declaration* other) {
+    const Declaration* each = &abbreviation;
+    while (const auto* form = each ? std::get_if<Abbreviation>(&each->form) : nullptr) {
+        each = root_of(form->value);
+        if (each == other)
+            return true;
+    }
+    return false;
 }
 
 } // namespace
@@ -33,7 +45,9 @@ void UsageCheck::check_active(const Access& access) {
         if (active.access.base != access.base || is_harmless || is_named_by(access, *active.declaration))
             continue;
         const Overlap overlap = overlap_of(active.access, access, replicators_);
-        if (overlap == Overlap::none || (overlap == Overlap::possible && access.is_abbreviation))
+        // Whether two abbreviations are of one element is not refused before it is known.
+        const bool is_other = access.root != access.base && !is_part_of(*active.declaration, access.root);
+        if (overlap == Overlap::none || (overlap == Overlap::possible && (access.is_abbreviation || is_other)))
             continue;
         const std::string name = "\"" + access.root->name + "\"", other = "\"" + active.declaration->name + "\"";
         const std::string message = active.is_changeable
