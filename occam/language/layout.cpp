@@ -24,7 +24,9 @@ void Parser::parse_header(const Component& header) {
     const std::size_t line = lines_taken_;
     try {
         header();
+        header_failed_ = false;
     } catch (const LineRefused&) {
+        header_failed_ = true;
         if (line == lines_taken_ || !is_at_line_start())
             next_line();
     }
@@ -53,7 +55,6 @@ void Parser::check_indentation(const Word& first, std::uint32_t wanted, const Wo
 
 /// Reads the lines that belong to the line of `head`, which has ended. They are indented by two more.
 void Parser::parse_block(const Word& head_word, const Component& component) {
-    const Nesting nesting(*this);
     const Word head = head_word;
     const bool doubt = indentation_in_doubt_;
     std::optional<std::uint32_t> own, reported;
@@ -82,7 +83,7 @@ void Parser::parse_block(const Word& head_word, const Component& component) {
 /// Reads the one process below the line of `head`.
 ProcessBox Parser::parse_body(const Word& head) {
     ProcessBox body;
-    bool is_empty = true, has_more = false;
+    bool is_empty = !std::exchange(header_failed_, false), has_more = false;
     parse_block(head, [&] {
         is_empty = false;
         const Word first = peek();

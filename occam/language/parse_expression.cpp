@@ -276,7 +276,6 @@ Expression Parser::parse_subscripts(Expression array) {
 
 /// Reads a table or a segment.
 Expression Parser::parse_brackets() {
-    const Nesting nesting(*this);
     const Word word = take();
     if (peek().is("]"))
         refuse(peek(), "a table has at least one element");
@@ -313,7 +312,6 @@ bool Parser::is_value_process() const {
 }
 
 Expression Parser::parse_parentheses() {
-    const Nesting nesting(*this);
     const Word word = take();
     if (is_value_process()) {
         ValueProcess value = parse_value_process();

@@ -23,9 +23,19 @@ void Parser::end_body(const Word& head, std::string_view what) {
     end_line("\":\"");
 }
 
+/// Returns whether `REC PROC` begins here, which is refused, but read.
+bool Parser::is_recursive_procedure() const {
+    return (peek().is_word("REC") || peek().is_word("RECURSIVE")) && peek(1).is_word("PROC");
+}
+
 void Parser::parse_procedure(std::vector<DeclarationBox>& declarations) {
     Procedure procedure;
     const Word head = peek();
+    if (is_recursive_procedure()) {
+        if (reading_.refused.emplace("REC").second)
+            reading_.reporter.error(at(head), fmt::format("{} is of occam-pi, which is not read here", head.text));
+        take();
+    }
     procedure.is_inline = accept_word("INLINE");
     take();
     Word name = peek();

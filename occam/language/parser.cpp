@@ -14,7 +14,7 @@ namespace {
 struct UnreadWord {
     std::string_view word, language;
 };
-constexpr std::string_view occam_pi = "occam-pi", occam_1 = "occam 1", assembler = "INMOS's compilers";
+constexpr std::string_view occam_pi = "occam-pi", occam_1 = "occam 1", assembler = "INMOS's assembler";
 constexpr std::array<UnreadWord, 21> unread_words = {{{"MOBILE", occam_pi},   {"SHARED", occam_pi},
                                                       {"CLAIM", occam_pi},    {"FORK", occam_pi},
                                                       {"FORKING", occam_pi},  {"BARRIER", occam_pi},
@@ -73,12 +73,6 @@ bool Parser::accept_word(std::string_view word) {
     if (found)
         take();
     return found;
-}
-
-Location Parser::gap() const {
-    if (peek().kind != WordKind::end || position_ == 0)
-        return at(peek());
-    return at(peek());
 }
 
 void Parser::refuse(const Word& at_word, std::string message, std::string hint) {

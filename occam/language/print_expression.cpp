@@ -111,12 +111,11 @@ std::string Printer::written(const Segment& segment) {
 }
 std::string Printer::written(const Call& call) { return call.name + " (" + list(call.arguments) + ")"; }
 
-/// A value process begins and ends lines of its own.
+/// A value process has lines of its own. They are marked, since their indentation depends on where the first begins.
 std::string Printer::written(const ValueProcess& value) {
-    Printer inner(program_, indentation_ + value_indentation);
+    Printer inner(program_);
     inner.value_process(value);
-    const std::string& lines = inner.text_;
-    return "(" + lines.substr(lines.find_first_not_of(' ')) + std::string(indentation_ + value_indentation, ' ') + ")";
+    return std::string("(") + lines_begin + inner.text_ + lines_end + ")";
 }
 std::string Printer::written(const TypeBound& bound) {
     if (bound.which == TypeBound::Which::bytes_in)

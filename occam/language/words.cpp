@@ -10,13 +10,13 @@ namespace placedpar::occam {
 
 namespace {
 
-constexpr std::array<std::string_view, 60> keywords = {
+constexpr std::array<std::string_view, 59> keywords = {
     "AFTER", "ALT",    "AND",      "ANY",     "AT",      "BITAND", "BITNOT",    "BITOR",   "BOOL",  "BYTE",
     "CASE",  "CHAN",   "ELSE",     "FALSE",   "FOR",     "FROM",   "FUNCTION",  "IF",      "IN",    "INLINE",
     "INT",   "INT16",  "INT32",    "INT64",   "IS",      "MINUS",  "MOSTNEG",   "MOSTPOS", "NOT",   "OF",
     "OR",    "PAR",    "PLACE",    "PLACED",  "PLUS",    "PORT",   "PRI",       "PROC",    "PROCESSOR", "PROTOCOL",
     "REAL32", "REAL64", "REM",     "RESULT",  "RETYPES", "ROUND",  "SEQ",       "SIZE",    "SKIP",  "STOP",
-    "TIMER", "TIMES",  "TRUE",     "TRUNC",   "VAL",     "VALOF",  "VECSPACE",  "WHILE",   "WORKSPACE", "GUY"};
+    "TIMER", "TIMES",  "TRUE",     "TRUNC",   "VAL",     "VALOF",  "VECSPACE",  "WHILE",   "WORKSPACE"};
 
 constexpr std::array<std::string_view, 16> operator_words = {"AFTER", "AND",   "BITAND", "BITNOT", "BITOR", "FOR",
                                                              "FROM",  "IS",    "MINUS",  "NOT",    "OR",    "PLUS",
@@ -232,8 +232,8 @@ void WordScanner::take_character(Word& word) {
     }
     word.kind = WordKind::illegal;
     error(start, "a character stands between two quotes: 'a', '*n', '*''", "text stands between double quotes");
-    while (position_ < line_.size() && !is_in_name(at(position_)) && at(position_) != ' ')
-        ++position_;
+    if (const auto end = line_.find('\'', start + 1); end != std::string_view::npos)
+        position_ = std::max(position_, end + 1);
 }
 
 /// Reads an escape, which begins with `*`.
