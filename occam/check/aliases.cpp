@@ -28,8 +28,8 @@ bool is_part_of(const Declaration& abbreviation, const Declaration* other) {
 
 } // namespace
 
-/// Returns whether an access names the variable through an abbreviation, or through a later one, which was checked where
-/// it is declared.
+/// Returns whether an access names the variable through an abbreviation, or through a later one, which was checked
+/// where it is declared.
 bool UsageCheck::is_named_by(const Access& access, const Declaration& abbreviation) const {
     if (access.root == access.base)
         return false;
@@ -79,8 +79,7 @@ void UsageCheck::check_free(const Declaration& routine, const std::vector<Part>&
             return reporter_.error(program_.location(place),
                                    "\"" + free.base->name + "\" is a parameter here, and \"" + routine.name +
                                        "\" also uses it by its own name",
-                                   "pass another variable",
-                                   {{"used here", program_.location(free.at)}});
+                                   "pass another variable", {{"used here", program_.location(free.at)}});
     }
 }
 
@@ -108,19 +107,18 @@ void UsageCheck::check_parts(const std::vector<Part>& parts, bool only_certain, 
     for (std::size_t i = 0; i < parts.size(); ++i) {
         for (std::size_t j = 0; parts[i].changed && j < parts.size(); ++j) {
             const Access& changed = *parts[i].changed;
-            const Access* other = j > i && parts[j].changed && meet(changed, *parts[j].changed) ? &*parts[j].changed
-                                                                                                 : nullptr;
+            const Access* other =
+                j > i && parts[j].changed && meet(changed, *parts[j].changed) ? &*parts[j].changed : nullptr;
             for (const Access& read : parts[j].read)
                 other = j != i && !other && meet(changed, read) ? &read : other;
             if (!other)
                 continue;
             const std::string name = "\"" + changed.base->name + "\"";
-            return reporter_.error(program_.location(other->at),
-                                   name + (other->kind == AccessKind::write ? " is changed twice "
-                                                                            : " is changed and used ") +
-                                       what,
-                                   only_certain ? "pass another variable" : "use two assignments",
-                                   {{"changed here", program_.location(changed.at)}});
+            return reporter_.error(
+                program_.location(other->at),
+                name + (other->kind == AccessKind::write ? " is changed twice " : " is changed and used ") + what,
+                only_certain ? "pass another variable" : "use two assignments",
+                {{"changed here", program_.location(changed.at)}});
         }
     }
 }

@@ -100,9 +100,9 @@ bool may_open(Reading& reading, const std::string& key, const std::string& name,
         return false;
     }
     if (reading.open.size() > deepest_files)
-        reading.reporter.error(reading.location(at),
-                               fmt::format("files are too deep within files: at most {} levels are allowed",
-                                           deepest_files));
+        reading.reporter.error(
+            reading.location(at),
+            fmt::format("files are too deep within files: at most {} levels are allowed", deepest_files));
     return reading.open.size() <= deepest_files;
 }
 

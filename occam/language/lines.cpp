@@ -174,9 +174,8 @@ void Lines::execute_include(const std::vector<Word>& words) {
     const Location here = reading_.location(words.front().at);
     const auto index = add_file(reading_, found->file, here);
     reading_.open.push_back({std::move(found->key), here});
-    files_.push_back({.index = index,
-                      .rest = reading_.program.files[index]->text(),
-                      .indentation = words.front().indentation});
+    files_.push_back(
+        {.index = index, .rest = reading_.program.files[index]->text(), .indentation = words.front().indentation});
 }
 
 void Lines::execute_define(const std::vector<Word>& words, bool is_defined) {
@@ -187,7 +186,7 @@ void Lines::execute_define(const std::vector<Word>& words, bool is_defined) {
     if (!is_defined)
         reading_.defined.erase(key);
     else
-        reading_.defined[key] = words.size() < 3 ? std::string()
+        reading_.defined[key] = words.size() < 3                    ? std::string()
                                 : words[2].kind == WordKind::string ? words[2].bytes
                                                                     : std::string(words[2].text);
 }
@@ -203,8 +202,7 @@ void Lines::execute_condition(std::string_view name, const TextLine& line) {
     else
         words.push_back({.kind = WordKind::directive, .text = name, .at = line.start});
     if (name == "#IF")
-        conditions.push_back({.at = words.front().at,
-                              .is_true = outer_is_read && evaluate_condition(reading_, words)});
+        conditions.push_back({.at = words.front().at, .is_true = outer_is_read && evaluate_condition(reading_, words)});
     else if (conditions.empty())
         reading_.reporter.error(reading_.location(words.front().at), fmt::format("{} has no #IF above", name));
     else if (name == "#ENDIF")

@@ -64,7 +64,7 @@ private:
     WordScanner scanner_;
     std::vector<File> files_;
     std::optional<TextLine> held_; ///< a line that does not go on with the one above
-    Place last_; ///< start of the last line that was read
+    Place last_;                   ///< start of the last line that was read
     bool warned_of_tabs_ = false;
 };
 

@@ -9,8 +9,8 @@ namespace placedpar::occam {
 
 bool Parser::is_declaration(bool or_expression) const {
     const Word& first = peek();
-    static constexpr std::array<std::string_view, 9> words = {"VAL",  "PROC",   "PROTOCOL", "PLACE",   "TIMER",
-                                                              "CHAN", "PORT",   "INLINE",   "FUNCTION"};
+    static constexpr std::array<std::string_view, 9> words = {"VAL",  "PROC", "PROTOCOL", "PLACE",   "TIMER",
+                                                              "CHAN", "PORT", "INLINE",   "FUNCTION"};
     if (first.kind == WordKind::directive)
         return true;
     if (first.kind == WordKind::keyword && std::ranges::find(words, first.text) != words.end())
@@ -19,8 +19,8 @@ bool Parser::is_declaration(bool or_expression) const {
         return true;
     if ((first.is_word("INITIAL") && type_length(1) != 0) || is_recursive_procedure())
         return true;
-    if (first.kind == WordKind::name && (peek(1).is_word("IS") || ((peek(1).is("!") || peek(1).is("?")) &&
-                                                                   peek(2).is_word("IS"))))
+    if (first.kind == WordKind::name &&
+        (peek(1).is_word("IS") || ((peek(1).is("!") || peek(1).is("?")) && peek(2).is_word("IS"))))
         return true;
     const std::size_t type = type_length(0);
     if (type == 0)
@@ -42,9 +42,9 @@ bool Parser::is_declaration(bool or_expression) const {
 
 /// Returns whether a declaration or process of another language begins here, such as `BARRIER b:`.
 bool Parser::is_foreign_statement() const {
-    static constexpr std::array<std::string_view, 15> words = {"MOBILE", "SHARED", "CLAIM", "FORK",      "FORKING",
-                                                               "BARRIER", "SYNC",  "REC",   "RECURSIVE", "ASM",
-                                                               "VAR",    "DEF",    "NOW",   "WAIT",      "EXTERNAL"};
+    static constexpr std::array<std::string_view, 15> words = {"MOBILE",  "SHARED", "CLAIM", "FORK",      "FORKING",
+                                                               "BARRIER", "SYNC",   "REC",   "RECURSIVE", "ASM",
+                                                               "VAR",     "DEF",    "NOW",   "WAIT",      "EXTERNAL"};
     const Word& next = peek(1);
     const bool is_variable = next.kind == WordKind::symbol && !(next.is("[") && peek(2).is("]"));
     return peek().kind == WordKind::name && !is_variable && std::ranges::find(words, peek().text) != words.end();
@@ -174,8 +174,8 @@ bool Parser::parse_definition(std::vector<DeclarationBox>& declarations, const W
     }
     if (!peek().is_word("RETYPES") && !peek().is_word("RESHAPES"))
         return false;
-    Retyping retyping{.is_value = is_value, .reshapes = take().text == "RESHAPES", .type = std::move(type),
-                      .value = {}};
+    Retyping retyping{
+        .is_value = is_value, .reshapes = take().text == "RESHAPES", .type = std::move(type), .value = {}};
     retyping.value = parse_expression();
     add(declarations, name, std::move(retyping));
     end_declaration("RETYPES");
@@ -219,8 +219,7 @@ void Parser::parse_placement(std::vector<DeclarationBox>& declarations) {
     else {
         if (!accept_word("IN"))
             refuse(peek(), fmt::format("AT or IN is expected behind the name: found {}", describe(peek())));
-        placement.where =
-            peek().is_word("WORKSPACE") ? Placement::Where::workspace : Placement::Where::vector_space;
+        placement.where = peek().is_word("WORKSPACE") ? Placement::Where::workspace : Placement::Where::vector_space;
         if (!accept_word("WORKSPACE"))
             expect_word("VECSPACE", "behind IN, or WORKSPACE");
     }

@@ -68,8 +68,8 @@ std::vector<DeclarationBox> Parser::parse_parameters() {
 /// Reads a parameter. Without a type it has that of the parameter in front of it.
 void Parser::parse_parameter(std::vector<DeclarationBox>& parameters, Parameter& kind) {
     const Word& behind = peek(1);
-    const bool is_name_alone = peek().kind == WordKind::name &&
-                               (behind.is(",") || behind.is(")") || behind.is("!") || behind.is("?"));
+    const bool is_name_alone =
+        peek().kind == WordKind::name && (behind.is(",") || behind.is(")") || behind.is("!") || behind.is("?"));
     if (!is_name_alone) {
         kind = {};
         if (accept_word("VAL"))
@@ -110,9 +110,7 @@ void Parser::parse_function(std::vector<DeclarationBox>& declarations) {
         add(declarations, name, std::move(function));
         return end_declaration("a function");
     }
-    parse_block(head, [&] {
-        function.body = parse_value_process();
-    });
+    parse_block(head, [&] { function.body = parse_value_process(); });
     add(declarations, name, std::move(function));
     end_body(head, fmt::format("FUNCTION {}", name.text));
 }

@@ -68,9 +68,9 @@ Process Parser::parse_statement() {
 
 /// Refuses a line that begins neither a process nor a declaration.
 void Parser::refuse_statement(const Word& word) {
-    static const std::vector<std::string> beginnings = {"SEQ",  "PAR",  "PRI",  "ALT",      "IF",   "CASE", "WHILE",
-                                                        "SKIP", "STOP", "VAL",  "PROC",     "CHAN", "INT",  "BYTE",
-                                                        "BOOL", "PROTOCOL", "TIMER", "PLACED"};
+    static const std::vector<std::string> beginnings = {"SEQ",   "PAR",  "PRI",  "ALT",      "IF",    "CASE",
+                                                        "WHILE", "SKIP", "STOP", "VAL",      "PROC",  "CHAN",
+                                                        "INT",   "BYTE", "BOOL", "PROTOCOL", "TIMER", "PLACED"};
     const bool is_name = word.kind == WordKind::name;
     std::string upper(word.text);
     std::ranges::transform(upper, upper.begin(), [](char c) { return c >= 'a' && c <= 'z' ? char(c - 32) : c; });

@@ -15,17 +15,13 @@ struct UnreadWord {
     std::string_view word, language;
 };
 constexpr std::string_view occam_pi = "occam-pi", occam_1 = "occam 1", assembler = "INMOS's assembler";
-constexpr std::array<UnreadWord, 21> unread_words = {{{"MOBILE", occam_pi},   {"SHARED", occam_pi},
-                                                      {"CLAIM", occam_pi},    {"FORK", occam_pi},
-                                                      {"FORKING", occam_pi},  {"BARRIER", occam_pi},
-                                                      {"SYNC", occam_pi},     {"REC", occam_pi},
-                                                      {"RECURSIVE", occam_pi}, {"CLONE", occam_pi},
-                                                      {"EXTENDS", occam_pi},  {"DEFINED", occam_pi},
-                                                      {"EXTENDED", occam_pi}, {"ASM", assembler},
-                                                      {"GUY", assembler},     {"VAR", occam_1},
-                                                      {"DEF", occam_1},       {"NOW", occam_1},
-                                                      {"WAIT", occam_1},      {"VALUE", occam_1},
-                                                      {"EXTERNAL", occam_1}}};
+constexpr std::array<UnreadWord, 21> unread_words = {
+    {{"MOBILE", occam_pi},    {"SHARED", occam_pi},  {"CLAIM", occam_pi},   {"FORK", occam_pi},
+     {"FORKING", occam_pi},   {"BARRIER", occam_pi}, {"SYNC", occam_pi},    {"REC", occam_pi},
+     {"RECURSIVE", occam_pi}, {"CLONE", occam_pi},   {"EXTENDS", occam_pi}, {"DEFINED", occam_pi},
+     {"EXTENDED", occam_pi},  {"ASM", assembler},    {"GUY", assembler},    {"VAR", occam_1},
+     {"DEF", occam_1},        {"NOW", occam_1},      {"WAIT", occam_1},     {"VALUE", occam_1},
+     {"EXTERNAL", occam_1}}};
 
 const UnreadWord* unread_word(std::string_view text) {
     const auto found = std::ranges::find(unread_words, text, &UnreadWord::word);
@@ -36,9 +32,9 @@ const UnreadWord* unread_word(std::string_view text) {
 
 Parser::Nesting::Nesting(Parser& parser) : reading(parser.reading_) {
     if (++reading.depth > deepest_nesting)
-        reading.reporter.give_up(parser.at(parser.peek()),
-                                 fmt::format("the nesting is too deep: at most {} levels are allowed",
-                                             deepest_nesting));
+        reading.reporter.give_up(
+            parser.at(parser.peek()),
+            fmt::format("the nesting is too deep: at most {} levels are allowed", deepest_nesting));
 }
 
 Parser::Parser(Reading& reading, std::uint32_t file) : reading_(reading), lines_(reading, file) { next_line(); }

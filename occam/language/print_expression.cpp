@@ -10,8 +10,8 @@ namespace {
 
 std::string name_of_operator(Operator operation) {
     static constexpr std::array<const char*, 27> names = {
-        "+", "-",  "*", "/", "\\", "PLUS", "MINUS", "TIMES", "/\\", "\\/", "><", "<<",    ">>",  "=",
-        "<>", "<", ">", "<=", ">=", "AFTER", "AND", "OR",    "-",   "MINUS", "~", "NOT", "SIZE"};
+        "+",  "-", "*", "/",  "\\", "PLUS",  "MINUS", "TIMES", "/\\", "\\/",   "><", "<<",  ">>",  "=",
+        "<>", "<", ">", "<=", ">=", "AFTER", "AND",   "OR",    "-",   "MINUS", "~",  "NOT", "SIZE"};
     return names[static_cast<std::size_t>(operation)];
 }
 
@@ -88,9 +88,7 @@ std::string Printer::written(const UnaryOperation& unary) {
 
 /// AND and OR stand in a chain, from left to right.
 std::string Printer::written(const BinaryOperation& binary) {
-    const auto is_logical = [](Operator each) {
-        return each == Operator::logical_and || each == Operator::logical_or;
-    };
+    const auto is_logical = [](Operator each) { return each == Operator::logical_and || each == Operator::logical_or; };
     const auto* left = std::get_if<BinaryOperation>(&binary.left->form);
     const bool is_chain = left && is_logical(left->operation) && is_logical(binary.operation);
     return (is_chain ? expression(*binary.left) : operand(*binary.left)) + " " + name_of_operator(binary.operation) +

@@ -68,8 +68,8 @@ TEST_CASE("an operation is at its operator and AND goes from left to right") {
     CHECK(whole.operation == Operator::logical_or);
     CHECK(std::get<BinaryOperation>(whole.left->form).operation == Operator::logical_and);
     CHECK(std::get<BinaryOperation>(whole.right->form).operation == Operator::add);
-    CHECK(std::get<IntegerLiteral>(std::get<UnaryOperation>(value_of(test::read_text("VAL x IS -5:\n")).form)
-                                       .operand->form)
+    CHECK(std::get<IntegerLiteral>(
+              std::get<UnaryOperation>(value_of(test::read_text("VAL x IS -5:\n")).form).operand->form)
               .negative_allowed);
 }
 
@@ -97,10 +97,9 @@ TEST_CASE("what INMOS's compiler accepts is accepted") {
 }
 
 TEST_CASE("what INMOS's compiler refuses is refused once, at its place") {
-    for (const char* process :
-         {"x := 1 + 2 + 3", "x := - x + y", "x := x + - y", "b := NOT b AND b", "x := INT b + 1", "x := SIZE v + 1",
-          "x := INT INT b", "x := - - x", "x := (v)[0]", "INT a: INT e:\nSKIP", "x := 1 y := 2", "SKIP STOP",
-          "WHILE b\nx := 1", "ALT\n  SKIP\n    SKIP"}) {
+    for (const char* process : {"x := 1 + 2 + 3", "x := - x + y", "x := x + - y", "b := NOT b AND b", "x := INT b + 1",
+                                "x := SIZE v + 1", "x := INT INT b", "x := - - x", "x := (v)[0]", "INT a: INT e:\nSKIP",
+                                "x := 1 y := 2", "SKIP STOP", "WHILE b\nx := 1", "ALT\n  SKIP\n    SKIP"}) {
         CAPTURE(process);
         const std::string messages = messages_of(process);
         const auto first = messages.find("error:");
@@ -115,7 +114,8 @@ TEST_CASE("words of later versions are names where nothing else is meant") {
 }
 
 TEST_CASE("the syntax of the Kent course has directions at the names of channels") {
-    const std::string text = "PROC p (CHAN OF BYTE keyboard?, screen!)\n  here! IS screen!:\n  q (keyboard?, here!)\n:\n";
+    const std::string text =
+        "PROC p (CHAN OF BYTE keyboard?, screen!)\n  here! IS screen!:\n  q (keyboard?, here!)\n:\n";
     CHECK(printed("PROC p (CHAN BYTE keyboard?, screen!)\n  here! IS screen!:\n  q (keyboard?, here!)\n:\n") == text);
     const auto read = test::read_text(text);
     const auto& parameters = std::get<Procedure>(read.parsed.program->declarations.front()->form).parameters;

@@ -25,8 +25,8 @@ std::string spelling(const occam::Word& word) {
         return "\"" + (word.text.starts_with("\"*l") ? "l" + word.bytes.substr(1) : word.bytes);
     if (word.kind == occam::WordKind::integer) {
         const bool is_hexadecimal = word.text.starts_with('#');
-        return std::to_string(std::stoull(std::string(word.text.substr(is_hexadecimal ? 1 : 0)), nullptr,
-                                          is_hexadecimal ? 16 : 10));
+        return std::to_string(
+            std::stoull(std::string(word.text.substr(is_hexadecimal ? 1 : 0)), nullptr, is_hexadecimal ? 16 : 10));
     }
     return std::string(word.text);
 }
@@ -34,8 +34,8 @@ std::string spelling(const occam::Word& word) {
 /// Returns the words of a text with what it includes, without parentheses, OF, and ends of lines.
 std::vector<std::string> words_of(const std::string& text, const std::string& path) {
     occam::Program program;
-    const occam::ParseOptions options{.folders = {}, .built_in = [](const auto&) { return std::string(); },
-                                      .defined = {}};
+    const occam::ParseOptions options{
+        .folders = {}, .built_in = [](const auto&) { return std::string(); }, .defined = {}};
     Reporter reporter;
     occam::Reading reading{.program = program, .options = options, .reporter = reporter};
     reading.open.push_back({path, {}});
