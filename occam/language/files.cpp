@@ -57,9 +57,10 @@ std::optional<FoundFile> built_in_file(const Reading& reading, const std::string
     if (!reading.options.built_in)
         return std::nullopt;
     const std::string own = lower_case(without_folders(name));
-    for (const char* extension : {"", ".lib", ".inc"})
-        if (auto text = reading.options.built_in(own + extension)) {
-            const std::string shown = "<" + own + extension + ">";
+    const bool has_extension = own.find('.') != std::string::npos;
+    for (const auto& each : has_extension ? std::vector{own} : std::vector{own, own + ".lib", own + ".inc"})
+        if (auto text = reading.options.built_in(each)) {
+            const std::string shown = "<" + each + ">";
             return FoundFile{shown, std::make_shared<const SourceFile>(shown, std::move(*text))};
         }
     return std::nullopt;

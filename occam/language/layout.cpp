@@ -98,6 +98,9 @@ ProcessBox Parser::parse_body(const Word& head) {
     if (is_empty)
         reading_.reporter.error(at(head), fmt::format("a process is missing below \"{}\"", head.text),
                                 "write SKIP, indented by two blanks more, if it is to do nothing");
+    const bool is_meant = head.is_word("WHILE") || head.is_word("SEQ") || head.is_word("PAR");
+    if (is_empty && is_meant && !is_at_end() && peek().indentation == head.indentation && !peek().is(":"))
+        body = std::make_unique<Process>(parse_process()); // the line below is not indented, as it should be
     return body ? std::move(body) : std::make_unique<Process>(Process{head.at, Skip{}});
 }
 

@@ -42,9 +42,9 @@ bool Parser::is_declaration(bool or_expression) const {
 
 /// Returns whether a declaration or process of another language begins here, such as `BARRIER b:`.
 bool Parser::is_foreign_statement() const {
-    static constexpr std::array<std::string_view, 15> words = {"MOBILE",  "SHARED", "CLAIM", "FORK",      "FORKING",
-                                                               "BARRIER", "SYNC",   "REC",   "RECURSIVE", "ASM",
-                                                               "VAR",     "DEF",    "NOW",   "WAIT",      "EXTERNAL"};
+    static constexpr std::array<std::string_view, 16> words = {
+        "GUY", "MOBILE",    "SHARED", "CLAIM", "FORK", "FORKING", "BARRIER", "SYNC",
+        "REC", "RECURSIVE", "ASM",    "VAR",   "DEF",  "NOW",     "WAIT",    "EXTERNAL"};
     const Word& next = peek(1);
     const bool is_variable = next.kind == WordKind::symbol && !(next.is("[") && peek(2).is("]"));
     return peek().kind == WordKind::name && !is_variable && std::ranges::find(words, peek().text) != words.end();
@@ -57,7 +57,7 @@ void Parser::parse_declarations(std::vector<DeclarationBox>& declarations, bool 
         const std::size_t line = lines_taken_;
         if (first.indentation < indentation)
             return;
-        if (first.indentation > indentation && !indentation_in_doubt_)
+        if (first.indentation > indentation && !std::exchange(indentation_in_doubt_, true))
             reading_.reporter.error(at(first), "this declaration is indented further than the one above");
         try {
             parse_declaration(declarations);
@@ -295,7 +295,7 @@ void Parser::parse_record(DataType& type, const Word& head) {
         end_line("RECORD");
         parse_fields(type, record);
     });
-    if (type.fields.empty())
+    if (type.fields.empty() && !reading_.reporter.failed())
         reading_.reporter.error(at(head), "a RECORD has at least one field");
 }
 

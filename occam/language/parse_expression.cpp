@@ -134,7 +134,13 @@ Expression Parser::parse_conversion(std::shared_ptr<TypeText> type) {
     return made(word, std::move(conversion));
 }
 
-Expression Parser::parse_operand() { return parse_subscripts(parse_primary()); }
+/// Only names, segments, tables and strings have subscripts.
+Expression Parser::parse_operand() {
+    const bool is_in_parentheses = peek().is("(");
+    Expression operand = parse_primary();
+    const bool has_elements = !is_in_parentheses && !std::holds_alternative<Call>(operand.form);
+    return has_elements ? parse_subscripts(std::move(operand)) : std::move(operand);
+}
 
 Expression Parser::parse_primary() {
     const Word& word = peek();

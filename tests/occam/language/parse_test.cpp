@@ -159,6 +159,7 @@ TEST_CASE("files are found beside the file, and each is used once") {
     write("inner.inc", "VAL z IS 1:\nSEQ\n  SKIP\n");
     CHECK(messages("PROC p ()\n  #INCLUDE \"inner.inc\"\n:\n") == "");
     CHECK(messages("#INCLUDE \"itself.inc\"\n").find("includes or uses itself") != std::string::npos);
+    write("main.occ", "");
     CHECK(messages("#USE \"main.occ\"\n").find("\"main.occ\" includes or uses itself") != std::string::npos);
     for (int i = 0; i < 60; ++i)
         write(("deep" + std::to_string(i) + ".inc").c_str(), "#INCLUDE \"deep" + std::to_string(i + 1) + ".inc\"\n");

@@ -27,12 +27,13 @@ std::string whole_file(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-ReadText read_text(const std::string& text, const std::string& shown_path, const std::vector<std::string>& defined) {
+ReadText read_text(const std::string& text, const std::string& shown_path, const std::vector<std::string>& defined,
+                   bool all_are_known) {
     Reporter reporter;
     occam::ParseOptions options;
     options.defined = defined;
-    options.built_in = [](const std::string& name) -> std::optional<std::string> {
-        const bool is_known = name.starts_with("known") || name == "hostio.inc" || name.ends_with(".lib");
+    options.built_in = [all_are_known](const std::string& name) -> std::optional<std::string> {
+        const bool is_known = all_are_known || name.starts_with("known") || name.starts_with("hostio");
         return is_known ? std::optional<std::string>("") : std::nullopt;
     };
     LoadedSource source = check_source(shown_path, text);

@@ -21,8 +21,8 @@ struct ReadText {
     std::string messages; ///< as printed
     bool failed = false;
 };
-/// Reads a text. Libraries and files whose names begin with "known" are empty ones of ours.
+/// Reads a text. Files whose names begin with "known" or "hostio", or all that are not found, are empty ones of ours.
 ReadText read_text(const std::string& text, const std::string& shown_path = "text.occ",
-                   const std::vector<std::string>& defined = {});
+                   const std::vector<std::string>& defined = {}, bool all_are_known = false);
 
 } // namespace placedpar::test
