@@ -15,8 +15,16 @@ struct LibraryFile {
 
 constexpr std::array library_files{
     LibraryFile{"convert.lib", embedded::convert_occ},
+    LibraryFile{"course.lib", embedded::course_occ},
+    LibraryFile{"dblmath.lib", embedded::dblmath_occ},
     LibraryFile{"hostio.inc", embedded::hostio_inc},
     LibraryFile{"hostio.lib", embedded::hostio_occ},
+    LibraryFile{"linkaddr.inc", embedded::linkaddr_inc},
+    LibraryFile{"mathvals.inc", embedded::mathvals_inc},
+    LibraryFile{"snglmath.lib", embedded::snglmath_occ},
+    LibraryFile{"streamio.inc", embedded::streamio_inc},
+    LibraryFile{"streamio.lib", embedded::streamio_occ},
+    LibraryFile{"string.lib", embedded::string_occ},
     LibraryFile{"terminal.lib", embedded::terminal_occ},
 };
 
