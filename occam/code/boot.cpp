@@ -7,11 +7,10 @@
 
 namespace placedpar::occam {
 
-
 namespace {
 
-/// The loader reads the code behind it, and goes to it. The numbers in front of it are offsets from the start of memory.
-/// The workspace of the program may cover the loader, which is no longer needed then.
+/// The loader reads the code behind it, and goes to it. The numbers in front of it are offsets from the start of
+/// memory. The workspace of the program may cover the loader, which is no longer needed then.
 constexpr const char* loader = R"(
         ajw 4                           -- instructions use words below the workspace
         stl 0; stl 0; stl 1             -- A and B are not needed; C is the link
@@ -28,7 +27,8 @@ cleared:
         mint; ldnlp start; adc offset; gcall
 )";
 
-std::string loader_source(const Code& code, const CodeOptions& options, transputer::Word code_at, transputer::Word workspace) {
+std::string loader_source(const Code& code, const CodeOptions& options, transputer::Word code_at,
+                          transputer::Word workspace) {
     std::string source = fmt::format("code = {}\nlength = {}\nworkspace = {}\nstart = {}\noffset = {}\n", code_at / 4,
                                      code.bytes.size(), workspace / 4, (code_at + code.entry) / 4, code.entry % 4);
     std::string text = loader;

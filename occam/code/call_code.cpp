@@ -58,7 +58,8 @@ void Generator::bind_parameters(const std::vector<DeclarationBox>& parameters, L
             location.base = Storage::Base::cell;
             location.is_scalar = bytes_of(type.basic) < 4;
         }
-        for (const Type* dimension = &type; dimension->kind == Type::Kind::array; dimension = &plain(*dimension->element))
+        for (const Type* dimension = &type; dimension->kind == Type::Kind::array;
+             dimension = &plain(*dimension->element))
             if (!dimension->count)
                 location.extents.push_back({std::nullopt, next()});
         bindings_[each.get()] = location;

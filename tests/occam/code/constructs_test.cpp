@@ -296,7 +296,7 @@ PAR
 }
 
 TEST_CASE("ALT: priority, guards, replicated, nested, with time-outs and SKIP") {
-    expect({6, 1, 2, 60, 1, 1}, R"([3]CHAN OF INT c:
+    expect({6, 1, 2, 210, 1, 1}, R"([3]CHAN OF INT c:
 CHAN OF INT never:
 TIMER t:
 INT x, total, now, later:
@@ -332,30 +332,16 @@ SEQ
     PAR i = 0 FOR 3
       SEQ j = 1 FOR 2
         c[i] ! j * 10
-    SEQ
-      WHILE total < 60
-        INT y:
-        PRI ALT
-          ALT i = 1 FOR 2
-            VAL INT twice IS 2:
-            c[i] ? y
-              total := total + ((y * twice) / 2)
-          c[0] ? y
-            total := total + y
-      IF
-        total = 60
-          ALT i = 0 FOR 3
-            INT y:
-            c[i] ? y
-              SKIP
-        TRUE
-          SKIP
-      WHILE total < 80
-        INT y:
-        ALT i = 0 FOR 3
+    SEQ k = 0 FOR 6
+      INT y:
+      PRI ALT
+        ALT i = 1 FOR 2
+          VAL INT twice IS i + i:
           c[i] ? y
-            total := total + y
-  memory[3] := 60
+            total := total + (y * twice)
+        c[0] ? y
+          total := total + y
+  memory[3] := total
   t ? now
   ALT
     never ? x

@@ -60,8 +60,7 @@ TEST_CASE("an error halts the processor in mode halt and in mode universal") {
     for (const char* error : errors)
         for (const occam::ErrorMode mode : {occam::ErrorMode::halt, occam::ErrorMode::universal}) {
             CAPTURE(error);
-            const Executed done =
-                execute(declared + indented(error, 2) + "  memory[1] := 1\n", in(mode));
+            const Executed done = execute(declared + indented(error, 2) + "  memory[1] := 1\n", in(mode));
             CHECK(done.trouble == "");
             CHECK(done.halted);
             CHECK(done.results[0] == 1);
@@ -90,6 +89,7 @@ TEST_CASE("an error stops its process in mode stop, and others go on") {
 }
 
 TEST_CASE("what is not compiled is refused by its name and place") {
-    CHECK_THROWS_WITH_AS(execute("REAL32 r:\nSEQ\n  r := 1.0(REAL32)\n  r := r + r\n", {.model = transputer::Model::t414}),
-                         doctest::Contains("needs a transputer with a floating-point unit"), RefusedInput);
+    CHECK_THROWS_WITH_AS(
+        execute("REAL32 r:\nSEQ\n  r := 1.0(REAL32)\n  r := r + r\n", {.model = transputer::Model::t414}),
+        doctest::Contains("needs a transputer with a floating-point unit"), RefusedInput);
 }

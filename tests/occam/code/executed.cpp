@@ -100,8 +100,8 @@ Executed execute(std::string_view body, const occam::CodeOptions& options, std::
         done.trouble = core.why_stopped();
     done.cycles = core.busy() / 2;
     std::vector<std::uint8_t> bytes(4096);
-    const auto memory = static_cast<transputer::Word>(where_code_is(code, options) + code.bytes.size() +
-                                                      code.vector_space_bytes);
+    const auto memory =
+        static_cast<transputer::Word>(where_code_is(code, options) + code.bytes.size() + code.vector_space_bytes);
     core.copy_from_memory(memory, bytes);
     for (std::size_t i = 0; i < bytes.size(); i += 4)
         done.results.push_back(static_cast<std::int32_t>(bytes[i] | bytes[i + 1] << 8 | bytes[i + 2] << 16 |

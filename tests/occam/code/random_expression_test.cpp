@@ -93,9 +93,9 @@ public:
             return fmt::format("({}{}({}))", std::signbit(value.real) ? "-" : "", digits, name_of(type));
         }
         const auto integer = static_cast<std::int64_t>(value.integer);
-        return integer < 0 ? fmt::format("(-{}({}))", std::uint64_t{0} - static_cast<std::uint64_t>(integer),
-                                         name_of(type))
-                           : fmt::format("{}({})", integer, name_of(type));
+        return integer < 0
+                   ? fmt::format("(-{}({}))", std::uint64_t{0} - static_cast<std::uint64_t>(integer), name_of(type))
+                   : fmt::format("{}({})", integer, name_of(type));
     }
 
     const auto& values() const { return values_; }
@@ -197,9 +197,8 @@ private:
         };
         if (which == 3 && b == 0)
             return result;
-        result.value = type == Basic::real32
-                           ? real_of(computed(static_cast<float>(a), static_cast<float>(b)), type)
-                           : real_of(computed(a, b), type);
+        result.value = type == Basic::real32 ? real_of(computed(static_cast<float>(a), static_cast<float>(b)), type)
+                                             : real_of(computed(a, b), type);
         return result;
     }
 
@@ -371,7 +370,8 @@ TEST_CASE("random expressions that are errors halt the processor, or stop the pr
             continue;
         ++errors;
         CAPTURE(term.text);
-        const std::string body = with_variables(maker, "memory[0] := 1\n" + storing(term, type, 2) + "memory[1] := 1\n");
+        const std::string body =
+            with_variables(maker, "memory[0] := 1\n" + storing(term, type, 2) + "memory[1] := 1\n");
         const Executed halted = execute(body);
         CHECK(halted.halted);
         CHECK(halted.results[0] == 1);
