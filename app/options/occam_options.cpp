@@ -1,10 +1,10 @@
 #include "app/options/occam_options.hpp"
 
 #include "app/options/common_options.hpp"
-#include "app/standard_error.hpp"
 #include "occam/check/check.hpp"
 #include "occam/library/library.hpp"
 #include "text/load_source.hpp"
+#include "text/output_file.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>

@@ -42,7 +42,7 @@ Storage Generator::real_constant(const Expression& e) {
     std::vector<std::uint32_t> words = {static_cast<std::uint32_t>(bits)};
     if (is_long(*e.type))
         words.push_back(static_cast<std::uint32_t>(bits >> 32));
-    const auto known = std::ranges::search(constants, words).begin() - constants.begin();
+    const auto known = std::search(constants.begin(), constants.end(), words.begin(), words.end()) - constants.begin();
     if (static_cast<std::size_t>(known) == constants.size())
         constants.insert(constants.end(), words.begin(), words.end());
     level_->uses_table = true;

@@ -14,7 +14,7 @@ namespace placedpar::test {
 
 namespace {
 
-constexpr std::uint32_t memory_bytes = 1 << 20;
+constexpr std::uint32_t memory_bytes = 1 << 20, words_of_results = 1024;
 
 /// A link 0 that brings the rest of a bootable file.
 class BootLink final : public transputer::LinkEngines {
@@ -99,13 +99,10 @@ Executed execute(std::string_view body, const occam::CodeOptions& options, std::
     if (core.stopped() != transputer::Stopped::nothing && !done.halted)
         done.trouble = core.why_stopped();
     done.cycles = core.busy() / 2;
-    std::vector<std::uint8_t> bytes(4096);
     const auto memory =
         static_cast<transputer::Word>(where_code_is(code, options) + code.bytes.size() + code.vector_space_bytes);
-    core.copy_from_memory(memory, bytes);
-    for (std::size_t i = 0; i < bytes.size(); i += 4)
-        done.results.push_back(static_cast<std::int32_t>(bytes[i] | bytes[i + 1] << 8 | bytes[i + 2] << 16 |
-                                                         static_cast<std::uint32_t>(bytes[i + 3]) << 24));
+    for (transputer::Word i = 0; i < words_of_results; ++i)
+        done.results.push_back(static_cast<std::int32_t>(core.memory().word(memory + 4 * i)));
     return done;
 }
 
