@@ -2,7 +2,7 @@
 
 #include "occam/code/generator.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
 namespace placedpar::occam {
 
@@ -12,6 +12,8 @@ namespace {
 
 /// The words of an array `[]INT memory` that a main procedure gets.
 constexpr std::int64_t words_of_free_memory = 64 * 1024;
+
+constexpr std::uint64_t most_bytes_of_program = std::uint64_t{1} << 31;
 
 bool is_array_of_integers(const Type& type) {
     return type.kind == Type::Kind::array && !type.count && type.element->is(Basic::integer);
@@ -49,6 +51,10 @@ Code Generator::generate(const Declaration& main) {
     code.workspace_words = static_cast<std::uint64_t>(level.main.words() + level.main.below);
     code.first_workspace_words = static_cast<std::uint64_t>(level.main.words());
     code.vector_space_bytes = static_cast<std::uint64_t>(memory * 4);
+    if (4 * code.workspace_words + code.bytes.size() + code.vector_space_bytes > most_bytes_of_program)
+        refuse(main.at, fmt::format("the program needs {} bytes of workspace and {} of vector space, more than a "
+                                    "transputer can have",
+                                    4 * code.workspace_words, code.vector_space_bytes));
     return code;
 }
 

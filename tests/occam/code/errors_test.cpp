@@ -92,4 +92,11 @@ TEST_CASE("what is not compiled is refused by its name and place") {
     CHECK_THROWS_WITH_AS(
         execute("REAL32 r:\nSEQ\n  r := 1.0(REAL32)\n  r := r + r\n", {.model = transputer::Model::t414}),
         doctest::Contains("needs a transputer with a floating-point unit"), RefusedInput);
+    CHECK_THROWS_WITH_AS(execute("[10000][10000]INT a:\na[0][0] := 1\n"),
+                         doctest::Contains("\"a\" needs 400000000 bytes; a variable can have at most 268435456"),
+                         RefusedInput);
+    CHECK_THROWS_WITH_AS(execute("PAR i = 0 FOR 1000000\n  [1000]INT a:\n  a[0] := i\n"),
+                         doctest::Contains("of vector space, more than a transputer can have"), RefusedInput);
+    CHECK_THROWS_WITH_AS(execute("PLACED PAR\n  PROCESSOR 0 T8\n    SKIP\n"), doctest::Contains("PLACED PAR"),
+                         std::runtime_error);
 }
