@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 namespace placedpar::occam {
 
 using transputer::Operation;
@@ -41,7 +43,10 @@ Code Generator::generate(const Declaration& main) {
         Arguments words;
         for (const DeclarationBox& each : std::get<Procedure>(main.form).parameters)
             add_main_argument(words, *each, memory);
+        const bool has_host = !words.empty();
         call_with(routine, std::move(words));
+        if (!has_host)
+            end_run();
         op(Operation::stopp);
     });
     std::vector<const CodeBuffer*> buffers;
@@ -56,6 +61,16 @@ Code Generator::generate(const Declaration& main) {
                                     "transputer can have",
                                     4 * code.workspace_words, code.vector_space_bytes));
     return code;
+}
+
+/// Sends the host the request that ends a run with success, as so.exit does.
+void Generator::end_run() {
+    constexpr std::array<std::uint8_t, 10> request = {8, 0, 35, 0xff, 0xc9, 0x9a, 0x3b, 0, 0, 0}; // 999999999
+    address({.base = Storage::Base::constant, .label = emitter_.constant(request, true), .type = basic(Basic::byte)});
+    op(Operation::mint);
+    constant(request.size());
+    op(Operation::out);
+    stack_ = 0;
 }
 
 void Generator::add_main_argument(Arguments& words, const Declaration& parameter, std::int64_t memory) {

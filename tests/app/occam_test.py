@@ -81,6 +81,15 @@ class Programs(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertTrue(done.stdout.startswith("abc"), done.stdout)
 
+    def test_a_program_without_a_host_ends_with_success(self):
+        done = self.run_text("PROC main ()\n  INT x:\n  x := 1\n:\n")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_an_error_halts_the_processor(self):
+        done = self.run_text("PROC main ()\n  INT x, y:\n  SEQ\n    x := 0\n    y := 1 / x\n:\n")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("set the Error flag while HaltOnError was set", done.stdout)
+
     def test_errors_have_places(self):
         for command in ("run", "check"):
             done = self.run_text("PROC main ()\n  x := 1\n:\n", command=command)
