@@ -14,9 +14,11 @@ namespace placedpar::occam {
 
 /// Returns the declaration at the root of a path such as `a[i]` or `[a FROM i FOR n]`; null if it begins otherwise.
 const Declaration* root_of(const Expression&);
+/// Returns the declaration that an abbreviation or RETYPES without VAL names; null of others.
+const Declaration* named_by(const Declaration&);
 /// Returns the declaration that an abbreviation or RETYPES finally names; of others itself.
 const Declaration* base_of(const Declaration*);
-/// Returns whether a value of this type can be in a variable: it is no channel, timer or port.
+/// Returns whether a value of this type can be in a variable: it is not a channel, timer or port.
 bool is_data(const Type&);
 /// Returns the type of the channels, timers or values in an array of any dimensions; of others itself.
 const Type& innermost(const Type&);
@@ -151,8 +153,9 @@ private:
     void enter_routine(Routine);
     void leave_routine(std::size_t mark);
     void value_process(ValueProcess&);
-    /// Checks the right side of an assignment or the results of a function, where one call may give several values.
+    /// Checks the right side of an assignment, where one call may give several values.
     std::vector<const Type*> types_of_values(std::vector<Expression>&);
+    std::vector<const Type*> types_of_results(std::vector<Expression>&);
     bool has_values(const Place&, const std::string& role, std::vector<Expression>& values,
                     const std::vector<const Type*>& given, const std::vector<const Type*>& wanted);
 
@@ -217,7 +220,7 @@ private:
     std::unordered_map<const TypeText*, const Type*> resolved_;  ///< several declarations may share a text
     std::unordered_map<std::string, Declaration*> predefined_;
     std::unordered_set<std::string> reported_; ///< unknown names
-    std::vector<const ProtocolType*> outermost_protocols_;
+    std::vector<const ProtocolType*> named_protocols_;
     struct Pending {
         const DeclarationList* list;
         std::size_t next;

@@ -391,7 +391,7 @@ const Type* Checker::form_of(Expression& expression, ValueProcess& process) {
     const std::size_t mark = names_.mark();
     enter_routine({.is_function = true});
     value_process(process);
-    const std::vector<const Type*> results = types_of_values(process.results);
+    const std::vector<const Type*> results = types_of_results(process.results);
     leave_routine(mark);
     several_allowed_ = several_here;
     return several(expression, results);

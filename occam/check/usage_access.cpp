@@ -171,7 +171,6 @@ void UsageCheck::call(const Declaration& routine, const std::vector<Expression>&
         return;
     for (Access access : summary->second) {
         access.at = place;
-        access.root = access.base;
         access.through = &routine;
         log(std::move(access));
     }
