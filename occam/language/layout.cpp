@@ -1,5 +1,7 @@
 #include "occam/language/parser.hpp"
 
+#include "text/counted.hpp"
+
 #include <fmt/format.h>
 
 namespace placedpar::occam {
@@ -47,8 +49,8 @@ std::uint32_t Parser::adopt_indentation(const Word& first, const Word& head) {
 
 void Parser::check_indentation(const Word& first, std::uint32_t wanted, const Word& head) {
     reading_.reporter.error(at(first),
-                            fmt::format("wrong indentation: the line begins with {} blanks, but {} are expected",
-                                        first.indentation, wanted),
+                            fmt::format("wrong indentation: the line begins with {}, but {} are expected",
+                                        counted(first.indentation, "blank"), wanted),
                             fmt::format("lines below \"{}\" are indented by two blanks more than it", head.text),
                             {{fmt::format("the \"{}\" is here", head.text), at(head)}});
 }
