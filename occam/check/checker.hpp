@@ -25,6 +25,9 @@ const Type& innermost(const Type&);
 /// Returns whether a value of a type can be where another is wanted. Arrays of unknown size are compared at run time.
 bool fits(const Type& wanted, const Type& given);
 
+/// Returns whether an expression is made of integer literals without a type.
+bool is_untyped(const Expression&);
+
 /// Declarations that are visible at a place, by name.
 class Names {
 public:
@@ -103,6 +106,7 @@ private:
     const Type* variable(Expression&, const std::string& action);
     /// Reports whether the type of a value is not what is wanted.
     bool agrees(Expression&, const Type* wanted, const std::string& role);
+    bool adapt(Expression&, const Type& wanted);
     std::string conversion_hint(const Expression&, const Type& wanted) const;
     void assigned(const Declaration*, const Place&, const std::string& through);
     const Type* form_of(Expression&, NameUse&);

@@ -85,6 +85,8 @@ void Checker::declare(Declaration& declaration, Abbreviation& abbreviation) {
     const Type* given = abbreviation.is_value ? value(abbreviation.value) : abbreviated(abbreviation.value);
     if (wanted && !agrees(abbreviation.value, wanted, "the value of \"" + declaration.name + "\""))
         given = wanted;
+    else
+        given = abbreviation.value.type;
     declaration.type = wanted && is_wrong_type(*given) ? wanted : given;
     if (wanted && plain(*wanted).count && !is_wrong_type(*given))
         declaration.type = wanted;

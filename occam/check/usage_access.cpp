@@ -9,7 +9,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// Adds the steps of a path to those of its root. Returns false if the root is no name.
+/// Adds the steps of a path to those of its root. Returns false if the root is not a name.
 bool add_steps(const Expression& expression, std::vector<PathStep>& steps, const Declaration*& root) {
     if (const auto* use = std::get_if<NameUse>(&expression.form)) {
         root = use->meaning;
