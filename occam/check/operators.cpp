@@ -57,7 +57,8 @@ void Checker::become(Expression& expression, std::int64_t bits, const char* erro
 bool Checker::has_operator(const Expression& operand, Operator operation, const Type& type) {
     const OperatorTraits& traits = traits_of(operation);
     const Type& form = plain(type);
-    const bool takes_byte = operation <= Operator::remainder || (operation >= Operator::bit_and && operation <= Operator::bit_xor) ||
+    const bool takes_byte = operation <= Operator::remainder ||
+                            (operation >= Operator::bit_and && operation <= Operator::bit_xor) ||
                             traits.operands == Operands::ordered || traits.operands == Operands::scalars;
     if (form.kind == Type::Kind::basic && takes(traits.operands, form.basic) &&
         (form.basic != Basic::byte || takes_byte))
