@@ -41,10 +41,11 @@ struct RandomTerm {
 
 int bits_of(Basic type) { return static_cast<int>(8 * occam::bytes_of(type)); }
 
+/// Returns a value modulo 2 to the power of `bits`. A value of 8 bits, a BYTE, has no sign.
 Integer wrapped(Integer value, int bits) {
     const Integer range = Integer{1} << bits;
     value = ((value % range) + range) % range;
-    return value >= range / 2 ? value - range : value;
+    return value >= range / 2 && bits > 8 ? value - range : value;
 }
 
 std::optional<ExactValue> fitting(Integer value, Basic type) {
@@ -81,7 +82,8 @@ public:
             return random_.chance(0.25) ? conversion_to_real(type, depth) : real_operation(type, depth);
         if (random_.chance(0.2))
             return conversion_to_integer(type, depth);
-        return random_.chance(0.2) ? unary(type, variable(type, depth - 1)) : integer_operation(type, depth);
+        return type != Basic::byte && random_.chance(0.2) ? unary(type, variable(type, depth - 1))
+                                                          : integer_operation(type, depth);
     }
 
     /// Returns the literal of a value.
@@ -149,7 +151,7 @@ private:
     RandomTerm integer_operation(Basic type, int depth) {
         const RandomTerm left = variable(type, depth - 1);
         const int bits = bits_of(type);
-        if (random_.chance(0.15)) {
+        if (type != Basic::byte && random_.chance(0.15)) {
             const auto places = static_cast<int>(random_.below(static_cast<std::uint32_t>(bits) + 1));
             const bool by_variable = random_.chance(0.5), is_left = random_.chance(0.5);
             RandomTerm result{fmt::format("({} {} {})", left.text, is_left ? "<<" : ">>",
@@ -163,7 +165,9 @@ private:
         }
         const RandomTerm right = variable(type, depth - 1);
         constexpr std::array operators = {"+", "-", "*", "/", "\\", "PLUS", "MINUS", "TIMES", "/\\", "\\/", "><"};
-        const auto which = random_.below(static_cast<std::uint32_t>(operators.size()));
+        auto which = random_.below(static_cast<std::uint32_t>(operators.size()));
+        if (type == Basic::byte && which >= 5 && which <= 7)
+            which -= 5; // a BYTE has no PLUS, MINUS and TIMES
         RandomTerm result{fmt::format("({} {} {})", left.text, operators[which], right.text), std::nullopt};
         if (!left.value || !right.value)
             return result;
@@ -216,7 +220,8 @@ private:
     RandomTerm conversion_to_integer(Basic type, int depth) {
         constexpr std::array from_types = {Basic::byte,  Basic::integer, Basic::int16, Basic::int32,
                                            Basic::int64, Basic::real32,  Basic::real64};
-        const Basic from = from_types[random_.below(static_cast<std::uint32_t>(from_types.size()))];
+        const std::size_t count = from_types.size() - (type == Basic::byte ? 2 : 0); // a real cannot become a BYTE
+        const Basic from = from_types[random_.below(static_cast<std::uint32_t>(count))];
         const RandomTerm operand = from == Basic::byte ? call(from, leaf(from)) : variable(from, depth - 1);
         const bool truncates = random_.chance(0.5);
         const char* const rounding = !occam::is_real(from) ? "" : truncates ? "TRUNC " : "ROUND ";
@@ -255,8 +260,8 @@ private:
     }
 
     RandomTerm comparison(int depth) {
-        constexpr std::array types = {Basic::integer, Basic::int16,  Basic::int32,
-                                      Basic::int64,   Basic::real32, Basic::real64};
+        constexpr std::array types = {Basic::byte,  Basic::integer, Basic::int16, Basic::int32,
+                                      Basic::int64, Basic::real32,  Basic::real64};
         const Basic type = types[random_.below(static_cast<std::uint32_t>(types.size()))];
         const RandomTerm left = variable(type, depth - 1), right = make(type, depth - 1);
         constexpr std::array operators = {"=", "<>", "<", ">", "<=", ">="};
@@ -283,8 +288,8 @@ private:
     std::array<int, variables_of_type> indices_{};
 };
 
-constexpr std::array tested_types = {Basic::boolean, Basic::integer, Basic::int16, Basic::int32,
-                                     Basic::int64,   Basic::real32,  Basic::real64};
+constexpr std::array tested_types = {Basic::boolean, Basic::byte,  Basic::integer, Basic::int16,
+                                     Basic::int32,   Basic::int64, Basic::real32,  Basic::real64};
 
 /// Declares the variables_of_type of all types and gives them their values.
 std::string with_variables(const ExpressionMaker& maker, const std::string& body) {
@@ -309,7 +314,7 @@ std::string with_variables(const ExpressionMaker& maker, const std::string& body
 std::string storing(const RandomTerm& term, Basic type, std::size_t at) {
     if (type == Basic::integer)
         return fmt::format("memory[{}] := {}\n", at, term.text);
-    if (type == Basic::boolean || type == Basic::int16 || type == Basic::int32)
+    if (type == Basic::boolean || type == Basic::byte || type == Basic::int16 || type == Basic::int32)
         return fmt::format("memory[{}] := INT {}\n", at, term.text);
     if (type == Basic::real32)
         return fmt::format("REAL32 r:\nSEQ\n  r := {}\n  VAL INT w RETYPES r:\n  memory[{}] := w\n", term.text, at);
