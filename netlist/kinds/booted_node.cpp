@@ -6,6 +6,8 @@
 #include "netlist/kinds/fault_kinds.hpp"
 #include "netlist/kinds/memory_access.hpp"
 #include "netlist/kinds/outside_host.hpp"
+#include "runtime/transputer/code_text.hpp"
+#include "runtime/transputer/words.hpp"
 #include "text/output_file.hpp"
 
 #include <fmt/format.h>
@@ -168,6 +170,59 @@ std::string BootedNode::state_of_program() const {
     if (outside_)
         return "was served by another program";
     return device_.is_idle() ? "waits" : "runs";
+}
+
+/// Returns the name of a channel: that of a direction of a link, or its address.
+std::string BootedNode::channel_name(transputer::Word channel) const {
+    const int number = transputer::hard_channel(channel);
+    if (number < 0)
+        return node().name + "." + transputer::print_address(channel);
+    if (number == 2 * transputer::Node::links)
+        return node().name + ".event";
+    const int link = number % transputer::Node::links;
+    const transputer::ByteEnd& end = device_.end(link);
+    const transputer::ByteLane* lane = number < transputer::Node::links ? end.out : end.in;
+    return lane ? lane->name() : fmt::format("{}.link[{}]", node().name, link);
+}
+
+ProgramWait BootedNode::describe(const transputer::WaitingProcess& process) const {
+    using transputer::Wait;
+    constexpr Activity activities[] = {Activity::inputting, Activity::outputting, Activity::alternating,
+                                       Activity::delayed};
+    const transputer::Instruction& waits = transputer::description_of(
+        transputer::instruction_before(device_.core(), process.instruction).instruction.operation);
+    ProgramWait result{{node().name + "." + transputer::print_address(process.workspace),
+                        activities[static_cast<std::size_t>(process.wait)],
+                        {},
+                        fmt::format("{} after {}", transputer::print_address(process.instruction), waits.name)},
+                       {},
+                       {}};
+    for (const transputer::Word channel : process.channels) {
+        result.process.channels.push_back(channel_name(channel));
+        result.awaited.push_back({channel_name(channel), process.wait != Wait::output});
+    }
+    if (process.time)
+        result.process.channels.push_back(
+            fmt::format("timer, after {}", static_cast<std::int32_t>(*process.time)));
+    return result;
+}
+
+std::vector<ProgramWait> BootedNode::program_waits() const {
+    constexpr std::size_t most_copied_in_all = std::size_t{1} << 30;
+    if (device_.activity() != transputer::Node::Activity::booted)
+        return {};
+    const std::vector<transputer::WaitingProcess> waiting = transputer::waiting_processes(device_.core());
+    const std::size_t bytes = device_.core().memory().size();
+    const bool looks_ahead = bytes <= transputer::most_copied_bytes && bytes * waiting.size() <= most_copied_in_all;
+    std::vector<ProgramWait> result;
+    for (const transputer::WaitingProcess& each : waiting) {
+        result.push_back(describe(each));
+        if (!looks_ahead)
+            continue;
+        for (const transputer::ChannelEnd& end : transputer::ends_ahead(device_.core(), each))
+            result.back().ahead.push_back({channel_name(end.channel), end.is_output});
+    }
+    return result;
 }
 
 void BootedNode::report(MachineUse& use) const {

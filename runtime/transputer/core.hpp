@@ -119,6 +119,7 @@ public:
     /// Copy bytes for a link or a boot. Offsets outside of the memory stop the core.
     void copy_from_memory(Word offset, std::span<std::uint8_t>);
     void copy_to_memory(Word offset, std::span<const std::uint8_t>);
+    bool is_running() const { return running_; }
     /// Returns whether a process runs or is ready.
     bool is_active() const { return running_ || front_[0] != not_a_process || front_[1] != not_a_process; }
 
