@@ -7,7 +7,7 @@
 #include "netlist/kinds/memory_access.hpp"
 #include "netlist/kinds/outside_host.hpp"
 #include "runtime/transputer/code_text.hpp"
-#include "runtime/transputer/words.hpp"
+#include "runtime/transputer/core_text.hpp"
 #include "text/output_file.hpp"
 
 #include <fmt/format.h>
@@ -79,11 +79,12 @@ BootedNode::BootedNode(MachineParts& parts, std::size_t index)
                                                  static_cast<std::uint64_t>(node().integer("memory")),
                                                  timing_of(node()))) {
     device_.when_stopped([this] { tell_hosts(); });
+    device_.name_by(lines());
     if (network().host.lists_code)
         listing_ = std::make_unique<transputer::Listing>(device_.core());
     if (network().host.steps && !node().boot_file.empty())
         stepper_ = std::make_unique<transputer::Stepper>(
-            device_.core(), *network().host.steps, [](std::string_view text) { print_out(std::string(text)); },
+            device_.core(), lines(), *network().host.steps, [](std::string_view text) { print_out(std::string(text)); },
             [this] { simulation().interrupt(); });
 }
 
@@ -172,17 +173,9 @@ std::string BootedNode::state_of_program() const {
     return device_.is_idle() ? "waits" : "runs";
 }
 
-/// Returns the name of a channel: that of a direction of a link, or its address.
-std::string BootedNode::channel_name(transputer::Word channel) const {
-    const int number = transputer::hard_channel(channel);
-    if (number < 0)
-        return node().name + "." + transputer::print_address(channel);
-    if (number == 2 * transputer::Node::links)
-        return node().name + ".event";
-    const int link = number % transputer::Node::links;
-    const transputer::ByteEnd& end = device_.end(link);
-    const transputer::ByteLane* lane = number < transputer::Node::links ? end.out : end.in;
-    return lane ? lane->name() : fmt::format("{}.link[{}]", node().name, link);
+const transputer::CodeLines& BootedNode::lines() const {
+    static const transputer::CodeLines none;
+    return node().code_lines ? *node().code_lines : none;
 }
 
 ProgramWait BootedNode::describe(const transputer::WaitingProcess& process) const {
@@ -191,15 +184,18 @@ ProgramWait BootedNode::describe(const transputer::WaitingProcess& process) cons
                                        Activity::delayed};
     const transputer::Instruction& waits = transputer::description_of(
         transputer::instruction_before(device_.core(), process.instruction).instruction.operation);
-    ProgramWait result{{node().name + "." + transputer::print_address(process.workspace),
+    const std::string place = lines().place(process.instruction - 1);
+    ProgramWait result{{device_.name_of_process(process.workspace),
                         activities[static_cast<std::size_t>(process.wait)],
                         {},
-                        fmt::format("{} after {}", transputer::print_address(process.instruction), waits.name)},
+                        place.empty()
+                            ? fmt::format("{} after {}", transputer::print_address(process.instruction), waits.name)
+                            : place},
                        {},
                        {}};
     for (const transputer::Word channel : process.channels) {
-        result.process.channels.push_back(channel_name(channel));
-        result.awaited.push_back({channel_name(channel), process.wait != Wait::output});
+        result.process.channels.push_back(device_.name_of_channel(channel));
+        result.awaited.push_back({device_.name_of_channel(channel), process.wait != Wait::output});
     }
     if (process.time)
         result.process.channels.push_back(
@@ -220,7 +216,7 @@ std::vector<ProgramWait> BootedNode::program_waits() const {
         if (!looks_ahead)
             continue;
         for (const transputer::ChannelEnd& end : transputer::ends_ahead(device_.core(), each))
-            result.back().ahead.push_back({channel_name(end.channel), end.is_output});
+            result.back().ahead.push_back({device_.name_of_channel(end.channel), end.is_output});
     }
     return result;
 }
@@ -233,7 +229,9 @@ void BootedNode::report(MachineUse& use) const {
                             .instructions = device_.core().instructions(),
                             .requests = host_ ? host_->end.requests() : 0,
                             .state = state(),
-                            .listing = listing_ ? print_listing(*listing_) : "",
+                            .listing = listing_ ? print_listing(*listing_, lines()) : "",
+                            .analysis =
+                                network().host.analyses ? print_analysis(device_.core(), lines()) : "",
                             .failed = exited_badly || stopped,
                             .booted_at = host_ ? host_->end.booted_at() : Time{}});
     use.processors.push_back({node().name, node().type, device_.time_busy(), device_.memory_taken_by_links()});

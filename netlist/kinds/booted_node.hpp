@@ -2,6 +2,7 @@
 
 #include "netlist/kinds/boot_host.hpp"
 #include "netlist/kinds/machine_node.hpp"
+#include "runtime/transputer/code_lines.hpp"
 #include "runtime/transputer/listing.hpp"
 #include "runtime/transputer/node.hpp"
 #include "runtime/transputer/stepper.hpp"
@@ -36,8 +37,8 @@ private:
     void tell_hosts();
     std::string state() const;
     std::string state_of_program() const;
+    const transputer::CodeLines& lines() const;
     ProgramWait describe(const transputer::WaitingProcess&) const;
-    std::string channel_name(transputer::Word channel) const;
     void connect_host(hardware::Link&, const LinkEnd& own, bool own_is_a);
 
     transputer::Node& device_;
