@@ -50,7 +50,7 @@ struct RunOptions {
     std::size_t seeds = 1; ///< number of seeds, from the first on
     bool watch = false, yes = false;
     bool listing = false, step = false, analyse = false; ///< of transputers that execute their own code
-    std::string offer;                  ///< where the host's link is offered to another program; "": nowhere
+    std::string offer; ///< where the host's link is offered to another program; "": nowhere
 
     std::array<std::filesystem::path, 5> outputs() const {
         return {json, recorded.trace, recorded.page, log, convergence};

@@ -198,8 +198,7 @@ ProgramWait BootedNode::describe(const transputer::WaitingProcess& process) cons
         result.awaited.push_back({device_.name_of_channel(channel), process.wait != Wait::output});
     }
     if (process.time)
-        result.process.channels.push_back(
-            fmt::format("timer, after {}", static_cast<std::int32_t>(*process.time)));
+        result.process.channels.push_back(fmt::format("timer, after {}", static_cast<std::int32_t>(*process.time)));
     return result;
 }
 
@@ -230,8 +229,7 @@ void BootedNode::report(MachineUse& use) const {
                             .requests = host_ ? host_->end.requests() : 0,
                             .state = state(),
                             .listing = listing_ ? print_listing(*listing_, lines()) : "",
-                            .analysis =
-                                network().host.analyses ? print_analysis(device_.core(), lines()) : "",
+                            .analysis = network().host.analyses ? print_analysis(device_.core(), lines()) : "",
                             .failed = exited_badly || stopped,
                             .booted_at = host_ ? host_->end.booted_at() : Time{}});
     use.processors.push_back({node().name, node().type, device_.time_busy(), device_.memory_taken_by_links()});

@@ -17,7 +17,7 @@ public:
                 comes_to_[end].push_back(i);
     }
 
-    /// Returns the processes whose code comes to an end, other than the one that waits for it.
+    /// Returns the processes whose code would use this end of a channel, other than the one that waits for it.
     std::vector<std::size_t> partners(const ProgramEnd& end, std::size_t waiting) const {
         const auto found = comes_to_.find(end);
         std::vector<std::size_t> result = found == comes_to_.end() ? std::vector<std::size_t>{} : found->second;

@@ -51,7 +51,8 @@ struct Node {
     std::string boot_file = ""; ///< path of the bootable file that a host sends to the node; "" if none
     std::shared_ptr<const std::vector<std::uint8_t>> boot_bytes = nullptr; ///< contents of this file
     Location boot_stated = {};                                             ///< place of the `use` that names the file
-    std::shared_ptr<const transputer::CodeLines> code_lines = nullptr; ///< what NAME.lines beside the file says; or null
+    std::shared_ptr<const transputer::CodeLines> code_lines =
+        nullptr;                ///< what NAME.lines beside the file says; or null
     bool runs_own_code = false; ///< the node is emulated: it executes what it is booted with, and runs no processes
 
     /// REQUIRES: the kind has an integer attribute of this name; throws std::logic_error otherwise.

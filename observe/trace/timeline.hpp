@@ -119,9 +119,9 @@ private:
     Tracks& tracks_;
     TraceWindow window_;
     TraceWriter& writer_;
-    std::map<std::uint32_t, Lane> lanes_; ///< key: ordinal of a process that exists
+    std::map<std::uint32_t, Lane> lanes_;         ///< key: ordinal of a process that exists
     std::map<std::string, ProgramLane> programs_; ///< key: name of the process
-    std::map<std::size_t, Use> uses_;     ///< for each track: the present use, or the last use if the track is idle
+    std::map<std::size_t, Use> uses_; ///< for each track: the present use, or the last use if the track is idle
     std::map<std::uint64_t, Message> messages_; ///< messages with an end that is not known yet
     std::uint64_t message_count_ = 0;
     std::size_t entries_ = 0;

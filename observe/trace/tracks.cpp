@@ -93,7 +93,8 @@ std::size_t Tracks::of_program(const std::string& process, const std::string& pr
     if (place == none)
         return none;
     if (slash == std::string::npos)
-        return processes_[process] = add(process, {tracks_[place].place.node, Track::Kind::program, tracks_.size(), {}});
+        return processes_[process] =
+                   add(process, {tracks_[place].place.node, Track::Kind::program, tracks_.size(), {}});
     const std::size_t parent = of_program(process.substr(0, slash), processor);
     Track::DrawingOrder order = tracks_[parent].place;
     order.components.push_back(tracks_.size());

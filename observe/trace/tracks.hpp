@@ -18,8 +18,8 @@ struct ProgramTurn; // runtime/trace.hpp
 /// A line of a drawn trace.
 struct Track {
     /// The kinds of tracks of a node, in drawing order: its processor; the processes that the netlist places on it; the
-    /// processes of the program that it is booted with; the machine's processes that serve its links; each link, in the direction that leaves the node; a device's own
-    /// tracks (DeviceKind::tracks), such as those of a bus.
+    /// processes of the program that it is booted with; the machine's processes that serve its links; each link, in the
+    /// direction that leaves the node; a device's own tracks (DeviceKind::tracks), such as those of a bus.
     enum class Kind { processor, process, program, machine_process, link, bus };
     /// Orders tracks by node and kind, then as the netlist declares them. A process is followed by the components of
     /// its PARs.

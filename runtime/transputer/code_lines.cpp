@@ -23,9 +23,7 @@ public:
 
     bool at_end() const { return at_ == text_.size(); }
     bool is_comment() const { return at_end() || text_.substr(at_).starts_with("--"); }
-    [[noreturn]] void refuse(const std::string& why, std::size_t at) const {
-        throw CodeLinesError(why, line_, at + 1);
-    }
+    [[noreturn]] void refuse(const std::string& why, std::size_t at) const { throw CodeLinesError(why, line_, at + 1); }
 
     std::string_view word(const char* what) {
         if (at_end())

@@ -44,10 +44,9 @@ public:
             if (offset < below::time || !core_.memory().holds(offset - below::time, below::time))
                 return result + fmt::format("  {} is not a workspace\n", print_address(process));
             const bool timer = link == below::timer_link;
-            result += fmt::format(
-                "  Wptr {}  Iptr {}{}\n", print_workspace(process, lines_),
-                print_instruction_pointer(core_.memory().word(offset - below::instruction), lines_),
-                timer ? fmt::format("  until {}", core_.memory().word(offset - below::time)) : "");
+            result += fmt::format("  Wptr {}  Iptr {}{}\n", print_workspace(process, lines_),
+                                  print_instruction_pointer(core_.memory().word(offset - below::instruction), lines_),
+                                  timer ? fmt::format("  until {}", core_.memory().word(offset - below::time)) : "");
             if (process == back)
                 break;
             process = core_.memory().word(offset - link);
@@ -62,9 +61,9 @@ private:
 
 std::string print_flags(const Core& core) {
     const auto flag = [](bool set, const char* name) { return fmt::format("{}{}", set ? "" : "no ", name); };
-    std::string result = fmt::format("flags: {}, {}, {}", flag(core.has_error(1), "Error at low priority"),
-                                     flag(core.has_error(0), "Error at high priority"),
-                                     flag(core.halts_on_error(), "HaltOnError"));
+    std::string result =
+        fmt::format("flags: {}, {}, {}", flag(core.has_error(1), "Error at low priority"),
+                    flag(core.has_error(0), "Error at high priority"), flag(core.halts_on_error(), "HaltOnError"));
     if ((only(core.model()) & with_reals) != 0)
         result += ", " + flag(core.fpu().error(), "FPError");
     return result + "\n";
@@ -73,10 +72,10 @@ std::string print_flags(const Core& core) {
 std::string print_wait(const Core& core, const WaitingProcess& process, const CodeLines& lines) {
     constexpr std::string_view waits[] = {"inputs", "outputs", "is in an ALT", "waits for its timer"};
     const Instruction& last = description_of(instruction_before(core, process.instruction).instruction.operation);
-    std::string result = fmt::format("  Wptr {}, {} priority, Iptr {} after {}: {}",
-                                     print_workspace(process.workspace, lines), process.priority == 0 ? "high" : "low",
-                                     print_instruction_pointer(process.instruction, lines), last.name,
-                                     waits[static_cast<std::size_t>(process.wait)]);
+    std::string result =
+        fmt::format("  Wptr {}, {} priority, Iptr {} after {}: {}", print_workspace(process.workspace, lines),
+                    process.priority == 0 ? "high" : "low", print_instruction_pointer(process.instruction, lines),
+                    last.name, waits[static_cast<std::size_t>(process.wait)]);
     for (const Word channel : process.channels)
         result += fmt::format("{} {}", channel == process.channels.front() ? ", its descriptor is at" : " and",
                               print_channel(channel));

@@ -103,10 +103,10 @@ public:
         for (const auto& line : block.lines) {
             if (const std::string entry = lines_.entry(line.address); !entry.empty())
                 result += entry + ":\n";
-            const std::string sums = &line == &block.lines.front()
-                                         ? fmt::format("  {:>17}  {:>5.1f} %", print_cycles_of(block.spent),
-                                                       percent(block.spent, all_))
-                                         : "";
+            const std::string sums =
+                &line == &block.lines.front()
+                    ? fmt::format("  {:>17}  {:>5.1f} %", print_cycles_of(block.spent), percent(block.spent, all_))
+                    : "";
             const std::string place = new_place(line.address);
             result += print_line(line, *target++, all_) +
                       (place.empty() ? sums : fmt::format("{:<28}  {}", sums, place)) + '\n';

@@ -284,7 +284,9 @@ void Node::obey(int link) {
         heard_link_.reset();
         core_.copy_to_memory(traits_of(core_.model()).memory_start, heard);
         if (kernel_.trace() && !process_trace_) {
-            process_trace_ = std::make_unique<ProcessTrace>(kernel_, *this);
+            process_trace_ = std::make_unique<ProcessTrace>(
+                kernel_, core_, name_, [this](Word workspace) { return name_of_process(workspace); },
+                [this](Word channel) { return name_of_channel(channel); });
             core_.watch_processes(process_trace_.get());
         }
         core_.boot(static_cast<Word>(heard.size()), links + link);

@@ -1,25 +1,25 @@
 #include "runtime/transputer/process_trace.hpp"
 
 #include "runtime/kernel.hpp"
-#include "runtime/transputer/node.hpp"
 #include "runtime/transputer/words.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace placedpar::transputer {
 
-ProcessTrace::ProcessTrace(Kernel& kernel, const Node& node) : kernel_(kernel), node_(node) {}
+ProcessTrace::ProcessTrace(Kernel& kernel, const Core& core, const std::string& place, Naming process, Naming channel)
+    : kernel_(kernel), core_(core), place_(place), name_of_process_(std::move(process)),
+      name_of_channel_(std::move(channel)) {}
 
 void ProcessTrace::turns(Word workspace, Core::Turn turn, Word channel) {
     using Turn = Core::Turn;
-    const std::string process = node_.name_of_process(workspace);
-    const Time now = node_.core().local_time();
+    const std::string process = name_of_process_(workspace);
+    const Time now = core_.local_time();
     switch (turn) {
-    case Turn::runs:
-        running_ = process;
-        return add({now, process, Activity::computing});
+    case Turn::runs: running_ = process; return add({now, process, Activity::computing});
     case Turn::ready:
-        if (node_.core().is_running() && workspace == node_.core().registers().workspace)
+        if (core_.is_running() && workspace == core_.registers().workspace)
             leave(process); // it is interrupted
         return add({now, process, Activity::ready});
     case Turn::met: return add({.at = now, .process = process, .activity = Activity::ready, .partner = running_});
@@ -38,9 +38,9 @@ void ProcessTrace::turns(Word workspace, Core::Turn turn, Word channel) {
 }
 
 void ProcessTrace::wait(Word workspace, Activity activity, const std::vector<Word>& channels, bool awaits_timer) {
-    const std::string process = node_.name_of_process(workspace);
+    const std::string process = name_of_process_(workspace);
     leave(process);
-    Notice notice{node_.core().local_time(), process, activity};
+    Notice notice{core_.local_time(), process, activity};
     notice.awaits_timer = awaits_timer;
     for (const Word each : channels) {
         users_[each][activity == Activity::outputting] = process;
@@ -52,7 +52,7 @@ void ProcessTrace::wait(Word workspace, Activity activity, const std::vector<Wor
 /// The running process leaves the processor. If it has come to another workspace, the former one is not used now.
 void ProcessTrace::leave(const std::string& process) {
     if (running_ != process && !running_.empty())
-        add({node_.core().local_time(), running_, Activity::ended});
+        add({core_.local_time(), running_, Activity::ended});
     running_ = "";
 }
 
@@ -67,7 +67,7 @@ std::vector<Word> ProcessTrace::enabled_by(Word workspace) {
 
 /// Returns a channel with the process that used its other end last. A link is its own partner.
 AwaitedByProgram ProcessTrace::awaited(Word channel, bool outputs) {
-    const std::string name = node_.name_of_channel(channel);
+    const std::string name = name_of_channel_(channel);
     return {name, hard_channel(channel) >= 0 ? name : users_[channel][!outputs]};
 }
 
@@ -81,8 +81,7 @@ void ProcessTrace::happen() noexcept {
     while (!notices_.empty() && notices_.front().at <= kernel_.now()) {
         const Notice& first = notices_.front();
         kernel_.trace()->program_turns(
-            {first.process, node_.name(), first.activity, first.awaited, first.awaits_timer, first.partner},
-            kernel_.now());
+            {first.process, place_, first.activity, first.awaited, first.awaits_timer, first.partner}, kernel_.now());
         notices_.pop_front();
     }
     if (!notices_.empty())

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -19,14 +20,14 @@ class Kernel;
 
 namespace placedpar::transputer {
 
-class Node; // runtime/transputer/node.hpp
-
 /// Tells the trace of a run what the processes of a node do. A node runs ahead of virtual time, so that each notice is
 /// kept until its moment has come. A workspace is a process; workspaces of the same name are one.
 class ProcessTrace final : public Core::ProcessWatcher, private Event {
 public:
-    /// REQUIRES: the run is traced; both outlive this object.
-    ProcessTrace(Kernel&, const Node&);
+    using Naming = std::function<std::string(Word)>;
+    /// `place`: the name of the node; `process` and `channel` name a workspace and a channel. REQUIRES: the run is
+    /// traced; kernel, core and place outlive this object.
+    ProcessTrace(Kernel&, const Core&, const std::string& place, Naming process, Naming channel);
 
 private:
     struct Notice {
@@ -47,9 +48,11 @@ private:
     void add(Notice);
 
     Kernel& kernel_;
-    const Node& node_;
-    std::string running_; ///< the process that had the processor last
-    std::map<Word, std::set<Word>> enabled_; ///< channels of ALTs that have not begun to wait, by workspace
+    const Core& core_;
+    const std::string& place_;
+    Naming name_of_process_, name_of_channel_;
+    std::string running_;                              ///< the process that had the processor last
+    std::map<Word, std::set<Word>> enabled_;           ///< channels of ALTs that have not begun to wait, by workspace
     std::map<Word, std::array<std::string, 2>> users_; ///< the last processes that waited to input and to output
     std::deque<Notice> notices_;
 };

@@ -16,8 +16,9 @@ namespace placedpar::transputer {
 /// stops before the first instruction. Addresses are hexadecimal, such as #80000070.
 class Stepper final : public Core::Watcher {
 public:
-    /// Watches the core. `lines` names places in the code. `print` gets lines of text. `quit` is called once, at the command `quit` or at the end of the
-    /// commands; nothing stops afterwards. REQUIRES: all stay where they are during the run.
+    /// Watches the core. `lines` names places in the code. `print` gets lines of text. `quit` is called once, at the
+    /// command `quit` or at the end of the commands; nothing stops afterwards. REQUIRES: all stay where they are during
+    /// the run.
     Stepper(Core&, const CodeLines& lines, std::istream& commands, std::function<void(std::string_view)> print,
             std::function<void()> quit);
     Stepper(const Stepper&) = delete;

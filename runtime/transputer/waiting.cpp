@@ -235,8 +235,8 @@ private:
         const auto known = found_.find(workspace);
         if (known != found_.end() && known->second.wait != Wait::alternative)
             return; // it waits for a link or a timer
-        const bool is_low = known != found_.end() ? known->second.priority == 1
-                                                  : std::ranges::any_of(holders, &Holder::is_low);
+        const bool is_low =
+            known != found_.end() ? known->second.priority == 1 : std::ranges::any_of(holders, &Holder::is_low);
         const auto channel =
             alternates ? std::nullopt
                        : channel_before(core_, workspace, *word_of_node(core_, workspace - below::instruction));

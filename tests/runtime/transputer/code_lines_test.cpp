@@ -19,7 +19,7 @@ using transputer::CodeLinesError;
 
 namespace {
 
-constexpr std::uint32_t memory_start = 0x80000070;
+constexpr std::uint32_t start_of_memory = 0x80000070;
 constexpr std::string_view table = R"(-- made by a compiler
 code +#00 +#0C 3 5 my ring.occ
 code #80000080 #80000090 4 1 my ring.occ
@@ -37,7 +37,7 @@ end
 /// Returns what is wrong with a table, and where: "3:6: ...".
 std::string refusal(const std::string& text) {
     try {
-        CodeLines(text, "", memory_start);
+        CodeLines(text, "", start_of_memory);
     } catch (const CodeLinesError& error) {
         return fmt::format("{}:{}: {}", error.line, error.column, error.what());
     }
@@ -47,7 +47,7 @@ std::string refusal(const std::string& text) {
 } // namespace
 
 TEST_CASE("a table tells places, procedures and processes of each node") {
-    const CodeLines root(table, "", memory_start), worker(table, "worker", memory_start);
+    const CodeLines root(table, "", start_of_memory), worker(table, "worker", start_of_memory);
     CHECK_EQ(root.place(0x80000070), "my ring.occ:3:5");
     CHECK_EQ(root.place(0x8000007B), "my ring.occ:3:5");
     CHECK_EQ(root.place(0x8000007C), "main+#C");
@@ -63,7 +63,7 @@ TEST_CASE("a table tells places, procedures and processes of each node") {
     CHECK_EQ(root.process(0x80000010), "");
     CHECK_EQ(worker.place(0x80000070), "worker.occ:9:1");
     CHECK_EQ(worker.process(0x80000200), "loader");
-    CHECK_EQ(CodeLines(table, "another", memory_start).place(0x80000070), "");
+    CHECK_EQ(CodeLines(table, "another", start_of_memory).place(0x80000070), "");
 }
 
 TEST_CASE("a wrong table is refused with its place") {
@@ -80,7 +80,8 @@ TEST_CASE("a wrong table is refused with its place") {
     CHECK_EQ(refusal("code +#0 +#4 0 1 f\nend"), "1:14: LINE is not a whole number from 1 on");
     CHECK_EQ(refusal("code +#0 +#4 1 -1 f\nend"), "1:16: COLUMN is not a whole number from 1 on");
     CHECK_EQ(refusal("code +#4 +#4 1 1 f\nend"), "1:1: UNTIL is not after FROM");
-    CHECK_EQ(refusal("code +#4 +#8 1 1 f\ncode +#0 +#5 1 1 f\nend"), "2:1: the row has an address of the row in line 1");
+    CHECK_EQ(refusal("code +#4 +#8 1 1 f\ncode +#0 +#5 1 1 f\nend"),
+             "2:1: the row has an address of the row in line 1");
     CHECK_EQ(refusal("process +#4 +#8 a\nprocess +#4 +#5 b\nend"), "2:1: the row has an address of the row in line 1");
     CHECK_EQ(refusal("entry +#4 a\nentry +#4 b\nend"), "2:1: the row has an address of the row in line 1");
     CHECK_EQ(refusal("node a\nnode a\nend"), "2:1: the node \"a\" has rows already");
@@ -98,18 +99,19 @@ TEST_CASE("damaged tables are read, or refused with a place in the text") {
         RandomStream random(seed, "damage");
         std::string text(table);
         for (std::uint64_t i = 0, changes = 1 + random.below(4); i < changes && !text.empty(); ++i) {
-            const std::size_t at = random.below(text.size());
+            const auto size = static_cast<std::uint32_t>(text.size());
+            const std::size_t at = random.below(size);
             switch (random.below(4)) {
             case 0: text[at] = static_cast<char>(random.below(256)); break;
             case 1: text.erase(at, 1 + random.below(12)); break;
-            case 2: text.insert(at, text.substr(random.below(text.size()), random.below(30))); break;
+            case 2: text.insert(at, text.substr(random.below(size), random.below(30))); break;
             default: text.resize(at); break;
             }
         }
         CAPTURE(text);
         try {
-            const CodeLines lines(text, seed % 2 ? "worker" : "", memory_start);
-            for (std::uint32_t address = memory_start; address < memory_start + 0x40; ++address)
+            const CodeLines lines(text, seed % 2 ? "worker" : "", start_of_memory);
+            for (std::uint32_t address = start_of_memory; address < start_of_memory + 0x40; ++address)
                 CHECK_LE(lines.place(address).size() + lines.process(address).size(), 700);
         } catch (const CodeLinesError& error) {
             ++refused;

@@ -44,7 +44,7 @@ RandomNetwork random_network(std::uint64_t seed, unsigned scale = 1);
 struct WayToRun {
     std::uint64_t order = 0; ///< decides the order in which nodes, links and hosts are made; 0: the usual one
     bool instruction_by_instruction = false;
-    bool every_byte = false;              ///< LinkDirection::simulate_every_byte
+    bool every_byte = false; ///< LinkDirection::simulate_every_byte
     TraceSink* trace = nullptr;
     std::function<void(const transputer::Node&)> at_end = [](const transputer::Node&) {};
     Time until = std::chrono::seconds{1}; ///< unlike the others, this matters

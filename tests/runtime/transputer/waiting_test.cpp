@@ -30,8 +30,8 @@ std::vector<std::string> found(const transputer::Node& node) {
     constexpr std::string_view waits[] = {"inputs", "outputs", "alternates", "delayed"};
     std::vector<std::string> lines;
     for (const WaitingProcess& each : transputer::waiting_processes(node.core())) {
-        std::string line = fmt::format("{} {}", node.name_of_process(each.workspace),
-                                       waits[static_cast<std::size_t>(each.wait)]);
+        std::string line =
+            fmt::format("{} {}", node.name_of_process(each.workspace), waits[static_cast<std::size_t>(each.wait)]);
         for (const Word channel : each.channels)
             line += " " + node.name_of_channel(channel);
         lines.push_back(line + (each.time ? " timer" : ""));
@@ -106,8 +106,8 @@ other:  ldlp 0; ldlp 22; ldc 4; out
         stopp
     )");
     const std::vector<WaitingProcess> waiting = transputer::waiting_processes(run.node.core());
-    CHECK_EQ(found(run.node), std::vector<std::string>{"t.#800007B0 outputs t.#80000808",
-                                                       "t.#80000800 outputs t.#80000804"});
+    CHECK_EQ(found(run.node),
+             std::vector<std::string>{"t.#800007B0 outputs t.#80000808", "t.#80000800 outputs t.#80000804"});
     REQUIRE_EQ(waiting.size(), 2);
     CHECK_EQ(waiting[1].priority, 1);
     CHECK_EQ(transputer::instruction_before(run.node.core(), waiting[1].instruction).instruction.operation,
@@ -133,7 +133,8 @@ event:  ldlp 0; mint; ldnlp 8; ldc 0; in; stopp
 word:   mint; stl 2; ldlp 2; ldc 77; outword; stopp
 urgent: mint; stl 2; ldlp 0; ldlp 2; ldc 4; in; stopp
 pause:  ldc 900; tin; stopp
-    )", std::chrono::milliseconds{1});
+    )",
+                          std::chrono::milliseconds{1});
     CHECK_EQ(found(run.node),
              std::vector<std::string>{"t.#80000670 delayed timer", "t.#800006C0 inputs t.#800006C8",
                                       "t.#80000710 outputs t.#80000718", "t.#80000760 inputs t.event",
@@ -149,9 +150,10 @@ pause:  ldc 900; tin; stopp
     CHECK_NE(analysis.find("inputs, its descriptor is at #800006C8\n"), std::string::npos);
     CHECK_NE(analysis.find("inputs, its descriptor is at event\n"), std::string::npos);
     CHECK_NE(analysis.find("waits for its timer, until its clock is after 900\n"), std::string::npos);
-    CHECK_NE(analysis.find("is in an ALT, its descriptor is at link 3 input and #80000804 and #80000808, until its clock "
-                           "is after 1000\n"),
-             std::string::npos);
+    CHECK_NE(
+        analysis.find("is in an ALT, its descriptor is at link 3 input and #80000804 and #80000808, until its clock "
+                      "is after 1000\n"),
+        std::string::npos);
 }
 
 TEST_CASE("pointers to workspaces, and what earlier waits have left, are not taken for waits") {
@@ -178,13 +180,14 @@ TEST_CASE("the search finds in random networks what a watcher has seen, and watc
             LastTurns seen;
             const std::vector<NodeOutcome> watched = run_network(
                 network, {.trace = &seen,
-                          .at_end = [&](const transputer::Node& node) {
-                              waits += found(node).size();
-                              CHECK_EQ(fmt::format("{}", fmt::join(found(node), "\n")),
-                                       fmt::format("{}", fmt::join(seen.waiting(node.name()), "\n")));
-                              for (const WaitingProcess& each : transputer::waiting_processes(node.core()))
-                                  transputer::ends_ahead(node.core(), each);
-                          },
+                          .at_end =
+                              [&](const transputer::Node& node) {
+                                  waits += found(node).size();
+                                  CHECK_EQ(fmt::format("{}", fmt::join(found(node), "\n")),
+                                           fmt::format("{}", fmt::join(seen.waiting(node.name()), "\n")));
+                                  for (const WaitingProcess& each : transputer::waiting_processes(node.core()))
+                                      transputer::ends_ahead(node.core(), each);
+                              },
                           .until = until});
             CHECK(seen.in_order);
             CHECK_EQ(difference_of(run_network(network, {.until = until}), watched), "");
