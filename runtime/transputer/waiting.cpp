@@ -49,6 +49,7 @@ public:
         a_ = b_;
         b_ = c_;
     }
+    void pop_second() { b_ = c_; }
     void reverse() { std::swap(a_, b_); }
     const std::optional<Word>& a() const { return a_; }
     const std::optional<Word>& b() const { return b_; }
@@ -93,23 +94,53 @@ bool evaluate(const Core& core, Word workspace, Operation operation, Word operan
     }
 }
 
-/// Returns the channel of an input or output that ends before an address, if the code before it tells.
-std::optional<Word> channel_before(const Core& core, Word workspace, Word instruction) {
-    constexpr std::size_t most_instructions = 24;
-    const PlacedInstruction waits = instruction_before(core, instruction);
-    std::vector<CodedInstruction> code; // the last first
+bool begins_alternative(Operation operation) { return operation == Operation::alt || operation == Operation::talt; }
+bool enables(Operation operation) { return operation == Operation::enbc || operation == Operation::enbt; }
+
+/// Returns the instructions that compute the channels of a wait, in their order; empty if an ALT does not begin there.
+std::vector<CodedInstruction> code_before(const Core& core, Word address, bool alternates) {
+    const std::size_t most_instructions = alternates ? 1000 : 24;
+    std::vector<CodedInstruction> code;
     KnownStack ignored;
-    for (Word at = waits.address; code.size() < most_instructions;) {
-        const PlacedInstruction before = instruction_before(core, at);
-        if (before.instruction.length == 0 || !evaluate(core, workspace, before.instruction.operation, 0, ignored))
+    while (code.size() < most_instructions) {
+        const PlacedInstruction before = instruction_before(core, address);
+        const Operation operation = before.instruction.operation;
+        if (alternates && begins_alternative(operation))
             break;
+        const bool is_known = (alternates && enables(operation)) || evaluate(core, 0, operation, 0, ignored);
+        if (before.instruction.length == 0 || !is_known) {
+            if (alternates)
+                code.clear();
+            break;
+        }
         code.push_back(before.instruction);
-        at = before.address;
+        address = before.address;
     }
+    std::ranges::reverse(code);
+    return code;
+}
+
+/// Returns the channels of an input, an output or an ALT that ends before an address, if the code before it tells.
+std::optional<std::vector<Word>> channels_before(const Core& core, Word workspace, Word instruction, bool alternates) {
+    std::vector<Word> channels;
     KnownStack stack;
-    for (auto each = code.rbegin(); each != code.rend(); ++each)
-        evaluate(core, workspace, each->operation, each->operand * (counts_words(each->operation) ? 4 : 1), stack);
-    return stack.b();
+    const Word waits = instruction_before(core, instruction).address;
+    const std::vector<CodedInstruction> code = code_before(core, waits, alternates);
+    for (const CodedInstruction& each : code) {
+        if (each.operation == Operation::enbc && !stack.b())
+            return std::nullopt;
+        if (each.operation == Operation::enbc)
+            channels.push_back(*stack.b());
+        if (enables(each.operation))
+            stack.pop_second();
+        else
+            evaluate(core, workspace, each.operation, each.operand * (counts_words(each.operation) ? 4 : 1), stack);
+    }
+    if (code.empty() || (!alternates && !stack.b()))
+        return std::nullopt;
+    if (!alternates)
+        channels.push_back(*stack.b());
+    return channels;
 }
 
 /// The instruction at which a process waits; `unknown` if its saved Iptr follows no instruction that waits.
@@ -237,11 +268,10 @@ private:
             return; // it waits for a link or a timer
         const bool is_low =
             known != found_.end() ? known->second.priority == 1 : std::ranges::any_of(holders, &Holder::is_low);
-        const auto channel =
-            alternates ? std::nullopt
-                       : channel_before(core_, workspace, *word_of_node(core_, workspace - below::instruction));
+        const auto channels =
+            channels_before(core_, workspace, *word_of_node(core_, workspace - below::instruction), alternates);
         for (const Holder& each : holders)
-            if (channel ? each.at == *channel : each.is_low == is_low)
+            if (channels ? std::ranges::find(*channels, each.at) != channels->end() : each.is_low == is_low)
                 process(workspace, each.is_low, wait_of(operation)).channels.push_back(each.at);
     }
 

@@ -28,8 +28,9 @@ struct WaitingProcess {
 /// The timer queues and the channel words of links tell theirs. For the others, the memory is searched for words that
 /// hold a descriptor. Its workspace must lie in the memory, and its process must neither run nor be ready. Its saved
 /// Iptr must follow an instruction that waits, and the word W-3 must be what this instruction leaves there. The address
-/// of the channel is computed from the code before an input or output where that only loads and adds; the word there
-/// must hold the descriptor, and no other word is taken. Otherwise a copy of a descriptor may be taken for a channel.
+/// of the channel is computed from the code before the instruction where that only loads, computes addresses, and
+/// enables the guards of an ALT; the word there must hold the descriptor, and no other word is taken. Otherwise, as in
+/// an ALT with a loop, a copy of a descriptor may be taken for a channel.
 /// A process that waits for nothing, as after stopp, is not found: no word refers to it.
 std::vector<WaitingProcess> waiting_processes(const Core&);
 
