@@ -7,8 +7,9 @@ import subprocess
 import tempfile
 import unittest
 
+from chromium import CHROMIUM, Chromium
 from page_reader import data_of
-from program import PROGRAM, fingerprint, placedpar
+from program import PROGRAM, placedpar
 
 CROSS = """
 there = 1
@@ -197,6 +198,24 @@ class Traces(ProgramWaits):
         tracks = {track["name"]: track["kind"] for track in data["timeline"]["tracks"]}
         self.assertEqual(tracks["root.#80000154"], "program")
         self.assertEqual(data["report"]["deadlock"]["processes"][1]["process"], "root.#80000154")
+
+    @unittest.skipUnless(CHROMIUM, "no browser")
+    def test_the_page_tells_in_a_browser_what_a_process_waits_for(self):
+        file, page = self.assembled("pong", PING_PONG), self.folder / "p.html"
+        self.run_of(file, "--page", page)
+        chromium = Chromium()
+        self.addCleanup(chromium.close)
+        chosen, said = chromium.value_in(page.as_uri() + "#process=root.%2380000154&at=1", "document.getElementById('chosen').textContent")
+        self.assertEqual(said, [])
+        self.assertIn("a process of the booted program", chosen)
+        self.assertIn("inputs from root.#800001A4", chosen)
+        rows, said = chromium.value_in(page.as_uri(), "view.rows.map(row => row.heading || labelOf(row.track)).join(' ')")
+        self.assertEqual(said, [])
+        self.assertEqual(rows.split(), ["root", "T800", "processor", "root.#800000A4", "root.#80000154", "root.#800001A4"])
+        self.run_of(self.assembled("cross", CROSS), "--page", page)
+        deadlock, said = chromium.value_in(page.as_uri(), "document.getElementById('deadlock').textContent")
+        self.assertEqual(said, [])
+        self.assertIn("root.#80000144 \u2192 root.#80000194 \u2192 root.#80000144", deadlock)
 
     def test_explain_accounts_for_the_waits(self):
         self.assembled("pong", PING_PONG)
