@@ -2,9 +2,11 @@
 
 #include "netlist/kinds/boot_host.hpp"
 #include "netlist/kinds/machine_node.hpp"
+#include "runtime/transputer/code_lines.hpp"
 #include "runtime/transputer/listing.hpp"
 #include "runtime/transputer/node.hpp"
 #include "runtime/transputer/stepper.hpp"
+#include "runtime/transputer/waiting.hpp"
 
 #include <memory>
 #include <optional>
@@ -25,6 +27,7 @@ public:
 
     void has_link(hardware::Link&) override;
     void report(MachineUse&) const override;
+    std::vector<ProgramWait> program_waits() const override;
     FaultEffects suffer(const Fault& halts) override;
 
     transputer::Node& device() { return device_; }
@@ -34,6 +37,8 @@ private:
     void tell_hosts();
     std::string state() const;
     std::string state_of_program() const;
+    const transputer::CodeLines& lines() const;
+    ProgramWait describe(const transputer::WaitingProcess&) const;
     void connect_host(hardware::Link&, const LinkEnd& own, bool own_is_a);
 
     transputer::Node& device_;

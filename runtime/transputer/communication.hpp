@@ -88,7 +88,7 @@ PLACEDPAR_EXPANDED bool Core::communicate(bool is_output, const Communication& a
         return true;
     }
     if (asked.partner != not_a_process)
-        wake_alternative(asked.partner, local_time());
+        wake_alternative(asked.partner, local_time(), Turn::met);
     store(asked.channel, descriptor(r));
     store(r.workspace - below::pointer, asked.address);
     store_instruction(r);

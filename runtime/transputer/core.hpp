@@ -119,6 +119,7 @@ public:
     /// Copy bytes for a link or a boot. Offsets outside of the memory stop the core.
     void copy_from_memory(Word offset, std::span<std::uint8_t>);
     void copy_to_memory(Word offset, std::span<const std::uint8_t>);
+    bool is_running() const { return running_; }
     /// Returns whether a process runs or is ready.
     bool is_active() const { return running_ || front_[0] != not_a_process || front_[1] != not_a_process; }
 
@@ -139,7 +140,10 @@ public:
     const Registers& registers() const { return registers_; }
     bool high_priority() const { return priority_ == 0; }
     bool halts_on_error() const { return halts_on_error_; }
+    /// Returns the Error flag of a priority.
+    bool has_error(int priority) const { return priority == priority_ ? registers_.error : other_error_; }
     Fpu& fpu() { return fpu_; }
+    const Fpu& fpu() const { return fpu_; }
     /// Returns the front of a queue of ready processes: an address of a workspace, or not_a_process.
     Word front(int priority) const { return front_[static_cast<std::size_t>(priority)]; }
     Word back(int priority) const { return back_[static_cast<std::size_t>(priority)]; }
@@ -168,6 +172,34 @@ public:
     };
     /// Executes one instruction at a time from now on, with the same results. REQUIRES: `watcher` outlives the run.
     void watch(Watcher* watcher) { watcher_ = watcher; }
+
+    /// What a process does from now on.
+    enum class Turn : std::uint8_t {
+        runs,       ///< it has the processor
+        ready,      ///< it is in a queue, or interrupted
+        met,        ///< the same, since the running process has communicated with it by the channel
+        enables,    ///< the running process waits for this channel, too, if its ALT waits
+        selects,    ///< the ALT of the running process need not wait
+        alternates, ///< it waits in an ALT for the channels that it has enabled
+        times,      ///< the same, with a time; or it waits for the time alone, if it has enabled no channel
+        inputs,     ///< it waits for input by the channel
+        outputs,
+        stops, ///< it has left the processor, and waits for nothing; or the core has stopped
+        ends
+    };
+    /// Watches processes, for traces. REQUIRES: it only reads the core.
+    class ProcessWatcher {
+    public:
+        /// The process of this workspace changes what it does, at the local time. A process that calls procedures
+        /// waits at other workspaces than those at which it runs.
+        virtual void turns(Word workspace, Turn, Word channel) = 0;
+
+    protected:
+        ~ProcessWatcher() = default;
+    };
+    /// Performs everything of the scheduler at its own moment from now on, with the same results. REQUIRES: `watcher`
+    /// outlives the run.
+    void watch_processes(ProcessWatcher* watcher) { process_watcher_ = watcher; }
 
 private:
     /// Why execute() has returned to the scheduler.
@@ -223,6 +255,7 @@ private:
     void resume_interrupted();
     void leave_processor();
     void store_instruction(const Registers&);
+    void stop_process();
     void give_way();
     void enqueue(Word process);
     void end_process();
@@ -240,7 +273,7 @@ private:
     bool communicate(bool is_output, const Communication&, const Registers&);
     void copy_message(Word from, Word to, Word bytes);
     void communicate_by_link(int link, const Communication&);
-    void wake_alternative(Word partner, Time);
+    void wake_alternative(Word partner, Time, Turn woken);
     void reset_channel();
     HalfCycles cost_of(Operation);
     void perform(Operation);
@@ -277,6 +310,10 @@ private:
         return NodeMemory::offset_of(address) < traits_.bytes_on_chip ? 0 : words_touched(address, bytes) * penalty_;
     }
     void fault(Stopped, Word address);
+    void tell(Word workspace, Turn turn, Word channel = not_a_process) {
+        if (process_watcher_) [[unlikely]]
+            process_watcher_->turns(workspace & ~Word{3}, turn, channel);
+    }
 
     // alternation.cpp: ALT, clocks and timers
     bool is_ready(Word channel);
@@ -350,6 +387,7 @@ private:
     Word last_fetched_ = 1; ///< address of the word of code that was fetched last; odd: none
     bool memory_is_shared_ = false;
     Watcher* watcher_ = nullptr;
+    ProcessWatcher* process_watcher_ = nullptr;
 };
 
 } // namespace placedpar::transputer

@@ -110,6 +110,8 @@ void Core::fault(Stopped why, Word address) {
     stopped_ = why;
     stopped_at_ = address;
     was_running_ = std::exchange(running_, false);
+    if (was_running_)
+        tell(registers_.workspace, Turn::stops);
 }
 
 std::string Core::why_stopped() const {

@@ -50,6 +50,7 @@ public:
     bool holds(Word offset, Word bytes) const { return offset <= size_ && bytes <= size_ - offset; }
 
     std::uint8_t* data() { return bytes_.get(); }
+    const std::uint8_t* data() const { return bytes_.get(); }
     /// Returns a flag for each page; not 0 if instructions of the page are decoded.
     std::uint8_t* code_flags() { return pages_.get(); }
 

@@ -1,6 +1,10 @@
 #include "runtime/transputer/node.hpp"
 
 #include "runtime/kernel.hpp"
+#include "runtime/transputer/code_lines.hpp"
+#include "runtime/transputer/code_text.hpp"
+#include "runtime/transputer/process_trace.hpp"
+#include "runtime/transputer/words.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -27,6 +31,8 @@ Node::Node(Kernel& kernel, std::string name, Model model, std::uint64_t memory_b
     for (int i = 0; i < links; ++i)
         ports_[static_cast<std::size_t>(i)].belong_to(*this, i);
 }
+
+Node::~Node() = default;
 
 void Node::has_link(hardware::Link& link) {
     link.from_a_to_b().move_messages_of(engines_);
@@ -151,6 +157,22 @@ Time Node::time_busy() const {
 
 Time Node::memory_taken_by_links() { return times(static_cast<std::int64_t>(words_moved()), access_); }
 
+std::string Node::name_of_process(Word workspace) const {
+    const std::string name = lines_ ? lines_->process(workspace) : "";
+    return name_ + "." + (name.empty() ? print_address(workspace) : name);
+}
+
+std::string Node::name_of_channel(Word channel) const {
+    const int number = hard_channel(channel);
+    if (number < 0)
+        return name_ + "." + print_address(channel);
+    if (number == 2 * links)
+        return name_ + ".event";
+    const Port& port = ports_[static_cast<std::size_t>(number % links)];
+    const ByteLane* const lane = number < links ? port.out : port.in;
+    return lane ? lane->name() : name_ + ".link[" + std::to_string(number % links) + "]";
+}
+
 // Links
 
 void Node::Port::read(std::span<std::uint8_t> to) {
@@ -261,6 +283,12 @@ void Node::obey(int link) {
         activity_ = Activity::booted;
         heard_link_.reset();
         core_.copy_to_memory(traits_of(core_.model()).memory_start, heard);
+        if (kernel_.trace() && !process_trace_) {
+            process_trace_ = std::make_unique<ProcessTrace>(
+                kernel_, core_, name_, [this](Word workspace) { return name_of_process(workspace); },
+                [this](Word channel) { return name_of_channel(channel); });
+            core_.watch_processes(process_trace_.get());
+        }
         core_.boot(static_cast<Word>(heard.size()), links + link);
         kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
         return;

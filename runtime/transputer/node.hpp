@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,9 @@ class Kernel;
 } // namespace placedpar
 
 namespace placedpar::transputer {
+
+class CodeLines;    // runtime/transputer/code_lines.hpp
+class ProcessTrace; // runtime/transputer/process_trace.hpp
 
 /// An emulated transputer as a device of a simulation. After reset it listens to its links. The first link that brings
 /// a byte boots it, reads its memory (peek) or writes it (poke), as the first byte says. Then the core executes.
@@ -39,6 +43,7 @@ public:
 
     /// Throws as the constructor of NodeMemory.
     Node(Kernel&, std::string name, Model, std::uint64_t memory_bytes, const CoreTiming&);
+    ~Node();
 
     /// Returns the end of a link for ByteLink. `number`: 0 to 3.
     ByteEnd& end(int number) { return ports_[static_cast<std::size_t>(number)]; }
@@ -46,6 +51,8 @@ public:
     void has_link(hardware::Link&);
     /// Sets a function to call when the core stops by an error.
     void when_stopped(std::function<void()> f) { when_stopped_ = std::move(f); }
+    /// Names processes by a table. REQUIRES: it outlives the node; the run has not begun.
+    void name_by(const CodeLines& lines) { lines_ = &lines; }
     /// Executes one instruction at an event. Tests compare such a run with a usual one. REQUIRES: the run has not
     /// begun.
     void run_instruction_by_instruction() { most_ahead_ = Time{0}; }
@@ -60,6 +67,11 @@ public:
     void analyse_at(Time);
 
     const std::string& name() const { return name_; }
+    /// Returns the node's name with that of a process, or with the address of its workspace: "root.phil[2]",
+    /// "root.#80000144".
+    std::string name_of_process(Word workspace) const;
+    /// Returns the name of a direction of a link, or "root.event", or "root.#80000100".
+    std::string name_of_channel(Word) const;
     Activity activity() const;
     Core& core() { return core_; }
     const Core& core() const { return core_; }
@@ -156,6 +168,8 @@ private:
     Listening listening_ = Listening::for_command;
     std::vector<std::uint8_t> heard_;
     std::function<void()> when_stopped_ = [] {};
+    const CodeLines* lines_ = nullptr;
+    std::unique_ptr<ProcessTrace> process_trace_; ///< null until a boot, and if the run is not traced
 };
 
 } // namespace placedpar::transputer

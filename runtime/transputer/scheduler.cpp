@@ -97,7 +97,7 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
         }
         if (local_ >= limit)
             return Pause::limit;
-        execute_until(std::min(limit, due_), !punctual && !watcher_ && !is_analysed_);
+        execute_until(std::min(limit, due_), !punctual && !watcher_ && !process_watcher_ && !is_analysed_);
     }
 }
 
@@ -320,6 +320,7 @@ void Core::run_front(int priority) {
     take_front(static_cast<std::size_t>(priority), registers_);
     set_priority(priority);
     running_ = true;
+    tell(registers_.workspace, Turn::runs);
 }
 
 /// Each priority has its own Error flag.
@@ -342,6 +343,7 @@ void Core::interrupt() {
     interrupted_fpu_ = fpu_;
     interrupted_pending_ = std::exchange(pending_, std::nullopt);
     interrupted_slices_ = slices_seen_;
+    tell(registers_.workspace, Turn::ready);
     local_ += 2 * interrupt_cycles;
     running_ = false;
 }
@@ -360,6 +362,7 @@ void Core::resume_interrupted() {
     slices_seen_ = interrupted_slices_;
     local_ += 2 * return_cycles;
     running_ = true;
+    tell(registers_.workspace, Turn::runs);
 }
 
 void Core::leave_processor() {
@@ -367,7 +370,13 @@ void Core::leave_processor() {
     running_ = false;
 }
 
+void Core::stop_process() {
+    leave_processor();
+    tell(registers_.workspace, Turn::stops);
+}
+
 void Core::give_way() {
+    tell(registers_.workspace, Turn::ready);
     leave_processor();
     enqueue(descriptor());
 }
@@ -380,6 +389,7 @@ void Core::boot(Word code_bytes, int input_channel) {
     set_priority(1);
     running_ = true;
     slices_seen_ = 0;
+    tell(registers_.workspace, Turn::runs);
 }
 
 void Core::reset_after_analyse() {
@@ -396,12 +406,14 @@ void Core::reset_after_analyse() {
 void Core::end_process() {
     const Word count = load(registers_.a + 4);
     store(registers_.a + 4, count - 1);
+    tell(registers_.workspace, Turn::ends);
     running_ = false;
     if (count != 1)
         return;
     registers_.workspace = registers_.a & ~Word{3};
     registers_.instruction = load(registers_.workspace);
     running_ = true;
+    tell(registers_.workspace, Turn::runs);
 }
 
 } // namespace placedpar::transputer

@@ -263,8 +263,8 @@ TEST_CASE("code that other code replaced is listed apart") {
             found.emplace_back(line.instruction.operand, line.is_replaced);
         }
     CHECK(found == std::vector<std::pair<std::uint32_t, bool>>{{2, false}, {1, true}});
-    CHECK(print_listing(run.listing).find("  21 FB              ldpi    #80000102 ") != std::string::npos);
-    CHECK(print_listing(run.listing).find("\nreplaced by other code\n#80000102  41 ") != std::string::npos);
+    CHECK(print_listing(run.listing, {}).find("  21 FB              ldpi    #80000102 ") != std::string::npos);
+    CHECK(print_listing(run.listing, {}).find("\nreplaced by other code\n#80000102  41 ") != std::string::npos);
 }
 
 TEST_CASE("a program that writes new code without end is listed in a limited memory") {
@@ -312,7 +312,7 @@ TEST_CASE("a listing is printed with its hot blocks first") {
                  .word 0
         done:    stopp
     )");
-    CHECK(print_listing(run.listing) == R"(605 instructions of a T800, 1,321 cycles, without waits
+    CHECK(print_listing(run.listing, {}) == R"(605 instructions of a T800, 1,321 cycles, without waits
 
   share             cycles            times  block
  68.1 %                900              100  #80000105 to #8000010A

@@ -342,10 +342,13 @@ std::vector<NodeOutcome> run_network(const RandomNetwork& network, const WayToRu
     }
     if (shuffles)
         world.simulation.shuffle(way.order);
+    if (way.trace)
+        world.simulation.trace_to(*way.trace);
     world.run(way.until);
     std::vector<NodeOutcome> outcomes;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         transputer::Core& core = nodes[i]->core();
+        way.at_end(*nodes[i]);
         const auto memory = core.memory().bytes(0, core.memory().size());
         outcomes.push_back({core.registers(),
                             {memory.begin(), memory.end()},

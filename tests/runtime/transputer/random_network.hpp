@@ -4,9 +4,11 @@
 
 #include "runtime/hardware/link.hpp"
 #include "runtime/time.hpp"
+#include "runtime/trace.hpp"
 #include "runtime/transputer/core.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -42,7 +44,9 @@ RandomNetwork random_network(std::uint64_t seed, unsigned scale = 1);
 struct WayToRun {
     std::uint64_t order = 0; ///< decides the order in which nodes, links and hosts are made; 0: the usual one
     bool instruction_by_instruction = false;
-    bool every_byte = false;              ///< LinkDirection::simulate_every_byte
+    bool every_byte = false; ///< LinkDirection::simulate_every_byte
+    TraceSink* trace = nullptr;
+    std::function<void(const transputer::Node&)> at_end = [](const transputer::Node&) {};
     Time until = std::chrono::seconds{1}; ///< unlike the others, this matters
 };
 
