@@ -210,7 +210,8 @@ void CriticalPath::explain_wait(const Lane& lane, Time now) {
     Time together = now;
     if (const AnyChannel* channel = channel_of_message(process)) {
         const AnyChannel::User& user = outputs(process) ? channel->last_inputter() : channel->last_outputter();
-        partner = user.outermost ? user.outermost->name() : channel->name();
+        const std::string device = user.outermost ? "" : channel->partner_device();
+        partner = user.outermost ? user.outermost->name() : device.empty() ? channel->name() : device;
         if (const Point& cause = points_[*lane.cause]; lane.together)
             together = points_[*lane.together].at;
         else if (cause.activity == Activity::carrying && cause.at == now)
