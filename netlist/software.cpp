@@ -25,8 +25,7 @@ Software::Software(const Network& network, const Catalogue& catalogue, std::uint
     require_runnable(network, catalogue);
     for (const NetworkChannel& channel : network.channels) {
         const ChannelEnd& end = channel.from.at_edge() ? channel.to : channel.from;
-        channels_.push_back(
-            port_of(network.processes[end.process], end.port, catalogue).make_channel(channel.name));
+        channels_.push_back(port_of(network.processes[end.process], end.port, catalogue).make_channel(channel.name));
     }
 }
 

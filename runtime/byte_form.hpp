@@ -28,9 +28,9 @@ public:
 };
 
 /// States how messages of a type are written as bytes, for programs in a transputer's own code. The bytes are those of
-/// occam's protocols: numbers are little-endian, BOOL is a byte of 0 or 1, `[n]T` is its elements, `INT::[]T` is the
-/// number of elements and the elements, and a variant is a byte with the number of its alternative, from 0 on, and the
-/// alternative. A specialisation has the functions
+/// occam's protocols. Numbers are little-endian, and BOOL is a byte of 0 or 1. `[n]T` is its elements. `INT::[]T` is
+/// the number of elements, in four bytes, and the elements. A variant is a byte with the number of its alternative,
+/// from 0 on, and the alternative. A specialisation has the functions
 ///
 ///     static void write(const T&, MessageBytes&);                           // appends the bytes of the message
 ///     static std::uint32_t next_part(std::span<const std::uint8_t> so_far); // the length of the part that follows the

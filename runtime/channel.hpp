@@ -471,9 +471,7 @@ private:
     const AnyByteForm* byte_form() const override {
         if constexpr (HasByteForm<T>) {
             static constexpr AnyByteForm form{
-                [](const void* message, MessageBytes& to) {
-                    ByteForm<T>::write(*static_cast<const T*>(message), to);
-                },
+                [](const void* message, MessageBytes& to) { ByteForm<T>::write(*static_cast<const T*>(message), to); },
                 &ByteForm<T>::next_part,
                 [](std::span<const std::uint8_t> bytes, void* slot) {
                     static_cast<std::optional<T>*>(slot)->emplace(ByteForm<T>::read(bytes));

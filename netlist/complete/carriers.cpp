@@ -111,8 +111,8 @@ private:
         bool forwards = connection.a.node == from && connection.b.node == to;
         if (!forwards && !(connection.b.node == from && connection.a.node == to))
             refuse_wire(channel, connection, at);
-        auto kind = c_.network.nodes[outer.node].runs_own_code ? ChannelPlacement::Kind::link
-                                                               : ChannelPlacement::Kind::edge;
+        auto kind =
+            c_.network.nodes[outer.node].runs_own_code ? ChannelPlacement::Kind::link : ChannelPlacement::Kind::edge;
         channel.placement = {kind, {{index, forwards}}};
         ++load(channel.placement.route.front());
     }

@@ -132,10 +132,9 @@ transputer::MessageEnd& BootedNode::message_end(std::size_t connection) {
         const LinkConnection& wire = network().connections[connection];
         transputer::MessageEnd& there = found->second;
         hardware::Link& link = *parts().links[connection];
-        lanes_.push_back(
-            wire.a.node == index()
-                ? std::make_unique<transputer::ByteLink>(link, device_.end(wire.a.link), there)
-                : std::make_unique<transputer::ByteLink>(link, there, device_.end(wire.b.link)));
+        lanes_.push_back(wire.a.node == index()
+                             ? std::make_unique<transputer::ByteLink>(link, device_.end(wire.a.link), there)
+                             : std::make_unique<transputer::ByteLink>(link, there, device_.end(wire.b.link)));
     }
     return found->second;
 }

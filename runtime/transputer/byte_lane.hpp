@@ -9,8 +9,8 @@ namespace placedpar::transputer {
 
 class ByteLane;
 
-/// An end of a link that gives and takes bytes by counts: a node, a host, a process that inputs messages. The functions must not wait or
-/// throw.
+/// An end of a link that gives and takes bytes by counts: a node, a host, a process that inputs messages. The functions
+/// must not wait or throw.
 class ByteEnd {
 public:
     /// Copies the next bytes of those that are being given.

@@ -16,8 +16,8 @@ void MessageEnd::carry(AnyChannel& channel, Transfer& transfer, MessageEnd& end,
         throw std::logic_error(fmt::format("channels {} and {} use the same direction of the link to {}",
                                            transfer.channel->name(), channel.name(), end.partner_));
     if (!channel.byte_form())
-        throw std::logic_error(fmt::format("messages of channel {} have no form in bytes, which {} moves",
-                                           channel.name(), end.partner_));
+        throw std::logic_error(
+            fmt::format("messages of channel {} have no form in bytes, which {} moves", channel.name(), end.partner_));
     transfer.channel = &channel;
     lane.wire().carries_bytes_of(channel);
     channel.put_on(end);

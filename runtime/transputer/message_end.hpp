@@ -24,7 +24,7 @@ namespace placedpar::transputer {
 /// of a message is a count of this end, as it is for the instructions `out` and `in`. A process continues when the last
 /// byte has been acknowledged, or has arrived. The other end may move the bytes by other counts.
 ///
-/// input() throws NoMessage for bytes that are no message of the channel's protocol.
+/// input() throws NoMessage for bytes of which the channel's protocol has no message.
 class MessageEnd final : public ByteEnd, public Carrier {
 public:
     /// `partner`: the name of the device at the other end, for reports.

@@ -80,7 +80,8 @@ struct Halt {
     bool operator==(const Halt&) const = default;
 };
 
-const std::vector<std::string> protocols = {"int", "byte", "bool", "int16", "int64", "real", "array", "counted", "case"};
+const std::vector<std::string> protocols = {"int",  "byte",  "bool",    "int16", "int64",
+                                            "real", "array", "counted", "case"};
 
 Catalogue kinds_with_bytes() {
     Catalogue catalogue;
@@ -93,8 +94,8 @@ Catalogue kinds_with_bytes() {
     add_pair<double>(catalogue, "real", {0.1, -1e300});
     add_pair<std::array<float, 3>>(catalogue, "array", {{1, 2, 3}});
     add_pair<std::vector<std::uint8_t>>(catalogue, "counted", {{1, 2, 3}, {}, std::vector<std::uint8_t>(300, 9)});
-    add_pair<std::variant<std::int32_t, Halt, std::vector<std::int32_t>>>(
-        catalogue, "case", {5, Halt{}, std::vector<std::int32_t>{1, 2}});
+    add_pair<std::variant<std::int32_t, Halt, std::vector<std::int32_t>>>(catalogue, "case",
+                                                                          {5, Halt{}, std::vector<std::int32_t>{1, 2}});
     return catalogue;
 }
 
@@ -203,8 +204,8 @@ TEST_CASE("a network with own code beside processes is printed, read again, and 
 
 TEST_CASE("a process that gives up messages cannot talk to a transputer's own code") {
     const BootableFile file(echo);
-    const std::string refusal = render(read_mixed(beside_code(
-        file, R"(process p; use "csp.sender_or_fail" for p; place p on a; place p.out on a.link[2];)")));
+    const std::string refusal = render(read_mixed(
+        beside_code(file, R"(process p; use "csp.sender_or_fail" for p; place p on a; place p.out on a.link[2];)")));
     CAPTURE(refusal);
     CHECK(refusal.find("the channel \"p.out -> root\" leads to a transputer that executes its own code, so its process "
                        "cannot give up a packet") != refusal.npos);

@@ -49,12 +49,12 @@ void check_bytes(const T& message, const MessageBytes& bytes) {
     CHECK(message_of_bytes<T>(bytes) == message);
 }
 
-struct Stop {
-    bool operator==(const Stop&) const = default;
+struct OnlyTag {
+    bool operator==(const OnlyTag&) const = default;
 };
-using Command = std::variant<std::int32_t, Stop, std::vector<std::uint8_t>>;
+using CaseMessage = std::variant<std::int32_t, OnlyTag, std::vector<std::uint8_t>>;
 
-struct Pair {
+struct TwoNumbers {
     std::int32_t a, b;
 };
 
@@ -74,28 +74,29 @@ TEST_CASE("messages are written as occam's protocols write them") {
     check_bytes(std::vector<std::int32_t>{-1}, {1, 0, 0, 0, 0xff, 0xff, 0xff, 0xff});
     check_bytes(std::vector<bool>{true, false}, {2, 0, 0, 0, 1, 0});
     check_bytes(std::vector<double>{}, {0, 0, 0, 0});
-    check_bytes(Command(std::int32_t{5}), {0, 5, 0, 0, 0});
-    check_bytes(Command(Stop{}), {1});
-    check_bytes(Command(std::vector<std::uint8_t>{6}), {2, 1, 0, 0, 0, 6});
+    check_bytes(CaseMessage(std::int32_t{5}), {0, 5, 0, 0, 0});
+    check_bytes(CaseMessage(OnlyTag{}), {1});
+    check_bytes(CaseMessage(std::vector<std::uint8_t>{6}), {2, 1, 0, 0, 0, 6});
     CHECK(message_of_bytes<bool>({2}));
 }
 
 TEST_CASE("types whose bytes mean nothing to another program have no byte form") {
-    CHECK_FALSE(HasByteForm<Pair>);
+    CHECK_FALSE(HasByteForm<TwoNumbers>);
     CHECK_FALSE(HasByteForm<long double>);
-    CHECK_FALSE(HasByteForm<std::vector<Pair>>);
-    CHECK_FALSE(HasByteForm<std::variant<int, Pair>>);
+    CHECK_FALSE(HasByteForm<std::vector<TwoNumbers>>);
+    CHECK_FALSE(HasByteForm<std::variant<int, TwoNumbers>>);
     CHECK_FALSE(HasByteForm<std::string>);
     CHECK_FALSE(HasByteForm<int*>);
 }
 
 TEST_CASE("bytes that are no message are refused before anything is stored") {
     const auto count = [](std::int32_t value) { return bytes_of(value); };
-    CHECK_THROWS_WITH_AS(ByteForm<std::vector<std::uint8_t>>::next_part(count(-1)), "an array of -1 elements", NoMessage);
+    CHECK_THROWS_WITH_AS(ByteForm<std::vector<std::uint8_t>>::next_part(count(-1)), "an array of -1 elements",
+                         NoMessage);
     CHECK_EQ(ByteForm<std::vector<std::uint8_t>>::next_part(count(std::numeric_limits<std::int32_t>::max())),
              0x7fffffff);
     CHECK_THROWS_AS(ByteForm<std::vector<double>>::next_part(count(0x20000000)), NoMessage);
-    CHECK_THROWS_WITH_AS(ByteForm<Command>::next_part(MessageBytes{3}),
+    CHECK_THROWS_WITH_AS(ByteForm<CaseMessage>::next_part(MessageBytes{3}),
                          "the tag 3, of an alternative that does not exist", NoMessage);
-    CHECK_THROWS_AS(ByteForm<Command>::next_part(MessageBytes{2, 0xff, 0xff, 0xff, 0xff}), NoMessage);
+    CHECK_THROWS_AS(ByteForm<CaseMessage>::next_part(MessageBytes{2, 0xff, 0xff, 0xff, 0xff}), NoMessage);
 }

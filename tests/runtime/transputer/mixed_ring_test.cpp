@@ -116,10 +116,10 @@ struct RingEnd {
 };
 
 /// A ring under construction and in its run.
-class Ring {
+class RunningRing {
 public:
     /// `began`: when the programs of emulated nodes begin.
-    Ring(const RingCase& ring, Time began) : ring_(ring), began_(began) {
+    RunningRing(const RingCase& ring, Time began) : ring_(ring), began_(began) {
         const std::size_t count = ring.nodes.size();
         nodes_.resize(count);
         processors_.resize(count);
@@ -202,7 +202,8 @@ private:
             if (const auto at = watcher.times[programs_[i][fmt::format("t{}", k)]])
                 result.times[i].push_back(*at - began);
         for (std::size_t k = 0; k < words_of_message; ++k)
-            result.last[i][k] = static_cast<std::int32_t>(word_at(*nodes_[i], ring_buffer + 4 * static_cast<std::uint32_t>(k)));
+            result.last[i][k] =
+                static_cast<std::int32_t>(word_at(*nodes_[i], ring_buffer + 4 * static_cast<std::uint32_t>(k)));
         if (!ring_.is_first(i)) // it has added its number since
             result.last[i][0] -= ring_.nodes[i].added;
         return began;
@@ -222,15 +223,15 @@ RingCase random_ring(RandomStream& random) {
     constexpr std::int64_t speeds[] = {20'000'000, 10'000'000, 5'000'000};
     RingCase ring{.timing = {.bits_per_second = speeds[random.below(3)]}, .nodes = {}, .rounds = 1 + random.below(4)};
     for (std::uint32_t nodes = 2 + random.below(4); nodes > 0; --nodes) {
-        RingCase::RingNode& node =
-            ring.nodes.emplace_back(RingCase::RingNode{random.chance(0.5), static_cast<std::int32_t>(random.below(16)), {}});
+        RingCase::RingNode& node = ring.nodes.emplace_back(
+            RingCase::RingNode{random.chance(0.5), static_cast<std::int32_t>(random.below(16)), {}});
         for (std::size_t round = 0; round < ring.rounds; ++round)
             node.work.push_back({least_work + random.below(200), least_work + random.below(200)});
     }
     return ring;
 }
 
-std::string text_of(const RingResult& result) {
+std::string text_of_ring(const RingResult& result) {
     std::string text;
     for (std::size_t i = 0; i < result.times.size(); ++i) {
         for (const Time each : result.times[i])
@@ -247,21 +248,21 @@ std::string text_of(const RingResult& result) {
 TEST_CASE("rings of transputers and C++ processes give the values and the times of a ring of C++ processes") {
     Time began{};
     RingCase one{.timing = {}, .nodes = {{true, 1, {{least_work, least_work}}}, {true, 1, {{least_work, least_work}}}}};
-    Ring(one, began).run(began);
+    RunningRing(one, began).run(began);
     int mixed = 0;
     for (const std::uint64_t seed : seeds(300)) {
         INFO(replay(seed));
         RandomStream random(seed, "mixed ring");
         RingCase ring = random_ring(random);
         Time seen = began;
-        const RingResult result = Ring(ring, began).run(seen);
+        const RingResult result = RunningRing(ring, began).run(seen);
         CHECK_EQ(seen, began);
         int emulated = 0;
         for (RingCase::RingNode& each : ring.nodes)
             emulated += std::exchange(each.is_emulated, false);
         mixed += emulated > 0 && emulated < static_cast<int>(ring.nodes.size());
-        const RingResult wanted = Ring(ring, Time{0}).run(seen);
-        CHECK_EQ(text_of(result), text_of(wanted));
+        const RingResult wanted = RunningRing(ring, began).run(seen);
+        CHECK_EQ(text_of_ring(result), text_of_ring(wanted));
         CHECK_EQ(wanted.times[0].size(), 2 * ring.rounds);
     }
     if (all_seeds())

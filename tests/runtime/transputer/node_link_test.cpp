@@ -78,9 +78,7 @@ std::vector<std::uint8_t> message_of(std::size_t bytes) {
 template <>
 struct placedpar::ByteForm<CountedBytes> {
     static void write(const CountedBytes& message, MessageBytes& to) { to = message_of(message.bytes); }
-    static std::uint32_t next_part(std::span<const std::uint8_t> so_far) {
-        return so_far.empty() ? expected_bytes : 0;
-    }
+    static std::uint32_t next_part(std::span<const std::uint8_t> so_far) { return so_far.empty() ? expected_bytes : 0; }
     static CountedBytes read(std::span<const std::uint8_t> bytes) {
         CHECK(std::ranges::equal(bytes, message_of(expected_bytes)));
         return {expected_bytes};
@@ -345,7 +343,8 @@ TEST_CASE("a process and a transputer that alternate on a link are ready when th
     for (const std::uint64_t seed : seeds(100)) {
         INFO(replay(seed));
         RandomStream random(seed, "alternation on a link");
-        LinkCase all{.timing = link_timings[random.below(std::size(link_timings))], .directions = {}, .alternates = true};
+        LinkCase all{
+            .timing = link_timings[random.below(std::size(link_timings))], .directions = {}, .alternates = true};
         for (std::uint32_t i = 1 + random.below(4); i > 0; --i) {
             const std::uint32_t bytes = 1 + random.below(random.chance(0.5) ? 4 : 64);
             all.directions[0].sent.push_back({least_cycles + random.below(random.chance(0.5) ? 60 : 2000), bytes});
