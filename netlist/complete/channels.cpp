@@ -164,10 +164,12 @@ private:
         return connection.a.at_edge() ? connection.a.node : connection.b.at_edge() ? connection.b.node : nowhere;
     }
 
-    /// Returns the processor to which the link leads, if it executes its own code; otherwise nowhere.
+    /// Returns the processor to which the link of a device with processes leads, if it executes its own code; otherwise
+    /// nowhere.
     std::size_t code_behind(const LinkEnd& end) const {
         auto wire = c_.connection_at.find({end.node, end.link});
-        if (wire == c_.connection_at.end() || c_.network.connections[wire->second].at_run_time)
+        if (wire == c_.connection_at.end() || c_.network.connections[wire->second].at_run_time ||
+            c_.network.nodes[end.node].kind->executes == Execution::none)
             return nowhere;
         const auto& connection = c_.network.connections[wire->second];
         std::size_t other = connection.a.node == end.node ? connection.b.node : connection.a.node;
@@ -275,7 +277,7 @@ private:
         check_placed(index, kind);
         for (const auto& port : kind.ports) {
             auto used = subscripts_used(index, port.name);
-            if (used.empty() && !port.optional)
+            if (used.empty() && !port.optional && !is_placed(index, port.name))
                 refuse_unconnected(index, process.declared, port.name);
             if (!check_numbering(process, port.name, used))
                 return;
@@ -327,6 +329,15 @@ private:
             else
                 refuse_placed(c_.draft.processes[index], port, placed->second.front());
         }
+    }
+
+    bool is_placed(std::size_t index, const std::string& port) const {
+        const auto& placements = c_.draft.placements;
+        for (auto placed = placements.lower_bound({index, port});
+             placed != placements.end() && placed->first.first == index; ++placed)
+            if (base_name(placed->first.second) == port)
+                return true;
+        return false;
     }
 
     bool is_bound(std::size_t index, const std::string& port) const {

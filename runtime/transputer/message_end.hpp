@@ -43,6 +43,8 @@ public:
     bool message_waits(const AnyChannel&) const override { return in->has_byte(); }
     bool output_is_lost(const AnyChannel& c) const override { return out->wire().output_is_lost(c); }
     bool input_is_lost(const AnyChannel& c) const override { return in->wire().input_is_lost(c); }
+    bool output_must_be_reset(const AnyChannel& c) const override { return out->wire().output_must_be_reset(c); }
+    bool input_must_be_reset(const AnyChannel& c) const override { return in->wire().input_must_be_reset(c); }
     std::string why_not_given_up() const override { return "leads to a transputer that executes its own code"; }
     std::string partner_device() const override { return partner_; }
 
