@@ -140,8 +140,8 @@ private:
             beyond = code_behind(placement.where);
         if (beyond == nowhere)
             return refuse_placed(process, name, placement);
-        if (c_.network.nodes[beyond].runs_own_code)
-            check_byte_form(index, name, placement, beyond);
+        if (c_.network.nodes[beyond].runs_own_code && !can_lead_to_code(index, name, placement, beyond))
+            return;
         ChannelEnd inner{index, name, process.node}, outer{nowhere, "", beyond};
         auto inner_name = process.name + "." + name;
         const auto& outer_name = c_.network.nodes[beyond].name;
@@ -164,32 +164,43 @@ private:
         return connection.a.at_edge() ? connection.a.node : connection.b.at_edge() ? connection.b.node : nowhere;
     }
 
-    /// Returns the processor to which the link of a device with processes leads, if it executes its own code; otherwise
-    /// nowhere.
+    /// Returns the processor to which the link leads, if it executes its own code; otherwise nowhere.
     std::size_t code_behind(const LinkEnd& end) const {
         auto wire = c_.connection_at.find({end.node, end.link});
-        if (wire == c_.connection_at.end() || c_.network.connections[wire->second].at_run_time ||
-            c_.network.nodes[end.node].kind->executes == Execution::none)
+        if (wire == c_.connection_at.end())
             return nowhere;
         const auto& connection = c_.network.connections[wire->second];
         std::size_t other = connection.a.node == end.node ? connection.b.node : connection.a.node;
         return c_.network.nodes[other].runs_own_code ? other : nowhere;
     }
 
-    /// Refuses a channel to a processor's own code whose messages have no form in bytes.
-    void check_byte_form(std::size_t index, const std::string& name, const DraftPlacement& placement,
-                         std::size_t node) {
+    /// Returns whether the channel can lead to the processor, which executes its own code; otherwise reports why not.
+    bool can_lead_to_code(std::size_t index, const std::string& name, const DraftPlacement& placement,
+                          std::size_t node) {
+        const DraftProcess& process = c_.draft.processes[index];
         const ProcessKind* kind = c_.kinds[index];
         const PortDescription* port = kind == nullptr ? nullptr : kind->port(base_name(name));
+        const Node& here = c_.network.nodes[placement.where.node];
+        const bool at_run_time =
+            c_.network.connections[c_.connection_at.at({placement.where.node, placement.where.link})].at_run_time;
+        if (at_run_time || here.kind->executes == Execution::none) {
+            c_.reporter.error(placement.at,
+                              fmt::format("the channel \"{}.{}\" leads to \"{}\", which executes its own code, {}",
+                                          process.name, name, c_.network.nodes[node].name,
+                                          at_run_time ? "by a switch that is set during the run"
+                                                      : fmt::format("from \"{}\", {}", here.name, here.kind->noun)),
+                              "such a channel needs a wire between two processors, or from a workstation");
+            return false;
+        }
         if (port == nullptr || port->has_byte_form)
-            return;
-        const DraftProcess& process = c_.draft.processes[index];
+            return true;
         c_.reporter.error(placement.at,
                           fmt::format("the channel \"{}.{}\" of the kind \"{}\" carries {}, which has no form in "
                                       "bytes, but \"{}\" executes its own code and moves bytes",
                                       process.name, name, kind->name, port->protocol, c_.network.nodes[node].name),
                           "numbers, truth values, arrays and counted arrays of them, variants of all these, and the "
                           "packets of the csp kinds can travel as bytes");
+        return false;
     }
 
     void refuse_placed(const DraftProcess& process, const std::string& port, const DraftPlacement& placement) {

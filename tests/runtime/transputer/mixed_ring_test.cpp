@@ -52,8 +52,8 @@ struct RingResult {
     bool operator==(const RingResult&) const = default;
 };
 
-constexpr std::uint32_t ring_code = from_start(0xa00), ring_workspace = from_start(0x800);
-constexpr std::uint32_t ring_buffer = 0x804; ///< word 1 of the workspace
+constexpr std::uint32_t ring_code = from_start(0x300), ring_workspace = from_start(0x200); // on the chip, as all code
+constexpr std::uint32_t ring_buffer = 0x204;                                               ///< word 1 of the workspace
 
 /// Returns instructions of one cycle each.
 std::string work_of(std::uint32_t cycles) {
