@@ -39,7 +39,7 @@ DecodedCode::Page& DecodedCode::page(Word offset) {
         result = std::make_unique<Page>();
         bytes_used_ += sizeof(Page);
     }
-    memory_.code_flags()[offset / NodeMemory::page_bytes] = 1;
+    memory_.note_code(offset / NodeMemory::page_bytes, true);
     return *result;
 }
 
@@ -159,7 +159,7 @@ void DecodedCode::forget_page(Word index) {
     }
     bytes_used_ -= sizeof(Page);
     page.reset();
-    memory_.code_flags()[index] = 0;
+    memory_.note_code(index, false);
 }
 
 void DecodedCode::forget(Word offset, Word bytes) {

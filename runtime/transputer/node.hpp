@@ -30,7 +30,7 @@ namespace placedpar::transputer {
 /// Processes that links wake at the same time become ready in the order of their channels.
 ///
 /// Source: IMS T800 data sheet, "reset, bootstrap and analyse".
-class Node final : private Event, private LinkEngines {
+class Node final : private Event, private LinkEngines, private hardware::LinkEngineWatcher {
 public:
     static constexpr int links = 4;
 
@@ -61,8 +61,11 @@ public:
 
     const std::string& name() const { return name_; }
     Activity activity() const;
-    Core& core() { return core_; }
-    const Core& core() const { return core_; }
+    /// Returns the core, in its state at the present time.
+    Core& core() {
+        come_back();
+        return core_;
+    }
     /// Returns how long instructions were executed so far, with waits for the memory.
     Time time_busy() const;
     /// Returns how long the memory has served link engines so far.
@@ -112,7 +115,14 @@ private:
     void end_analysis();
     bool is_halted() const;
     void run();
+    Core::Pause run_to_limit();
     HalfCycles limit() const;
+    bool may_run_ahead() const;
+    Core::Pause run_ahead();
+    void come_back();
+    void link_will_change() override { come_back(); }
+    /// Returns the time at which something is done to the node that no link does.
+    Time horizon(Time most_ahead) const;
     bool settle();
     std::uint64_t words_moved();
     void note(const Wake&);
@@ -146,7 +156,10 @@ private:
     hardware::LinkEngineMemory engines_;
     std::uint64_t words_settled_ = 0;
     Time busy_{};
-    Time most_ahead_ = std::chrono::microseconds{100};
+    Time most_ahead_ = std::chrono::microseconds{100}; ///< while links may act on the core
+    Time ahead_by_ = most_ahead_;                      ///< while they rest: the time of the next run
+    bool is_ahead_ = false;                            ///< the core has kept a state, and then run to `ahead_to_`
+    HalfCycles ahead_to_ = 0;
     Time halts_at_ = Time::max(), analysed_at_ = Time::max();
     Analysis analysis_{*this};
     std::vector<Wake> wakes_; ///< since the last turn of the core

@@ -33,7 +33,7 @@ std::string stepped(std::string_view source, const std::string& script) {
     std::string printed;
     transputer::Stepper stepper(
         core, commands, [&](std::string_view text) { printed += text; }, [&] { printed += "|"; });
-    core.run(1'000'000, false);
+    core.run(1'000'000);
     return printed;
 }
 
