@@ -279,7 +279,8 @@ public:
     const LinkDirection& from_b_to_a() const { return b_to_a_; }
 
     const LinkTiming& timing() const { return timing_; }
-    /// Returns whether nothing is under way. The link then stays as it is until one of its ends acts on it.
+    /// Returns whether nothing is under way. The link then stays as it is until one of its ends acts on it, and
+    /// words_moved() has the same result at all later times.
     bool is_still() const { return course_.is_still(); }
     /// Prefetches the data that words_moved() reads.
     void fetch() const { course_.fetch(); }

@@ -15,9 +15,6 @@ Word word_of(std::span<const std::uint8_t, 4> bytes) {
     return result;
 }
 
-/// Limits of the time by which a core runs ahead (ours).
-constexpr Time least_ahead = std::chrono::microseconds{10}, longest_ahead = std::chrono::milliseconds{1};
-
 /// Returns the least time in which both directions of a link move a word.
 Time time_of_word(const hardware::LinkTiming& timing) { return 4 * (timing.data() + timing.restart_latency()); }
 
@@ -43,7 +40,7 @@ void Node::has_link(hardware::Link& link) {
 
 void Node::happen() noexcept {
     if (std::exchange(is_ahead_, false))
-        ahead_by_ = std::min(ahead_by_ + ahead_by_ / 4, longest_ahead);
+        ahead_by_ = std::min(ahead_by_ + ahead_by_ / 4, longest_ahead_);
     if (activity_ == Activity::listening)
         return listen();
     if (is_halted())
@@ -112,7 +109,7 @@ void Node::come_back() {
     if (now > core_.local())
         core_.run(now, Core::Links::rest);
     kernel_.future().reschedule(*this, core_.local_time(), EventQueue::turn);
-    ahead_by_ = std::max(ahead_by_ / 2, least_ahead);
+    ahead_by_ = std::max(ahead_by_ / 2, least_ahead_);
 }
 
 /// Returns the local time up to which nothing else can act on the core.

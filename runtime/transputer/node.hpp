@@ -48,7 +48,9 @@ public:
     void when_stopped(std::function<void()> f) { when_stopped_ = std::move(f); }
     /// Executes one instruction at an event. Tests compare such a run with a usual one. REQUIRES: the run has not
     /// begun.
-    void run_instruction_by_instruction() { most_ahead_ = Time{0}; }
+    void run_instruction_by_instruction() { run_ahead_by(Time{0}); }
+    /// Runs ahead by this time wherever it can. REQUIRES: the run has not begun.
+    void run_ahead_by(Time most) { most_ahead_ = ahead_by_ = least_ahead_ = longest_ahead_ = most; }
 
     /// Stops the node at a time. It executes nothing more, and takes no commands of a boot. Its link engines finish the
     /// transfers that are under way. REQUIRES: the run has not begun.
@@ -158,6 +160,7 @@ private:
     Time busy_{};
     Time most_ahead_ = std::chrono::microseconds{100}; ///< while links may act on the core
     Time ahead_by_ = most_ahead_;                      ///< while they rest: the time of the next run
+    Time least_ahead_ = std::chrono::microseconds{10}, longest_ahead_ = std::chrono::milliseconds{1};
     bool is_ahead_ = false;                            ///< the core has kept a state, and then run to `ahead_to_`
     HalfCycles ahead_to_ = 0;
     Time halts_at_ = Time::max(), analysed_at_ = Time::max();

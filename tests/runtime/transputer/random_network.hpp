@@ -7,6 +7,7 @@
 #include "runtime/transputer/core.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace placedpar::test {
 /// A network of emulated transputers with programs, which a seed decides. The programs compute, communicate by soft
 /// channels and links, alternate, and wait for clocks, at both priorities. They read clocks often and store what
 /// depends on them, so that a difference in time leads to one in memory. They never read what a link is about to write,
-/// nor write what a link reads.
+/// nor write what a link reads. In some networks links have faults, and a transputer halts or is analysed.
 struct RandomNetwork {
     struct Booted {
         NodeWorld::Options options;
@@ -25,11 +26,13 @@ struct RandomNetwork {
         Time boot_at;
         std::vector<std::uint8_t> from_host; ///< bytes that the host sends after the boot, at `from_host_at`
         Time from_host_at;
+        std::optional<Time> halt_at, analyse_at;
     };
     struct Wire {
         std::size_t a, b;
         int link_of_a, link_of_b;
         hardware::LinkTiming timing;
+        std::vector<hardware::LinkFault> faults;
     };
     std::vector<Booted> nodes;
     std::vector<Wire> wires;
@@ -42,6 +45,7 @@ RandomNetwork random_network(std::uint64_t seed, unsigned scale = 1);
 struct WayToRun {
     std::uint64_t order = 0; ///< decides the order in which nodes, links and hosts are made; 0: the usual one
     bool instruction_by_instruction = false;
+    std::optional<Time> ahead_by; ///< Node::run_ahead_by
     bool every_byte = false;              ///< LinkDirection::simulate_every_byte
     Time until = std::chrono::seconds{1}; ///< unlike the others, this matters
 };
