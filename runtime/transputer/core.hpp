@@ -256,7 +256,6 @@ private:
     }
     void write(Word offset, std::span<const std::uint8_t>);
     void prepare_write(Word offset, Word bytes);
-    void forget_code(Word page);
     /// Returns the number of words that an interval touches, with part words at its ends.
     static HalfCycles words_touched(Word address, Word bytes) {
         return bytes == 0 ? 0 : ((HalfCycles{address} & 3) + bytes + 3) / 4;

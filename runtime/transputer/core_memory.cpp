@@ -48,13 +48,8 @@ void Core::write(Word offset, std::span<const std::uint8_t> bytes) {
 
 void Core::prepare_write(Word offset, Word bytes) {
     memory_.save(offset, bytes);
-    for (Word page = offset / NodeMemory::page_bytes; page <= (offset + bytes - 1) / NodeMemory::page_bytes; ++page)
-        forget_code(page);
-}
-
-void Core::forget_code(Word page) {
-    if (memory_.has_code(page))
-        code_.forget(page * NodeMemory::page_bytes, NodeMemory::page_bytes);
+    if (memory_.has_code(offset, bytes))
+        code_.forget(offset, bytes);
 }
 
 void Core::keep() {
@@ -64,7 +59,10 @@ void Core::keep() {
 
 void Core::go_back() {
     static_cast<CoreState&>(*this) = kept_;
-    memory_.go_back([this](Word page) { forget_code(page); });
+    memory_.go_back([this](Word offset, Word bytes) {
+        if (memory_.has_code(offset, bytes))
+            code_.forget(offset, bytes);
+    });
 }
 
 void Core::copy_from_memory(Word offset, std::span<std::uint8_t> to) {

@@ -322,7 +322,7 @@ Word Core::place_of(const Block& block, const Entry& entry) const {
 
 void Core::page_is_written(Block& block, const Entry& entry, Word offset, Word bytes) {
     memory_.save(offset, bytes);
-    if (!memory_.has_code(offset / NodeMemory::page_bytes))
+    if (!memory_.has_code(offset, bytes))
         return;
     code_.forget(offset, bytes);
     const Word begin = NodeMemory::offset_of(block.start);

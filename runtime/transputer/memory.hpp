@@ -64,8 +64,14 @@ public:
                 return true;
         return false;
     }
-    /// Returns whether instructions of a page may be decoded.
-    bool has_code(Word page) const { return pages_[page] & code; }
+    /// Returns whether instructions of the pages of these bytes may be decoded. REQUIRES: the memory holds the bytes,
+    /// and bytes > 0.
+    bool has_code(Word offset, Word bytes) const {
+        for (Word page = offset / page_bytes; page <= (offset + bytes - 1) / page_bytes; ++page)
+            if (pages_[page] & code)
+                return true;
+        return false;
+    }
     void note_code(Word page, bool has_code) {
         pages_[page] = static_cast<std::uint8_t>((pages_[page] & ~code) | (has_code ? code : 0));
     }
@@ -87,17 +93,18 @@ public:
             if (pages_[page] & unsaved)
                 save_page(page);
     }
-    /// Calls `changes(page)` for each page whose contents differ from those that were kept, then restores them.
-    /// REQUIRES: keep() was called, and after it neither let_go() nor go_back().
+    /// Restores what was kept. Calls `changes(offset, bytes)` for each word whose contents change. REQUIRES: keep() was
+    /// called, and after it neither let_go() nor go_back().
     template <class F>
     void go_back(F changes) {
-        for (std::size_t i = 0; i < copies_.size(); ++i) {
-            std::uint8_t* const bytes = &bytes_[std::size_t{written_[i]} * page_bytes];
-            if (std::memcmp(bytes, copies_[i].data(), page_bytes) == 0)
-                continue;
-            changes(written_[i]);
-            std::memcpy(bytes, copies_[i].data(), page_bytes);
-        }
+        for (std::size_t i = 0; i < copies_.size(); ++i)
+            for (Word at = 0; at < page_bytes; at += 4) {
+                std::uint8_t* const now = &bytes_[std::size_t{written_[i]} * page_bytes + at];
+                if (std::memcmp(now, &copies_[i][at], 4) == 0)
+                    continue;
+                std::memcpy(now, &copies_[i][at], 4);
+                changes(written_[i] * page_bytes + at, Word{4});
+            }
         mark_written();
         keeps_ = false;
     }

@@ -102,13 +102,13 @@ public:
     }
 
     /// Runs for a short time. May have run ahead, and come back, before.
-    void run_piece(RandomStream& random) {
+    void run_piece(RandomStream& random, std::uint64_t end = ~0ULL) {
         if (random.chance(0.3)) {
             core.keep();
             run_core(core_time() + random.below(2000));
             core.go_back();
         }
-        run_core(core_time() + random.below(200), random.chance(0.5));
+        run_core(std::min(core_time() + random.below(300), end), random.chance(0.5));
     }
 
     /// Runs the core alone. Time passes while it is idle.
@@ -372,8 +372,7 @@ TEST_CASE("damaged programs do the same however far the core runs ahead") {
         const std::uint64_t end = 60'000;
         while (in_pieces.core.stopped() == transputer::Stopped::nothing && in_pieces.core_time() < end &&
                random.below(500))
-            in_pieces.run_core(std::min<std::uint64_t>(in_pieces.core_time() + random.below(300), end),
-                               random.below(2));
+            in_pieces.run_piece(random, end);
         for (Both* each : {&at_once, &in_pieces})
             each->run_core(end);
         CHECK(at_once.core_time() == in_pieces.core_time());
