@@ -11,7 +11,7 @@ constexpr unsigned longest_block = 48;                                          
 constexpr Word longest_reach = (longest_block * (most_prefixes + 1)) / NodeMemory::page_bytes + 1; // pages
 constexpr std::uint32_t longest_wait_for_reals = 2 * 90; // half cycles; at the beginning of a block
 constexpr unsigned most_static_cost = 8000;              // half cycles of a block
-constexpr std::size_t most_spare = 16;                                                             // blocks
+constexpr std::size_t most_spare = 16;                   // blocks
 
 std::uint64_t bytes_of(const Block& block) {
     return sizeof(Block) + (block.room + 1) * (sizeof(Entry) + sizeof(std::uint32_t));

@@ -73,7 +73,7 @@ void Node::run() {
 
 Core::Pause Node::run_to_limit() {
     core_.let_go();
-    return core_.run(limit(), wires_.empty()             ? Core::Links::rest
+    return core_.run(limit(), wires_.empty()            ? Core::Links::rest
                               : core_.waits_for_links() ? Core::Links::may_wake
                                                         : Core::Links::take_accesses);
 }

@@ -21,11 +21,13 @@ namespace placedpar::transputer {
 /// An emulated transputer as a device of a simulation. After reset it listens to its links. The first link that brings
 /// a byte boots it, reads its memory (peek) or writes it (poke), as the first byte says. Then the core executes.
 ///
-/// The core runs ahead of virtual time as far as nothing can act on it: up to a link instruction; up to a change of its
-/// queues while a link may wake a process; up to the next event of any other device while a process of high priority
-/// waits for a link; up to the time at which a timer or a timeslice ends, or a clock is read; at most 100 us. So the
-/// results do not depend on how far it runs ahead, nor on the order of devices. They would if a program read bytes that
-/// a link is about to store, or changed bytes, or a channel word, that a link is about to read.
+/// The core runs ahead of virtual time, in one of two ways. While all links rest, it keeps its state, and executes up
+/// to a link instruction, as if no link acted on it. Before an end of one of its links does so, the core returns to
+/// what it kept, and executes again up to the present. While a link is under way, it executes as far as nothing can act
+/// on it: up to a change of its queues while a link may wake a process; up to the next event of any other device while
+/// a process of high priority waits for a link; up to the time at which a timer or a timeslice ends, or a clock is
+/// read. So the results do not depend on how far it runs ahead, nor on the order of devices. They would if a program
+/// read bytes that a link is about to store, or changed bytes, or a channel word, that a link is about to read.
 ///
 /// Processes that links wake at the same time become ready in the order of their channels.
 ///
@@ -161,7 +163,7 @@ private:
     Time most_ahead_ = std::chrono::microseconds{100}; ///< while links may act on the core
     Time ahead_by_ = most_ahead_;                      ///< while they rest: the time of the next run
     Time least_ahead_ = std::chrono::microseconds{10}, longest_ahead_ = std::chrono::milliseconds{1};
-    bool is_ahead_ = false;                            ///< the core has kept a state, and then run to `ahead_to_`
+    bool is_ahead_ = false; ///< the core has kept a state, and then run to `ahead_to_`
     HalfCycles ahead_to_ = 0;
     Time halts_at_ = Time::max(), analysed_at_ = Time::max();
     Analysis analysis_{*this};

@@ -117,7 +117,8 @@ public:
             const auto base = core_time() - core.local();
             if (until < base)
                 return;
-            switch (core.run(until - base, punctual ? transputer::Core::Links::may_wake : transputer::Core::Links::rest)) {
+            switch (
+                core.run(until - base, punctual ? transputer::Core::Links::may_wake : transputer::Core::Links::rest)) {
             case transputer::Core::Pause::limit:
             case transputer::Core::Pause::stopped: return;
             case transputer::Core::Pause::on_time: break;

@@ -37,7 +37,7 @@ TEST_CASE("a run that a limit stops has done what was to be done until then, and
         INFO(replay(seed));
         const RandomNetwork network = random_network(seed);
         RandomStream random(seed, "limit");
-        for (int i = 0; i < 5; ++i) {
+        for (std::uint64_t i = 0; i < 5; ++i) {
             const Time until{random.below(800'000'000)}; // 0.8 ms
             CAPTURE(until.count());
             const std::vector<NodeOutcome> usual = run_network(network, {.until = until});

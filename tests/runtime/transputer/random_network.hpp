@@ -26,13 +26,13 @@ struct RandomNetwork {
         Time boot_at;
         std::vector<std::uint8_t> from_host; ///< bytes that the host sends after the boot, at `from_host_at`
         Time from_host_at;
-        std::optional<Time> halt_at, analyse_at;
+        std::optional<Time> halt_at = std::nullopt, analyse_at = std::nullopt;
     };
     struct Wire {
         std::size_t a, b;
         int link_of_a, link_of_b;
         hardware::LinkTiming timing;
-        std::vector<hardware::LinkFault> faults;
+        std::vector<hardware::LinkFault> faults = {};
     };
     std::vector<Booted> nodes;
     std::vector<Wire> wires;
@@ -45,9 +45,9 @@ RandomNetwork random_network(std::uint64_t seed, unsigned scale = 1);
 struct WayToRun {
     std::uint64_t order = 0; ///< decides the order in which nodes, links and hosts are made; 0: the usual one
     bool instruction_by_instruction = false;
-    std::optional<Time> ahead_by; ///< Node::run_ahead_by
-    bool every_byte = false;              ///< LinkDirection::simulate_every_byte
-    Time until = std::chrono::seconds{1}; ///< unlike the others, this matters
+    std::optional<Time> ahead_by = std::nullopt; ///< Node::run_ahead_by
+    bool every_byte = false;                     ///< LinkDirection::simulate_every_byte
+    Time until = std::chrono::seconds{1};        ///< unlike the others, this matters
 };
 
 /// What has become of a node.
