@@ -41,7 +41,7 @@ private:
             return false;
         const CodedInstruction next = read_instruction(core_.memory().bytes(offset, size - offset), core_.model());
         if (next.operation == Operation::unknown || description_of(next.operation).unit != Unit::scheduler) {
-            core_.run(core_.local() + 1, false);
+            core_.run(core_.local() + 1);
             return core_.stopped() == Stopped::nothing && core_.is_running();
         }
         Registers after = r;

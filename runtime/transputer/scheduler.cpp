@@ -65,14 +65,16 @@ Core::Core(Model model, std::uint64_t memory_bytes, const CoreTiming& timing, Li
     find_due();
 }
 
-Core::Pause Core::run(HalfCycles limit, bool punctual) {
+Core::Pause Core::run(HalfCycles limit, Links links) {
     on_time_at_ = local_;
     Pause pause{};
     for (;;) {
         if (stopped_ != Stopped::nothing)
             return Pause::stopped;
+        if (local_ >= limit)
+            return Pause::limit;
         if (local_ >= due_) {
-            if (memory_is_shared_ && local_ != on_time_at_)
+            if (links != Links::rest && local_ != on_time_at_)
                 return Pause::limit;
             attend();
         }
@@ -88,16 +90,14 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
             return Pause::stopped;
         if (!has_process)
             return Pause::idle;
-        if (local_ >= due_)
-            continue; // an interrupt or return took the time until a timer
+        if (local_ >= std::min(limit, due_))
+            continue; // an interrupt or return took the time
         if (pending_) {
-            if (!finish_pending(limit, punctual, pause))
+            if (!finish_pending(limit, links, pause))
                 return pause;
             continue;
         }
-        if (local_ >= limit)
-            return Pause::limit;
-        execute_until(std::min(limit, due_), !punctual && !watcher_ && !process_watcher_ && !is_analysed_);
+        execute_until(std::min(limit, due_), links != Links::may_wake && !is_watched() && !is_analysed_);
     }
 }
 
@@ -138,9 +138,9 @@ void Core::act_on(Left left) {
 }
 
 /// Lets the cycles of an instruction pass, then performs it. Returns false if the run must pause.
-bool Core::finish_pending(HalfCycles limit, bool punctual, Pause& pause) {
+bool Core::finish_pending(HalfCycles limit, Links links, Pause& pause) {
     if (!pending_->begun) {
-        if (local_ != on_time_at_ && must_begin_on_time(pending_->operation, punctual)) {
+        if (local_ != on_time_at_ && must_begin_on_time(pending_->operation, links)) {
             pause = Pause::on_time;
             return false;
         }
@@ -150,29 +150,27 @@ bool Core::finish_pending(HalfCycles limit, bool punctual, Pause& pause) {
         if (stopped_ != Stopped::nothing)
             return true;
     }
-    const HalfCycles until = std::min(limit, due_);
-    const HalfCycles room = until > local_ ? until - local_ : 0;
-    const bool timer_first = pending_->left > 0 && local_ + pending_->left == due_;
-    if (pending_->left > room || timer_first) {
+    const HalfCycles room = std::min(limit, due_) - local_;
+    if (pending_->left >= room) { // timers come first, and what must happen at the limit later
         local_ += room;
         pending_->left -= room;
         pause = Pause::limit;
         return local_ < limit;
     }
     local_ += std::exchange(pending_->left, 0);
-    if (local_ != on_time_at_ && must_be_on_time(pending_->operation, punctual)) {
+    if (local_ != on_time_at_ && must_be_on_time(pending_->operation, links)) {
         pause = Pause::on_time;
         return false;
     }
     const Operation operation = pending_->operation;
-    const bool link = concerns_link(operation);
+    const bool acts_on_link = concerns_link(operation);
     const HalfCycles due = due_;
     if (watcher_ && operation != Operation::go_on)
         watcher_->executed(pending_->at, pending_->spent);
     pending_.reset();
     perform(operation);
     pause = Pause::on_time; // if the caller's limit may be too late now
-    return !link && (due_ >= due || !memory_is_shared_);
+    return !acts_on_link && (due_ >= due || links == Links::rest);
 }
 
 Core::Left Core::perform_at_once(Operation operation, Registers& r, HalfCycles until) {
@@ -189,12 +187,12 @@ Core::Left Core::perform_at_once(Operation operation, Registers& r, HalfCycles u
 }
 
 /// Returns whether the cycles of an instruction depend on what links do, or on clocks.
-bool Core::must_begin_on_time(Operation operation, bool punctual) const {
+bool Core::must_begin_on_time(Operation operation, Links links) const {
     switch (operation) {
     case Operation::enbc: return concerns_link(operation);
-    case Operation::altwt: return punctual;
+    case Operation::altwt: return links == Links::may_wake;
     case Operation::taltwt:
-    case Operation::tin: return punctual || memory_is_shared_;
+    case Operation::tin: return links != Links::rest;
     default: return false;
     }
 }
@@ -212,7 +210,7 @@ bool Core::concerns_link(Operation operation) const {
     }
 }
 
-bool Core::must_be_on_time(Operation operation, bool punctual) const {
+bool Core::must_be_on_time(Operation operation, Links links) const {
     switch (operation) {
     case Operation::move:
     case Operation::move2dall:
@@ -225,8 +223,8 @@ bool Core::must_be_on_time(Operation operation, bool punctual) const {
     case Operation::timerdisableh:
     case Operation::timerdisablel:
     case Operation::timerenableh:
-    case Operation::timerenablel: return punctual || memory_is_shared_;
-    default: return punctual || concerns_link(operation);
+    case Operation::timerenablel: return links != Links::rest;
+    default: return links == Links::may_wake || concerns_link(operation);
     }
 }
 

@@ -42,7 +42,7 @@ struct ProgramRun {
         core.set_registers({.instruction = origin, .workspace = workspace}, 1);
         if (!listed)
             core.watch(nullptr);
-        while (core.run(core.local() + 100'000, false) != Core::Pause::stopped) {
+        while (core.run(core.local() + 100'000) != Core::Pause::stopped) {
             if (core.is_active())
                 continue;
             if (core.next_timer() == Time::max())
@@ -230,7 +230,7 @@ TEST_CASE("a watcher is called once for each instruction, also where a timeslice
     core.copy_to_memory(program_at - transputer::most_negative, program.bytes);
     core.set_registers({.instruction = program_at, .workspace = program_workspace}, 1);
     core.watch(&counter);
-    while (core.run(core.local() + 1'000, false) != Core::Pause::idle) {
+    while (core.run(core.local() + 1'000) != Core::Pause::idle) {
     }
     CHECK(core.local_time() > std::chrono::milliseconds{10}); // at least two timeslices of both
     CHECK(counter.begun == core.instructions());

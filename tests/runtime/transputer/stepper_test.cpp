@@ -34,7 +34,7 @@ std::string stepped(std::string_view source, const std::string& script) {
     const transputer::CodeLines none;
     transputer::Stepper stepper(
         core, none, commands, [&](std::string_view text) { printed += text; }, [&] { printed += "|"; });
-    core.run(1'000'000, false);
+    core.run(1'000'000);
     return printed;
 }
 

@@ -26,7 +26,7 @@ using transputer::Word;
 namespace {
 
 /// Returns a line for each process that waits: "W+3 low: inputs #80000004".
-std::vector<std::string> found(const transputer::Node& node) {
+std::vector<std::string> found(transputer::Node& node) {
     constexpr std::string_view waits[] = {"inputs", "outputs", "alternates", "delayed"};
     std::vector<std::string> lines;
     for (const WaitingProcess& each : transputer::waiting_processes(node.core())) {
@@ -181,7 +181,7 @@ TEST_CASE("the search finds in random networks what a watcher has seen, and watc
             const std::vector<NodeOutcome> watched = run_network(
                 network, {.trace = &seen,
                           .at_end =
-                              [&](const transputer::Node& node) {
+                              [&](transputer::Node& node) {
                                   waits += found(node).size();
                                   CHECK_EQ(fmt::format("{}", fmt::join(found(node), "\n")),
                                            fmt::format("{}", fmt::join(seen.waiting(node.name()), "\n")));
