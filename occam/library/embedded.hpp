@@ -17,5 +17,6 @@ std::string snglmath_occ();
 std::string streamio_inc();
 std::string streamio_occ();
 std::string string_occ();
+std::string terminal_occ();
 
 } // namespace placedpar::occam::embedded

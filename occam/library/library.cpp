@@ -19,7 +19,7 @@ constexpr std::array library_files{
     LibraryFile{"hostio.lib", embedded::hostio_occ},     LibraryFile{"linkaddr.inc", embedded::linkaddr_inc},
     LibraryFile{"mathvals.inc", embedded::mathvals_inc}, LibraryFile{"snglmath.lib", embedded::snglmath_occ},
     LibraryFile{"streamio.inc", embedded::streamio_inc}, LibraryFile{"streamio.lib", embedded::streamio_occ},
-    LibraryFile{"string.lib", embedded::string_occ},
+    LibraryFile{"string.lib", embedded::string_occ},     LibraryFile{"terminal.lib", embedded::terminal_occ},
 };
 
 } // namespace
