@@ -261,6 +261,8 @@ void Node::obey(int link) {
         activity_ = Activity::booted;
         heard_link_.reset();
         core_.copy_to_memory(traits_of(core_.model()).memory_start, heard);
+        if (const std::optional<std::uint64_t> seed = kernel_.shuffle_seed())
+            core_.shuffle(RandomStream(*seed, name_));
         core_.boot(static_cast<Word>(heard.size()), links + link);
         kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
         return;
