@@ -153,7 +153,7 @@ std::optional<Network> ParsedNetlist::Syntax::network(const Catalogue& catalogue
         return std::nullopt;
     elaborator.use(options.programs);
     elaborator.run(set);
-    auto network = complete(elaborator.take(), catalogue, reporter);
+    auto network = complete(elaborator.take(), catalogue, reporter, options.boot_bytes);
     if (reporter.failed())
         return std::nullopt;
     network.source_path = file->path();

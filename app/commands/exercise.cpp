@@ -2,9 +2,10 @@
 #include "app/exercise/attempt.hpp"
 #include "app/exercise/course.hpp"
 #include "app/options/booted_options.hpp"
+#include "app/options/occam_options.hpp"
 #include "app/signals.hpp"
-#include "text/counted.hpp"
 #include "text/output_file.hpp"
+#include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
@@ -42,6 +43,8 @@ ExitCode report(const std::string& file, const Attempt& made, const std::string&
 ExitCode check_solution(const Options& command, const ExerciseOptions& options) {
     const Exercise exercise = exercise_of(options.number);
     const std::string& file = options.program.file;
+    if (!is_occam(file))
+        throw UserError(fmt::format("{}: a solution is a program in occam, with a name such as mine.occ", file));
     const Network network = load_network(command, options.program, {});
     InterruptedBySignals interruption;
     for (std::uint64_t order = 0; order <= orders; ++order) {

@@ -22,7 +22,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::array machine_options = {"--processor", "--memory", "--memorycycles"};
+constexpr std::array machine_options = {"--processor", "--memory", "--memorycycles", "--mode", "--no-checks"};
 
 /// Says why a text is not the size of a memory; "" if it is.
 std::string not_a_size(const std::string& text) {
@@ -146,6 +146,7 @@ void add_booted(Options& command, BootedOptions& options) {
     const std::string heading = "Transputers that execute their own code";
     add_machine(command, options, heading);
     add_host(command, options, heading);
+    add_occam(command, options.occam);
 }
 
 std::function<std::shared_ptr<iserver::Terminal>()>
@@ -158,15 +159,18 @@ terminal_for(const BootedOptions& options, std::function<bool()> interrupted, bo
 }
 
 Network load_network(const Options& typed, const NetlistOptions& netlist, const BootedOptions& options) {
-    const bool bootable = netlist.file != "-" && (looks_bootable(netlist.file) || is_empty_program(netlist.file));
-    const auto parsed = [&] {
-        if (!bootable)
-            return ParsedNetlist(netlist.file, read_options_of(netlist.read));
-        return ParsedNetlist::of_text(netlist_around(netlist.file, options), netlist.file,
-                                      read_options_of(netlist.read));
-    }();
-    if (bootable)
+    const bool occam = is_occam(netlist.file);
+    const bool bootable =
+        occam || (netlist.file != "-" && (looks_bootable(netlist.file) || is_empty_program(netlist.file)));
+    ReadOptions read = read_options_of(netlist.read);
+    if (occam)
+        read.boot_bytes[netlist.file] = std::make_shared<const std::vector<std::uint8_t>>(compile_occam(
+            netlist.file, netlist.read.include, options.occam, *transputer::model_named(options.processor)));
+    else if (bootable)
         read_bootable(netlist.file); // a refusal names the file alone
+    const ParsedNetlist parsed = bootable
+                                     ? ParsedNetlist::of_text(netlist_around(netlist.file, options), netlist.file, read)
+                                     : ParsedNetlist(netlist.file, read);
     Network network = load_network(parsed, overrides_of(netlist.set), known_kinds(known_problems(0)), print_warnings);
     if (!bootable)
         refuse_for_netlists(typed, netlist, options, network);

@@ -2,6 +2,7 @@
 
 #include "app/options.hpp"
 #include "app/options/netlist_options.hpp"
+#include "app/options/occam_options.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -17,6 +18,7 @@ struct BootedOptions {
     // These describe the transputer of a bootable file that is run without a netlist.
     std::string processor = "T800", memory = "2M";
     std::uint64_t memory_cycles = 3;
+    OccamOptions occam;
     // These are for the host.
     std::string folder;
     std::optional<std::string> keys; ///< nothing: the keys are those of the terminal, or of standard input

@@ -66,6 +66,10 @@ void check_boot(Completion& c, std::size_t index) {
         c.reporter.error(node.boot_stated,
                          fmt::format("\"{}\" is booted with a file, but no host is connected to it", node.name),
                          fmt::format("connect {}.link[0] to host;", node.name));
+    if (const auto known = c.boot_bytes.find(node.boot_file); known != c.boot_bytes.end()) {
+        node.boot_bytes = known->second;
+        return;
+    }
     try {
         node.boot_bytes = std::make_shared<const std::vector<std::uint8_t>>(read_bootable(node.boot_file));
     } catch (const UserError& refused) {

@@ -250,6 +250,9 @@ struct Network {
     std::size_t count_wires() const;
 };
 
+/// Bytes that boot nodes, by the path of the file that the netlist names. Other files are read.
+using BootBytes = std::map<std::string, std::shared_ptr<const std::vector<std::uint8_t>>>;
+
 /// Returns the paths of all files that the netlist names: included files, then bootable files.
 std::vector<std::string> paths_of_inputs(const Network& network);
 

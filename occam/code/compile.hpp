@@ -33,9 +33,10 @@ struct CodeName {
 /// Code of a program that can stand anywhere in memory.
 struct Code {
     std::vector<std::uint8_t> bytes;
-    std::uint32_t entry = 0;           ///< offset of the main procedure
-    std::uint64_t workspace_words = 0; ///< below the first workspace, with those of everything it calls
-    std::uint64_t vector_space_bytes = 0;
+    std::uint32_t entry = 0;           ///< offset of the first instruction, which needs no values in registers
+    std::uint64_t workspace_words = 0; ///< of the first process, with those of everything it calls
+    std::uint64_t first_workspace_words = 0; ///< those of them that the first workspace pointer has above it
+    std::uint64_t vector_space_bytes = 0;    ///< behind the code
     std::vector<CodeLine> lines; ///< in order of offsets
     std::vector<CodeName> names;
 };

@@ -107,13 +107,15 @@ struct NameUse {
 /// `42`, `#2A`, `'a'`, `42(INT64)`, `TRUE`.
 struct IntegerLiteral {
     std::uint64_t value = 0;
-    bool negative_allowed = false; ///< the literal is 2^(n-1) behind a minus sign
+    bool negative_allowed = false; ///< it stands directly behind a minus sign, and may be 2^(n-1)
     std::optional<Basic> type;     ///< as written or by its form: BYTE of a character, BOOL of TRUE; else INT
+    std::string type_name = {};    ///< `42(LENGTH)`: a DATA TYPE
 };
 /// `1.5(REAL32)`: digits as written.
 struct RealLiteral {
     std::string digits;
     std::optional<Basic> type;
+    std::string type_name = {}; ///< `1.5(LENGTH)`: a DATA TYPE
 };
 /// A string with its escapes resolved. `*l` in front has been replaced by the length.
 struct StringLiteral {
@@ -148,7 +150,7 @@ struct Subscript {
 struct Segment {
     ExpressionBox array, from, count;
 };
-/// A call of a function or of a predefined one.
+/// A call of a function or of a predefined one. With the name of a DATA TYPE it is a conversion.
 struct Call {
     std::string name;
     std::vector<Expression> arguments;
@@ -177,8 +179,9 @@ struct Expression {
     std::variant<NameUse, IntegerLiteral, RealLiteral, StringLiteral, TableLiteral, UnaryOperation, BinaryOperation,
                  Conversion, Subscript, Segment, Call, ValueProcess, TypeBound, OffsetOf>
         form;
-    const Type* type = nullptr;       ///< checked; of a call with several results: that of the first
-    std::optional<Constant> constant; ///< checked: the value, if it is known at compile time
+    std::optional<bool> written_output = {}; ///< `c!` or `c?`: a channel that is passed or abbreviated
+    const Type* type = nullptr;              ///< checked; of a call with several results: that of the first
+    std::optional<Constant> constant;        ///< checked: the value, if it is known at compile time
 };
 
 // Processes
@@ -317,6 +320,7 @@ struct Abbreviation {
     bool is_value = false;
     std::shared_ptr<TypeText> type; ///< null if it is left out
     Expression value;
+    std::optional<bool> written_output = {}; ///< `c!` or `c?` in front of IS
 };
 /// `T x RETYPES y:`, `VAL T x RETYPES e:`, RESHAPES
 struct Retyping {
@@ -381,6 +385,7 @@ struct Use {
 /// A procedure or function of the language itself, such as LONGADD or ASSERT.
 struct Predefined {
     std::vector<const Type*> parameters, results;
+    std::vector<Parameter::Passing> passing = {}; ///< of each parameter
 };
 
 /// How a PROC uses a channel parameter or a declared channel.

@@ -32,6 +32,15 @@ std::string name_of(const ProtocolType& protocol) {
     return text;
 }
 
+/// Returns the end of the last field, in whole words unless the record is packed, so that arrays of it are aligned.
+std::uint64_t bytes_of_record(const Type& record) {
+    if (record.fields.empty())
+        return 0;
+    const std::uint64_t end = record.fields.back().offset + bytes_of(*record.fields.back().type);
+    const auto* written = std::get_if<DataType>(&record.declared->form);
+    return written && written->is_packed ? end : (end + 3) / 4 * 4;
+}
+
 } // namespace
 
 std::string name_of(Basic basic) { return basic_traits[static_cast<std::size_t>(basic)].name; }
@@ -61,8 +70,7 @@ std::uint64_t bytes_of(const Type& type) {
     switch (type.kind) {
     case Type::Kind::array: return std::uint64_t{type.count.value_or(0)} * bytes_of(*type.element);
     case Type::Kind::derived: return bytes_of(*type.element);
-    case Type::Kind::record:
-        return type.fields.empty() ? 0 : type.fields.back().offset + bytes_of(*type.fields.back().type);
+    case Type::Kind::record: return bytes_of_record(type);
     default: return bytes_of(type.basic);
     }
 }

@@ -99,7 +99,8 @@ SEQ
 
     def test_wrong_use(self):
         for arguments, message in ((("3.4",), 'there is no exercise "3.4"; the exercises are 1.1 to 10.3'),
-                                   (("3.2", "nowhere.occ"), "nowhere.occ")):
+                                   (("3.2", "nowhere.occ"), "nowhere.occ"),
+                                   (("3.2", "mine.txt"), "mine.txt: a solution is a program in occam, with a name such as mine.occ")):
             done = placedpar("exercise", *arguments)
             self.assertEqual((done.returncode, done.stdout), (1, ""))
             self.assertIn(message, done.stderr)

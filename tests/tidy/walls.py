@@ -67,7 +67,7 @@ BELOW = {
     "experiments/chapter_6": ["experiments/chapter_6/kit"],
     "experiments/appendix_e": ["experiments/kit"],
     "experiments/machine": ["experiments/kit"],
-    "app": ["explore", "observe/page"],
+    "app": ["explore", "observe/page", "occam"],
     "app/generation": ["gaprocs", "picture"],
     "app/record": ["explore/study", "hydraulics/plant"],
     "app/options": ["app"],

@@ -1,0 +1,58 @@
+#include "app/command.hpp"
+#include "app/options/common_options.hpp"
+#include "app/options/occam_options.hpp"
+#include "text/output_file.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <memory>
+
+namespace placedpar {
+
+namespace {
+
+struct CompileOptions {
+    std::string file, out, processor = "T800";
+    std::vector<std::string> folders;
+    OccamOptions occam;
+};
+
+ExitCode compile_file(const CompileOptions& options) {
+    require_apart(std::array{std::filesystem::path(options.out)}, options.file);
+    require_writable(options.out);
+    const std::vector<std::uint8_t> bytes =
+        compile_occam(options.file, options.folders, options.occam, *transputer::model_named(options.processor));
+    write_whole(options.out, std::string(bytes.begin(), bytes.end()));
+    print_out(fmt::format("{}: {} bytes for a {}\n", options.out, bytes.size(), options.processor));
+    return ExitCode::success;
+}
+
+Action declare_compile(Options& command, const std::string&) {
+    auto options = std::make_shared<CompileOptions>();
+    std::vector<std::string> models;
+    for (const transputer::Traits& each : transputer::all_traits)
+        models.emplace_back(each.name);
+    add_file(command, "FILE", options->file, "a program in occam; - is standard input").required();
+    add_file(command, "-o,--out", options->out, "the bootable file that is written").required();
+    command.add_list("-I", options->folders, "FOLDER",
+                     "folder to search for included files, besides the program's own; may be repeated");
+    command.add("--processor", options->processor, "type of the transputer that executes the program")
+        .one_of(models)
+        .show_default();
+    add_occam(command, options->occam);
+    return [options] { return compile_file(*options); };
+}
+
+} // namespace
+
+extern const Command compile_command{
+    .name = "compile",
+    .about = "Makes a bootable file from a program in occam",
+    .place = 43,
+    .declare = declare_compile,
+};
+
+} // namespace placedpar

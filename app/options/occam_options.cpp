@@ -1,0 +1,141 @@
+#include "app/options/occam_options.hpp"
+
+#include "occam/check/check.hpp"
+#include "occam/library/library.hpp"
+#include "app/options/common_options.hpp"
+#include "app/standard_error.hpp"
+#include "text/load_source.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::array names_of_checks = {"usage", "alias", "range", "all"};
+
+/// Returns whether the option --no-checks names a check. Throws UserError if it names an unknown one.
+bool leaves_out(const OccamOptions& options, std::string_view name) {
+    bool found = false;
+    std::string_view rest = options.no_checks;
+    while (!rest.empty()) {
+        const std::string_view each = rest.substr(0, rest.find(','));
+        rest.remove_prefix(std::min(rest.size(), each.size() + 1));
+        if (std::ranges::find(names_of_checks, each) == names_of_checks.end())
+            throw UserError(fmt::format("--no-checks: \"{}\" is no check; there are usage, alias, range and all", each));
+        found |= each == name;
+    }
+    return found;
+}
+
+struct CheckedProgram {
+    std::unique_ptr<occam::Program> program;
+    occam::SourceOptions options;
+    const occam::Declaration* main;
+};
+
+CheckedProgram checked(const std::shared_ptr<const SourceFile>& file, std::span<const std::string> folders,
+                       const OccamOptions& typed) {
+    Reporter reporter;
+    occam::ParseOptions options;
+    options.folders.assign(folders.begin(), folders.end());
+    options.built_in = [](const std::string& name) { return occam::library_text(name); };
+    occam::Parsed parsed = occam::parse(file, options, reporter);
+    if (!reporter.failed()) {
+        parsed.options.usage_checks &= !leaves_out(typed, "usage");
+        parsed.options.alias_checks &= !leaves_out(typed, "alias");
+        parsed.options.range_checks &= !leaves_out(typed, "range");
+        parsed.options.run_time_checks &= !leaves_out(typed, "all");
+        occam::check(*parsed.program, parsed.options, reporter);
+    }
+    const bool failed = reporter.failed();
+    const std::string text = render(reporter.take()) + reporter.not_shown();
+    if (failed)
+        throw RefusedInput(text);
+    print_error(text);
+    const occam::Declaration* main = occam::main_procedure(*parsed.program);
+    return {std::move(parsed.program), parsed.options, main};
+}
+
+std::shared_ptr<const SourceFile> loaded(const std::filesystem::path& path) {
+    const LoadedSource source = load_input(path);
+    if (has_errors(source.problems))
+        throw RefusedInput(render(source.problems));
+    return source.file;
+}
+
+/// Returns whether a main procedure gets the channels of a terminal, and no host: keyboard, screen and error.
+bool uses_terminal(const occam::Declaration& main) {
+    const auto& parameters = std::get<occam::Procedure>(main.form).parameters;
+    return parameters.size() == 3 && std::ranges::all_of(parameters, [](const occam::DeclarationBox& each) {
+               return each->type->kind == occam::Type::Kind::channel;
+           });
+}
+
+/// Returns a program around a main procedure that uses a terminal.
+std::shared_ptr<const SourceFile> around(const std::filesystem::path& path, const occam::Declaration& main) {
+    const auto& keyboard = *std::get<occam::Procedure>(main.form).parameters.front();
+    const bool reads = keyboard.direction != occam::Direction::unused;
+    return std::make_shared<SourceFile>((path.parent_path() / ("terminal of " + path.filename().string())).string(),
+                                        fmt::format(R"(#INCLUDE "hostio.inc"
+#USE "terminal.lib"
+#INCLUDE "{}"
+PROC run.with.terminal (CHAN OF SP fs, ts)
+  CHAN OF BYTE keyboard, screen, error:
+  CHAN OF BOOL ended:
+  PAR
+    terminal (fs, ts, keyboard, screen, error, ended, {})
+    SEQ
+      {} (keyboard, screen, error)
+      ended ! TRUE
+:
+)",
+                                                    path.filename().string(), reads ? "TRUE" : "FALSE", main.name));
+}
+
+} // namespace
+
+void add_occam(Options& command, OccamOptions& options) {
+    const std::string heading = "Programs in occam";
+    command
+        .add("--mode", options.mode,
+             "what an error of an occam program does: halts its processor, stops its process, or either")
+        .one_of({"halt", "stop", "universal"})
+        .show_default()
+        .group(heading);
+    command.add("--no-checks", options.no_checks, "checks that an occam program does without: usage, alias, range, all")
+        .type("CHECKS")
+        .group(heading);
+}
+
+bool is_occam(const std::filesystem::path& path) { return path.extension() == ".occ"; }
+
+std::string check_occam(const std::filesystem::path& path, std::span<const std::string> folders,
+                        const OccamOptions& options) {
+    const CheckedProgram program = checked(loaded(path), folders, options);
+    return program.main ? program.main->name : "";
+}
+
+std::vector<std::uint8_t> compile_occam(const std::filesystem::path& path, std::span<const std::string> folders,
+                                        const OccamOptions& typed, transputer::Model model) {
+    CheckedProgram program = checked(loaded(path), folders, typed);
+    if (!program.main)
+        throw UserError(fmt::format("{}: the file has no PROC that could be run", path.string()));
+    if (uses_terminal(*program.main))
+        program = checked(around(path, *program.main), folders, typed);
+    const occam::CodeOptions options{.model = model,
+                                     .mode = typed.mode == "stop"        ? occam::ErrorMode::stop
+                                             : typed.mode == "universal" ? occam::ErrorMode::universal
+                                                                         : occam::ErrorMode::halt,
+                                     .range_checks = program.options.range_checks && program.options.run_time_checks,
+                                     .run_time_checks = program.options.run_time_checks,
+                                     .vector_space = program.options.vector_space};
+    return bootable(compile(*program.program, *program.main, options), options);
+}
+
+} // namespace placedpar

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "app/options.hpp"
+#include "occam/code/compile.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// The options of a command that compiles occam.
+struct OccamOptions {
+    std::string mode = "halt";
+    std::string no_checks; ///< names of checks, separated by commas
+};
+void add_occam(Options&, OccamOptions&);
+
+/// Returns whether a file is a program in occam, by its name.
+bool is_occam(const std::filesystem::path&);
+
+/// Reads and checks a program, with libraries of ours and with files from these folders. Prints warnings to standard
+/// error, and returns the name of the main procedure; "" if there is none. Throws RefusedInput.
+std::string check_occam(const std::filesystem::path&, std::span<const std::string> folders, const OccamOptions&);
+
+/// Compiles a program for a transputer. Returns a bootable file. Prints warnings to standard error. Throws RefusedInput;
+/// throws UserError for an unknown check.
+std::vector<std::uint8_t> compile_occam(const std::filesystem::path&, std::span<const std::string> folders,
+                                        const OccamOptions&, transputer::Model);
+
+} // namespace placedpar

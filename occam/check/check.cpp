@@ -1,0 +1,38 @@
+#include "occam/check/check.hpp"
+
+#include "occam/check/checker.hpp"
+#include "occam/check/usage.hpp"
+
+#include <variant>
+
+namespace placedpar::occam {
+
+void Checker::check_program() {
+    for (const std::unique_ptr<Unit>& unit : program_.units) {
+        declare(unit->declarations);
+        names_.leave(0);
+    }
+    declare(program_.declarations);
+    names_.leave(0);
+}
+
+void check(Program& program, const SourceOptions& options, Reporter& reporter) {
+    try {
+        Checker(program, reporter).check_program();
+        if (!reporter.failed() && (options.usage_checks || options.alias_checks))
+            UsageCheck(program, options.usage_checks, options.alias_checks, reporter).check_program();
+    } catch (const GiveUp&) {
+        return; // the last diagnostic says why
+    }
+}
+
+const Declaration* main_procedure(const Program& program) {
+    const Declaration* last = nullptr;
+    for (const DeclarationBox& declaration : program.declarations) {
+        if (std::holds_alternative<Procedure>(declaration->form))
+            last = declaration.get();
+    }
+    return last;
+}
+
+} // namespace placedpar::occam

@@ -1,0 +1,230 @@
+#pragma once
+
+#include "occam/language/tree.hpp"
+#include "text/reporter.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+namespace placedpar::occam {
+
+/// Returns the declaration at the root of a path such as `a[i]` or `[a FROM i FOR n]`; null if it begins otherwise.
+const Declaration* root_of(const Expression&);
+/// Returns the declaration that an abbreviation or RETYPES finally names; of others itself.
+const Declaration* base_of(const Declaration*);
+/// Returns whether a value of this type can be in a variable: it is no channel, timer or port.
+bool is_data(const Type&);
+/// Returns the type of the channels, timers or values in an array of any dimensions; of others itself.
+const Type& innermost(const Type&);
+/// Returns whether a value of a type can be where another is wanted. Arrays of unknown size are compared at run time.
+bool fits(const Type& wanted, const Type& given);
+
+/// Declarations that are visible at a place, by name.
+class Names {
+public:
+    void add(Declaration&);
+    Declaration* find(const std::string& name) const;
+    /// Returns a mark for `leave`, which hides all that was added since.
+    std::size_t mark() const { return order_.size(); }
+    void leave(std::size_t mark);
+    std::vector<std::string> all() const;
+
+private:
+    std::vector<Declaration*> order_;
+    std::unordered_map<std::string, std::vector<Declaration*>> by_name_;
+};
+
+/// A PROC, FUNCTION or VALOF around the present place, and what it does to others.
+struct Routine {
+    const Declaration* declaration = nullptr; ///< null for a VALOF in an expression
+    bool is_function = false;
+    std::string communicates = {};                 ///< such as "an output"; "" if it does not
+    std::vector<const Declaration*> assigned = {}; ///< variables outside that it assigns to
+    bool has_priority_par = false;
+    bool is_inside_priority_par = false; ///< it is declared there
+};
+
+/// A parameter as a call sees it.
+struct Formal {
+    const Type* type = nullptr;
+    Parameter::Passing passing = Parameter::Passing::value;
+    std::string name = {};
+    const Declaration* declaration = nullptr; ///< null of a predefined routine
+};
+
+/// Finds the meaning of names, the types and the constants of a program. Each declaration and process is visited once,
+/// in the order of the text. A method that finds an error reports it and returns the mistaken type.
+class Checker {
+public:
+    Checker(Program& program, Reporter& reporter) : program_(program), reporter_(reporter), types_(program.types) {}
+    void check_program();
+
+private:
+    using DeclarationList = std::vector<DeclarationBox>;
+
+    // Names (names.cpp)
+    void report(const Place&, std::string message, std::string hint = "", const Declaration* other = nullptr);
+    void report(const Place&, std::string message, std::string hint, std::vector<SecondPlace> others);
+    Declaration* find(const std::string& name, const Place&);
+    void report_unknown(const std::string& name, const Place&);
+    void add(Declaration&);
+    /// Checks declarations one after the other. The caller takes them out of sight again by names_.leave.
+    void declare(DeclarationList&);
+    Declaration* predefined(const std::string& name);
+
+    // Types as they are written (types.cpp)
+    enum class Open : bool { refused, allowed };
+    const Type* type_of(TypeText&, Open);
+    const Type* named_type(const TypeText&, const std::string& name);
+    const Type* innermost_type(TypeText&);
+    const Type* with_dimensions(TypeText&, const Type* element, Open);
+    std::optional<std::uint32_t> dimension(Expression&);
+    const ProtocolType* protocol_of(ProtocolText&, const Place&);
+    std::optional<ProtocolItem> item_of(ItemText&);
+    std::vector<ProtocolItem> items_of(std::vector<ItemText>&);
+    void add_tags(ProtocolType&, Protocol&);
+    void add_tag(ProtocolType&, ProtocolTag, const Place&);
+    const ProtocolType* shared_protocol(const Declaration&, ProtocolType);
+    const Type* record_type(const Declaration&, DataType&);
+
+    // Expressions (expressions.cpp)
+    const Type* check(Expression&);
+    const Type* value(Expression&);
+    /// Checks a value that must be of this type; `role` says what it is, such as "the time".
+    void value_of(Expression&, const Type* wanted, const std::string& role);
+    void constant_of_type(Expression&, const Type* wanted, const std::string& role);
+    /// Checks a path that is written to.
+    const Type* variable(Expression&, const std::string& action);
+    /// Reports whether the type of a value is not what is wanted.
+    bool agrees(Expression&, const Type* wanted, const std::string& role);
+    std::string conversion_hint(const Expression&, const Type& wanted) const;
+    void assigned(const Declaration*, const Place&, const std::string& through);
+    const Type* form_of(Expression&, NameUse&);
+    const Type* form_of(Expression&, IntegerLiteral&);
+    const Type* form_of(Expression&, RealLiteral&);
+    const Type* form_of(Expression&, StringLiteral&);
+    const Type* form_of(Expression&, TableLiteral&);
+    const Type* form_of(Expression&, UnaryOperation&);
+    const Type* form_of(Expression&, BinaryOperation&);
+    const Type* form_of(Expression&, Conversion&);
+    const Type* form_of(Expression&, Subscript&);
+    const Type* form_of(Expression&, Segment&);
+    const Type* form_of(Expression&, Call&);
+    const Type* form_of(Expression&, ValueProcess&);
+    const Type* form_of(Expression&, TypeBound&);
+    const Type* form_of(Expression&, OffsetOf&);
+    const Type* literal_type(const Place&, const std::optional<Basic>&, const std::string& name, Basic by_default);
+    const Type* record_literal(Expression&, TableLiteral&);
+    const Type* field_of(Expression&, Subscript&, const Type& record);
+    const Type* several(Expression&, const std::vector<const Type*>& results);
+    void check_range(const Expression& at, std::int64_t first, std::int64_t count, std::int64_t size, bool is_segment);
+    const Type* mistaken() { return types_.mistaken(); }
+    const Type* basic(Basic b) { return types_.basic(b); }
+
+    // Operators (operators.cpp)
+    const Type* shift(Expression&, BinaryOperation&);
+    void fold_binary(Expression&, const BinaryOperation&);
+    const Type* size_of(Expression&, UnaryOperation&);
+    bool has_operator(const Expression&, Operator, const Type&);
+    void become(Expression&, std::int64_t bits, const char* error);
+
+    // Declarations (declarations.cpp)
+    void declare(Declaration&, Variable&);
+    void declare(Declaration&, Abbreviation&);
+    void declare(Declaration&, Retyping&);
+    void declare(Declaration&, Parameter&);
+    void declare(Declaration&, ReplicatorIndex&) const {}
+    void declare(Declaration&, Procedure&);
+    void declare(Declaration&, Function&);
+    void declare(Declaration&, Protocol&);
+    void declare(Declaration&, DataType&);
+    void declare(Declaration&, Placement&);
+    void declare(Declaration&, Use&);
+    void declare(Declaration&, Predefined&) const {}
+    const Type* abbreviated(Expression&);
+    const Type* retyped(Declaration&, Retyping&, const Type& from);
+    void parameters(DeclarationList&);
+    void enter_routine(Routine);
+    void leave_routine(std::size_t mark);
+    void value_process(ValueProcess&);
+    /// Checks the right side of an assignment or the results of a function, where one call may give several values.
+    std::vector<const Type*> types_of_values(std::vector<Expression>&);
+    bool has_values(const Place&, const std::string& role, std::vector<Expression>& values,
+                    const std::vector<const Type*>& given, const std::vector<const Type*>& wanted);
+
+    // Calls (calls.cpp)
+    std::vector<Formal> formals_of(const Declaration&) const;
+    std::vector<const Type*> results_of(const Declaration&) const;
+    void arguments(const Place&, const std::string& name, std::vector<Expression>&, const std::vector<Formal>&);
+    void argument(Expression&, const Formal&, const std::string& of);
+    void effects_of_call(const Declaration&, const Place&);
+
+    // Processes (processes.cpp)
+    void check(Process&);
+    void form_of(Process&, Skip&) const {}
+    void form_of(Process&, Stop&) const {}
+    void form_of(Process&, Assignment&);
+    void form_of(Process&, Input&);
+    void form_of(Process&, Delay&);
+    void form_of(Process&, VariantInput&);
+    void form_of(Process&, Output&);
+    void form_of(Process&, Sequence&);
+    void form_of(Process&, Parallel&);
+    void form_of(Process&, If&);
+    void form_of(Process&, Case&);
+    void form_of(Process&, While&);
+    void form_of(Process&, Alternation&);
+    void form_of(Process&, Instance&);
+    void form_of(Process&, Scope&);
+    void form_of(Process&, Processor&);
+    void check_if(If&);
+    void check_alternation(Alternation&);
+    void check_alternative(Alternative&);
+    void check_option(Option&, const Type* selector, std::unordered_map<std::int64_t, Place>& seen);
+    void check_replicator(Replicator&);
+    void check_priority(const Process&, const Parallel&);
+
+    // Communication (communication.cpp)
+    /// Notes that a process communicates, which functions must not.
+    void communicates(const Place&, const std::string& what);
+    const Type* channel(Expression&, const char* action);
+    void use_channel(const Expression&, Direction);
+    void mark_direction(const Declaration&, Direction, const Place&);
+    void input(const Place&, Input&, bool is_guard);
+    void delay(const Place&, Delay&);
+    void variant_input(VariantInput&);
+    void check_variant(Variant&, const ProtocolType&);
+    void input_items(const Place&, std::vector<Item>&, const std::vector<ProtocolItem>&, std::size_t first);
+    void input_item(Item&, const ProtocolItem*);
+    void output_items(const Place&, std::vector<Item>&, const std::vector<ProtocolItem>&, std::size_t first);
+    void output_item(Item&, const ProtocolItem*);
+    void output_tag(Output&, const Place&, const ProtocolType&);
+    const ProtocolTag* tag_of(const ProtocolType&, const std::string& name, const Place&);
+    bool has_items(const Place&, std::size_t given, std::size_t wanted);
+
+    Program& program_;
+    Reporter& reporter_;
+    Types& types_;
+    Names names_;
+    std::vector<Routine> routines_;
+    std::unordered_map<const Declaration*, std::size_t> depths_; ///< routines around a declaration
+    std::unordered_map<const Declaration*, Routine> effects_;    ///< of procedures that were checked
+    std::unordered_map<const Declaration*, Place> directed_at_;  ///< the first use of a channel parameter
+    std::unordered_map<const TypeText*, const Type*> resolved_;  ///< several declarations may share a text
+    std::unordered_map<std::string, Declaration*> predefined_;
+    std::unordered_set<std::string> reported_; ///< unknown names
+    std::vector<const ProtocolType*> outermost_protocols_;
+    struct Pending {
+        const DeclarationList* list;
+        std::size_t next;
+    };
+    std::vector<Pending> pending_; ///< lists of declarations around the present place, and what follows it there
+    bool several_allowed_ = false; ///< the next expression may be a call with several results
+    bool inside_priority_par_ = false;
+};
+
+} // namespace placedpar::occam

@@ -1,0 +1,192 @@
+#include "occam/check/region.hpp"
+
+#include "occam/check/constant.hpp"
+
+#include <algorithm>
+#include <variant>
+
+namespace placedpar::occam {
+
+namespace {
+
+/// An array of unknown size is taken to have so many elements.
+constexpr std::int64_t assumed_elements = std::int64_t{1} << 20;
+constexpr std::int64_t most_elements = std::int64_t{1} << 40; ///< sums and products of subscripts stay below
+constexpr std::size_t most_comparisons = 65536;
+
+/// Returns the number of single values in a variable.
+std::int64_t elements_of(const Type& type) {
+    const Type& form = plain(type);
+    if (form.kind == Type::Kind::array)
+        return std::min(most_elements,
+                        (form.count ? std::int64_t{*form.count} : assumed_elements) * elements_of(*form.element));
+    std::int64_t sum = form.kind == Type::Kind::record ? 0 : 1;
+    for (const Field& field : form.fields)
+        sum += elements_of(*field.type);
+    return sum;
+}
+
+const Expression* value_behind(const NameUse& use) {
+    const auto* abbreviation = use.meaning ? std::get_if<Abbreviation>(&use.meaning->form) : nullptr;
+    return abbreviation && abbreviation->is_value ? &abbreviation->value : nullptr;
+}
+
+void add_indices_of(const Expression& expression, std::vector<const Declaration*>& indices) {
+    if (expression.constant)
+        return;
+    if (const auto* use = std::get_if<NameUse>(&expression.form)) {
+        const bool is_index = use->meaning && std::holds_alternative<ReplicatorIndex>(use->meaning->form);
+        if (is_index && std::ranges::find(indices, use->meaning) == indices.end())
+            indices.push_back(use->meaning);
+        if (const Expression* const value = value_behind(*use))
+            add_indices_of(*value, indices);
+    } else if (const auto* binary = std::get_if<BinaryOperation>(&expression.form)) {
+        add_indices_of(*binary->left, indices);
+        add_indices_of(*binary->right, indices);
+    } else if (const auto* unary = std::get_if<UnaryOperation>(&expression.form)) {
+        add_indices_of(*unary->operand, indices);
+    } else if (const auto* conversion = std::get_if<Conversion>(&expression.form)) {
+        add_indices_of(*conversion->operand, indices);
+    } else if (const auto* subscript = std::get_if<Subscript>(&expression.form)) {
+        add_indices_of(*subscript->index, indices);
+    }
+}
+
+std::optional<std::int64_t> known(const Folded& folded) {
+    return folded.error ? std::nullopt : std::optional(folded.bits);
+}
+
+std::optional<std::int64_t> value_in(const BinaryOperation& operation, const IndexValues& values) {
+    const std::optional<std::int64_t> left = value_of(*operation.left, values);
+    const std::optional<std::int64_t> right = left ? value_of(*operation.right, values) : std::nullopt;
+    return right ? known(fold(operation.operation, plain(*operation.left->type).basic, *left, *right)) : std::nullopt;
+}
+
+/// Returns the value of an element of a constant table.
+std::optional<std::int64_t> value_in(const Subscript& subscript, const IndexValues& values) {
+    const std::optional<Constant>& table = subscript.array->constant;
+    const std::optional<std::int64_t> index = table ? value_of(*subscript.index, values) : std::nullopt;
+    const Type& array = plain(*subscript.array->type);
+    if (!index || !table->bytes || !array.count || *index < 0 || *index >= *array.count)
+        return std::nullopt;
+    const auto offset = static_cast<std::uint64_t>(*index) * bytes_of(*array.element);
+    return constant_of(*table->bytes, offset, *array.element).bits;
+}
+
+/// Narrows a region by a step. Returns the type of what is left; null if the step is not known.
+const Type* narrow(Region& region, const Type& type, const PathStep& step, const IndexValues& values) {
+    const Type& form = plain(type);
+    if (step.field) {
+        for (std::uint32_t i = 0; i < *step.field; ++i)
+            region.first += elements_of(*form.fields[i].type);
+        const Type& field = *form.fields[*step.field].type;
+        region.end = region.first + elements_of(field);
+        return &field;
+    }
+    const std::optional<std::int64_t> index = step.index ? value_of(*step.index, values) : 0;
+    const std::optional<std::int64_t> count = step.count ? value_of(*step.count, values) : 1;
+    if (!index || !count || form.kind != Type::Kind::array)
+        return nullptr;
+    const std::int64_t size = elements_of(*form.element);
+    const std::int64_t limit = most_elements / std::max(size, std::int64_t{1});
+    region.first += std::clamp(*index, -limit, limit) * size;
+    if (!step.is_segment || step.count)
+        region.end = region.first + std::clamp(*count, std::int64_t{0}, limit) * size;
+    return step.is_segment ? &form : form.element;
+}
+
+bool visit_values(const std::vector<const Declaration*>& indices, std::size_t next, const Replicators& replicators,
+                  std::size_t& left, IndexValues& values, const std::function<bool(const IndexValues&)>& call) {
+    if (next == indices.size())
+        return left-- > 0 && call(values);
+    const auto found = replicators.find(indices[next]);
+    const Replicator* const replicator = found == replicators.end() ? nullptr : found->second;
+    const std::optional<std::int64_t> base = replicator ? value_of(replicator->base, values) : std::nullopt;
+    const std::optional<std::int64_t> count = replicator ? value_of(replicator->count, values) : std::nullopt;
+    const std::optional<std::int64_t> step = replicator && replicator->step ? value_of(*replicator->step, values) : 1;
+    if (!base || !count || !step)
+        return visit_values(indices, next + 1, replicators, left, values, call);
+    for (std::int64_t i = 0; i < *count && left > 0; ++i) {
+        values[indices[next]] = *base + i * *step;
+        if (!visit_values(indices, next + 1, replicators, left, values, call))
+            return false;
+    }
+    values.erase(indices[next]);
+    return true;
+}
+
+} // namespace
+
+std::optional<std::int64_t> value_of(const Expression& expression, const IndexValues& values) {
+    if (expression.constant && !expression.constant->bytes)
+        return expression.constant->bits;
+    if (const auto* use = std::get_if<NameUse>(&expression.form)) {
+        if (const auto known_index = values.find(use->meaning); known_index != values.end())
+            return known_index->second;
+        const Expression* const value = value_behind(*use);
+        return value ? value_of(*value, values) : std::nullopt;
+    }
+    if (const auto* binary = std::get_if<BinaryOperation>(&expression.form))
+        return value_in(*binary, values);
+    if (const auto* subscript = std::get_if<Subscript>(&expression.form))
+        return value_in(*subscript, values);
+    const auto* unary = std::get_if<UnaryOperation>(&expression.form);
+    const auto* conversion = std::get_if<Conversion>(&expression.form);
+    const Expression* const operand = unary ? unary->operand.get() : conversion ? conversion->operand.get() : nullptr;
+    const std::optional<std::int64_t> value = operand ? value_of(*operand, values) : std::nullopt;
+    if (!value || plain(*expression.type).kind != Type::Kind::basic)
+        return std::nullopt;
+    const Basic basic = plain(*operand->type).basic;
+    return unary ? known(fold(unary->operation, basic, *value))
+                 : known(convert(basic, plain(*expression.type).basic, conversion->rounding, *value));
+}
+
+void add_indices(const Access& access, std::vector<const Declaration*>& indices) {
+    for (const PathStep& step : access.steps) {
+        if (step.index)
+            add_indices_of(*step.index, indices);
+        if (step.count)
+            add_indices_of(*step.count, indices);
+    }
+}
+
+Region region_of(const Access& access, const IndexValues& values) {
+    const Type* type = access.base->type;
+    Region region{0, elements_of(*type)};
+    for (const PathStep& step : access.steps) {
+        type = narrow(region, *type, step, values);
+        if (!type) {
+            region.is_exact = false;
+            break;
+        }
+    }
+    return region;
+}
+
+Overlap overlap_of(const Region& a, const Region& b) {
+    if (a.first >= b.end || b.first >= a.end)
+        return Overlap::none;
+    const bool a_is_inside = a.first >= b.first && a.end <= b.end, b_is_inside = b.first >= a.first && b.end <= a.end;
+    const bool is_certain = (a.is_exact && b.is_exact) || (b.is_exact && a_is_inside) || (a.is_exact && b_is_inside);
+    return is_certain ? Overlap::certain : Overlap::possible;
+}
+
+Overlap overlap_of(const Access& a, const Access& b, const Replicators& replicators) {
+    std::vector<const Declaration*> indices;
+    add_indices(a, indices);
+    add_indices(b, indices);
+    Overlap worst = Overlap::none;
+    IndexValues values;
+    for_each_value(indices, replicators, most_comparisons, values, [&](const IndexValues& given) {
+        worst = std::max(worst, overlap_of(region_of(a, given), region_of(b, given)));
+        return worst != Overlap::certain;
+    });
+    return worst;
+}
+
+void for_each_value(const std::vector<const Declaration*>& indices, const Replicators& replicators, std::size_t most,
+                    IndexValues& values, const std::function<bool(const IndexValues&)>& call) {
+    visit_values(indices, 0, replicators, most, values, call);
+}
+
+} // namespace placedpar::occam

@@ -1,0 +1,132 @@
+#pragma once
+
+#include "occam/check/region.hpp"
+#include "text/reporter.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace placedpar::occam {
+
+/// The rules about several names and several processes that use one variable or channel, for a program whose names and
+/// types are right:
+///
+/// - Parallel usage. Components of a PAR do not use what another one of them changes, and a channel is output to by one
+///   and input from by one. Elements are told apart by subscripts that depend on constants and on replicators of known
+///   base and count; each value of these is tried, up to a limit.
+/// - Aliases. While a variable has another name by an abbreviation, only that name is used; what a VAL abbreviation
+///   reads is not changed; parameters by reference do not overlap with others or with what the PROC itself uses.
+///
+/// The program is visited once. The visit keeps a log of accesses; a component of a PAR is a stretch of the log. A call
+/// adds what the routine does to variables outside of it.
+class UsageCheck {
+public:
+    UsageCheck(const Program& program, bool usage, bool aliases, Reporter& reporter)
+        : program_(program), usage_(usage), aliases_(aliases), reporter_(reporter) {}
+    void check_program();
+
+private:
+    using DeclarationList = std::vector<DeclarationBox>;
+    /// A stretch of the log.
+    struct Stretch {
+        std::size_t first = 0, end = 0;
+    };
+    /// An abbreviation in whose scope the present place is.
+    struct Active {
+        const Declaration* declaration = nullptr;
+        Access access;
+        bool is_changeable = false; ///< the abbreviation itself stands for the access; else it only reads it
+    };
+    /// What an argument or a target of an assignment uses.
+    struct Part {
+        std::optional<Access> changed;
+        std::vector<Access> read;
+    };
+    struct Interval {
+        Region region;
+        std::int64_t component = 0;
+        const Access* access = nullptr;
+    };
+
+    // The visit (usage.cpp)
+    void visit(const Process&);
+    void visit(const Process*);
+    template<class Box>
+    void visit_list(const std::vector<Box>&);
+    void visit_form(const Process&, const Skip&) {}
+    void visit_form(const Process&, const Stop&) {}
+    void visit_form(const Process&, const Assignment&);
+    void visit_form(const Process&, const Input&);
+    void visit_form(const Process&, const Delay&);
+    void visit_form(const Process&, const VariantInput&);
+    void visit_form(const Process&, const Output&);
+    void visit_form(const Process&, const Sequence&);
+    void visit_form(const Process&, const Parallel&);
+    void visit_form(const Process&, const If&);
+    void visit_form(const Process&, const Case&);
+    void visit_form(const Process&, const While&);
+    void visit_form(const Process&, const Alternation&);
+    void visit_form(const Process&, const Instance&);
+    void visit_form(const Process&, const Scope&);
+    void visit_form(const Process&, const Processor&);
+    void visit_if(const If&);
+    void visit_alternation(const Alternation&);
+    void visit_input(const Input&);
+    void visit_variants(const VariantInput&);
+    void input_items(const std::vector<Item>&);
+    void open_replicator(const std::optional<Replicator>&);
+    void close_replicator(const std::optional<Replicator>&);
+    void declare(const DeclarationList&);
+    void declare(const Declaration&);
+    void abbreviate(const Declaration&, const Expression& value, bool is_value);
+    void visit_routine(const Declaration&, const DeclarationList& parameters, const ValueProcess* function,
+                       const Process* body);
+    void visit_values(const ValueProcess&);
+    std::vector<Access> outside_accesses(std::size_t first, std::uint64_t since) const;
+
+    // Accesses (usage_access.cpp)
+    void read(const Expression&);
+    void read_path(const Expression&);
+    void read_indices(const Expression&);
+    void use(const Expression&, AccessKind);
+    std::optional<Access> access_of(const Expression&, AccessKind) const;
+    void log(Access);
+    Part changed_part(const Expression&);
+    Part read_part(const Expression&);
+    void call(const Declaration&, const std::vector<Expression>& arguments, const Place&);
+    Part argument(const Expression&, const Declaration& routine, std::size_t index);
+    std::vector<Access> accesses_since(std::size_t first) const;
+
+    // Parallel usage (parallel_usage.cpp)
+    void check_parallel(const Parallel&, const std::vector<Stretch>& components, std::uint64_t since);
+    bool check_base(const Parallel&, const std::vector<std::pair<std::int64_t, const Access*>>&);
+    bool check_intervals(std::vector<Interval>&);
+    void report_parallel(const Access&, const Access&);
+    void intervals_of(const Parallel&, std::int64_t component, const Access&, IndexValues&,
+                      std::vector<Interval>&);
+    void check_parts(const std::vector<Part>&, bool only_certain, const std::string& what);
+
+    // Aliases (aliases.cpp)
+    void check_active(const Access&);
+    bool is_named_by(const Access&, const Declaration&) const;
+    void check_free(const Declaration& routine, const std::vector<Part>&, const Place&);
+    void check_block(const Expression& target, const Expression& value);
+
+    const Program& program_;
+    bool usage_ = false, aliases_ = false;
+    Reporter& reporter_;
+    Replicators replicators_;
+    std::unordered_set<const Declaration*> open_indices_; ///< of the replicators around the present place
+    std::vector<Access> log_;
+    std::vector<Active> active_;
+    std::uint64_t clock_ = 0; ///< counts declarations
+    std::unordered_map<const Declaration*, std::uint64_t> declared_;
+    std::unordered_map<const Declaration*, std::vector<Access>> summaries_; ///< of routines, of variables outside
+};
+
+} // namespace placedpar::occam

@@ -1,0 +1,80 @@
+#include "occam/code/compile.hpp"
+
+#include "occam/code/generator.hpp"
+
+#include <algorithm>
+
+namespace placedpar::occam {
+
+using transputer::Operation;
+
+namespace {
+
+/// The words of an array `[]INT memory` that a main procedure gets.
+constexpr std::int64_t words_of_free_memory = 64 * 1024;
+
+bool is_array_of_integers(const Type& type) {
+    return type.kind == Type::Kind::array && !type.count && type.element->is(Basic::integer);
+}
+
+} // namespace
+
+/// Calls the main procedure with the channels of link 0 and with free memory behind the vector space.
+Code Generator::generate(const Declaration& main) {
+    for (const std::unique_ptr<Unit>& unit : program_.units)
+        for (const DeclarationBox& each : unit->declarations)
+            declare(*each);
+    for (const DeclarationBox& each : program_.declarations)
+        declare(*each);
+    Routine& routine = routine_of(main);
+    Level& level = levels_.emplace_back(nullptr);
+    level.main.need_below(3);
+    level.link = level.vector = level.main.allocate(1);
+    const Label entry = emitter_.new_label();
+    const std::int64_t memory = (routine.level->vector_most + 3) / 4;
+    generate_level(level, entry, "start", [&] {
+        emitter_.address(end_of_code);
+        count(1);
+        store(level.vector);
+        Arguments words;
+        for (const DeclarationBox& each : std::get<Procedure>(main.form).parameters)
+            add_main_argument(words, *each, memory);
+        call_with(routine, std::move(words));
+        op(Operation::stopp);
+    });
+    std::vector<const CodeBuffer*> buffers;
+    for (const CodeBuffer& each : buffers_)
+        buffers.push_back(&each);
+    Code code = emitter_.finish(buffers, entry);
+    code.workspace_words = static_cast<std::uint64_t>(level.main.words() + level.main.below);
+    code.first_workspace_words = static_cast<std::uint64_t>(level.main.words());
+    code.vector_space_bytes = static_cast<std::uint64_t>(memory * 4);
+    return code;
+}
+
+void Generator::add_main_argument(Arguments& words, const Declaration& parameter, std::int64_t memory) {
+    const bool is_channel = parameter.type->kind == Type::Kind::channel;
+    if (is_channel && words.size() < 2) {
+        const bool is_input = words.empty();
+        words.push_back({1, [this, is_input] {
+                             op(Operation::mint);
+                             if (is_input)
+                                 op(Operation::ldnlp, 4);
+                         }});
+    } else if (words.size() == 2 && is_array_of_integers(*parameter.type)) {
+        words.push_back({1, [this, memory] {
+                             load(level_->vector);
+                             add_offset(4 * memory);
+                         }});
+        words.push_back({1, [this] { constant(words_of_free_memory); }});
+    } else {
+        refuse(parameter.at, "the main procedure cannot have this parameter; it has (CHAN OF SP fs, ts), perhaps with "
+                             "[]INT memory behind these, or none");
+    }
+}
+
+Code compile(const Program& program, const Declaration& main, const CodeOptions& options) {
+    return Generator(program, options).generate(main);
+}
+
+} // namespace placedpar::occam

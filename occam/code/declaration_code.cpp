@@ -1,0 +1,188 @@
+#include "occam/code/generator.hpp"
+
+#include <algorithm>
+
+namespace placedpar::occam {
+
+using transputer::Operation;
+
+void Generator::declare(const Declaration& d) {
+    if (const auto* variable = std::get_if<Variable>(&d.form))
+        return declare_variable(d, *variable);
+    if (const auto* abbreviation = std::get_if<Abbreviation>(&d.form))
+        return abbreviate(d, *abbreviation);
+    if (const auto* retyping = std::get_if<Retyping>(&d.form))
+        return retype(d, *retyping);
+    if (std::holds_alternative<Procedure>(d.form) || std::holds_alternative<Function>(d.form))
+        declare_routine(d);
+}
+
+void Generator::declare_variable(const Declaration& d, const Variable& variable) {
+    stack_ = 0;
+    if (is_channel(*d.type) || d.type->kind == Type::Kind::port)
+        return declare_channels(d);
+    const Type& type = plain(*d.type);
+    if (type.kind == Type::Kind::timer || (type.kind == Type::Kind::array && plain(*type.element).kind == Type::Kind::timer))
+        return;
+    if (d.placement && d.placement->where == Placement::Where::address)
+        refuse(d.at, "only channels and ports can be placed at an address");
+    const bool in_frame = d.placement ? d.placement->where == Placement::Where::workspace
+                                      : !is_compound(type) || size_of(type) <= 8 || !options_.vector_space;
+    const Storage location = in_frame ? in_workspace(*d.type) : in_vector_space(*d.type);
+    bindings_[&d] = location;
+    if (variable.initial) {
+        assign_to(*variable.initial, location);
+    } else if (location.is_scalar) {
+        constant(0); // input, and procedures, write only the lowest byte
+        store(location.cell);
+    }
+}
+
+namespace {
+
+/// Returns how many channels an array of channels has.
+std::int64_t channels_of(const Type& type) {
+    return type.kind == Type::Kind::array ? *type.count * channels_of(*type.element) : 1;
+}
+
+} // namespace
+
+/// Makes the words of channels. An array of channels is one of pointers to such words.
+void Generator::declare_channels(const Declaration& d) {
+    const bool placed = d.placement && d.placement->where == Placement::Where::address;
+    const std::int64_t at = placed ? *constant_of(*d.placement->address) : 0;
+    if (d.type->kind == Type::Kind::port && !placed)
+        refuse(d.at, "PORT \"" + d.name + "\" is not placed; write PLACE " + d.name + " AT n:");
+    if (d.type->kind == Type::Kind::port || (placed && d.type->kind == Type::Kind::channel)) {
+        bindings_[&d] = {.base = Storage::Base::absolute, .offset = 4 * at, .type = d.type};
+        return;
+    }
+    if (d.type->kind == Type::Kind::channel) {
+        bindings_[&d] = in_workspace(*d.type);
+        op(Operation::mint);
+        return store(bindings_[&d].cell);
+    }
+    const std::int64_t count = channels_of(*d.type);
+    const Type& words = *array_of(*basic(Basic::integer), static_cast<std::uint32_t>((placed ? 1 : 2) * count));
+    Storage pointers = count <= 8 || !options_.vector_space ? in_workspace(words) : in_vector_space(words);
+    pointers.type = d.type;
+    bindings_[&d] = pointers;
+    if (count <= 4 || placed) {
+        for (std::int64_t i = 0; i < count; ++i) {
+            Storage pointer = pointers;
+            pointer.offset += 4 * i;
+            Storage channel = placed ? Storage{.base = Storage::Base::absolute, .offset = 4 * (at + i)} : pointers;
+            channel.offset += placed ? 0 : 4 * (count + i);
+            pointer.type = channel.type = basic(Basic::integer);
+            address(channel);
+            store(pointer);
+            if (!placed) {
+                op(Operation::mint);
+                store(channel);
+            }
+        }
+        return;
+    }
+    make_channels(pointers, count);
+}
+
+/// Makes many channels by a loop. Their words follow the pointers to them.
+void Generator::make_channels(Storage pointers, std::int64_t count) {
+    const Cell control = temporary(2);
+    pointers.type = basic(Basic::integer);
+    Storage channels = pointers;
+    channels.offset += 4 * count;
+    constant(0);
+    store(control);
+    constant(count);
+    store(control.after(1));
+    loop(control, emitter_.new_label(), [&] {
+        const auto element = [&](Storage location) {
+            load(control);
+            location.has_index = true;
+            return location;
+        };
+        op(Operation::mint);
+        store(element(channels));
+        address(element(channels));
+        store(element(pointers));
+    });
+}
+
+/// Returns a location as a value of another type with the same dimensions.
+Storage Generator::seen_as(Storage location, const Type& type) {
+    std::vector<Extent> extents;
+    Storage rest = location;
+    for (const Type* each = &type; plain(*each).kind == Type::Kind::array; each = plain(*each).element) {
+        const Extent extent = outer_extent(rest);
+        if (!plain(*each).count)
+            extents.push_back(extent);
+        if (!plain(*rest.type).count)
+            rest.extents.erase(rest.extents.begin());
+        rest.type = plain(*rest.type).element;
+    }
+    location.extents = std::move(extents);
+    location.type = &type;
+    return location;
+}
+
+void Generator::abbreviate(const Declaration& d, const Abbreviation& a) {
+    stack_ = 0;
+    if (is_channel(*d.type)) {
+        if (d.type->kind == Type::Kind::array) {
+            bindings_[&d] = seen_as(pointer_to(locate(a.value)), *d.type);
+        } else if (const auto* name = std::get_if<NameUse>(&a.value.form)) {
+            bindings_[&d] = bindings_.at(name->meaning);
+        } else {
+            channel(a.value);
+            const Cell pointer = temporary();
+            store(pointer);
+            bindings_[&d] = {.base = Storage::Base::pointer, .cell = pointer, .type = d.type};
+        }
+        return;
+    }
+    if (d.type->kind == Type::Kind::timer)
+        return;
+    if (is_compound(plain(*d.type))) {
+        if (!level_ && !a.value.constant)
+            refuse(d.at, "the value of \"" + d.name + "\" is not known at compile time, and no procedure is around it");
+        const Storage location = a.is_value ? value_in_memory(a.value) : locate(a.value);
+        bindings_[&d] = seen_as(level_ ? pointer_to(location) : location, *d.type);
+    } else if (!a.is_value) {
+        Storage location = pointer_to(locate(a.value));
+        location.type = d.type;
+        bindings_[&d] = location;
+    } else if (!a.value.constant) {
+        bindings_[&d] = in_workspace(*d.type);
+        assign_to(a.value, bindings_[&d]);
+    }
+}
+
+void Generator::retype(const Declaration& d, const Retyping& r) {
+    stack_ = 0;
+    if (!level_ && !r.value.constant)
+        refuse(d.at, "the value of \"" + d.name + "\" is not known at compile time, and no procedure is around it");
+    Storage location = r.is_value ? value_in_memory(r.value) : locate(r.value);
+    if (level_)
+        location = pointer_to(location);
+    const Type& type = plain(*d.type);
+    const std::int64_t unit = size_of(*d.type);
+    std::vector<Extent> extents;
+    if (type.kind == Type::Kind::array && !fixed_size(type)) {
+        if (const auto bytes = fixed_bytes(location)) {
+            extents = {{*bytes / unit}};
+        } else {
+            load_size(location);
+            constant(unit);
+            op(Operation::div);
+            extents = {{std::nullopt, temporary()}};
+            store(extents.front().cell);
+        }
+    }
+    location.is_scalar = location.is_scalar && size_of(*location.type) == unit && !is_compound(type);
+    location.type = d.type;
+    location.extents = std::move(extents);
+    bindings_[&d] = location;
+}
+
+} // namespace placedpar::occam

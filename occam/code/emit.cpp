@@ -1,0 +1,295 @@
+#include "occam/code/emit.hpp"
+
+#include "runtime/transputer/assembler.hpp"
+
+#include <algorithm>
+
+namespace placedpar::occam {
+
+using transputer::Operation;
+
+namespace {
+
+constexpr std::uint8_t operate = 15;
+
+std::uint8_t function_code(Operation operation) {
+    return static_cast<std::uint8_t>(transputer::description_of(operation).code);
+}
+
+
+/// Lays out code: finds the lengths and offsets of all elements.
+class CodeLayout {
+public:
+    CodeLayout(std::vector<CodeElement> elements, Label labels)
+        : elements_(std::move(elements)), offsets_(elements_.size() + 1), lengths_(elements_.size()), labels_(labels) {
+        while (grow())
+            ;
+    }
+    std::uint32_t offset(Label label) const { return labels_[label]; }
+    std::uint32_t offset_at(std::size_t element) const { return offsets_[element]; }
+    const std::vector<CodeElement>& elements() const { return elements_; }
+
+    std::int64_t operand(std::size_t i) const {
+        const CodeElement& element = elements_[i];
+        switch (element.kind) {
+        case CodeElement::Kind::cell:
+            return element.value + coordinate_of(element.cell) - element.frame->coordinate;
+        case CodeElement::Kind::remote: return element.value + coordinate_of(element.cell);
+        case CodeElement::Kind::words: return element.value * element.frame->words();
+        case CodeElement::Kind::branch:
+            return std::int64_t{labels_[element.to]} - std::int64_t{offsets_[i]} -
+                   static_cast<std::int64_t>(lengths_[i]);
+        case CodeElement::Kind::difference:
+            return element.value + std::int64_t{labels_[element.to]} - std::int64_t{labels_[element.from]};
+        default: return element.value;
+        }
+    }
+
+    std::vector<std::uint8_t> bytes_of(std::size_t i) const {
+        if (lengths_[i] == 0)
+            return {};
+        if (!is_instruction(elements_[i]))
+            return std::vector<std::uint8_t>(lengths_[i]);
+        return transputer::encoded(elements_[i].function, static_cast<std::int32_t>(operand(i)), lengths_[i]);
+    }
+
+private:
+    static bool is_instruction(const CodeElement& element) { return element.kind <= CodeElement::Kind::difference; }
+
+    /// Computes offsets from lengths, and lengths from offsets. Returns whether an instruction became longer.
+    bool grow() {
+        std::uint32_t at = 0;
+        for (std::size_t i = 0; i < elements_.size(); ++i) {
+            offsets_[i] = at;
+            if (elements_[i].kind == CodeElement::Kind::mark)
+                labels_[elements_[i].to] = at;
+            else if (elements_[i].kind == CodeElement::Kind::align)
+                lengths_[i] = (4 - at % 4) % 4;
+            else if (elements_[i].kind == CodeElement::Kind::data)
+                lengths_[i] = static_cast<std::size_t>(elements_[i].value);
+            at += static_cast<std::uint32_t>(lengths_[i]);
+        }
+        offsets_.back() = at;
+        bool grown = false;
+        for (std::size_t i = 0; i < elements_.size(); ++i)
+            if (is_instruction(elements_[i]))
+                grown |= grow(i);
+        return grown;
+    }
+
+    bool grow(std::size_t i) {
+        const std::int64_t value = operand(i);
+        if (value == 0 && elements_[i].function == function_code(Operation::ajw))
+            return false; // nothing to do
+        const std::size_t needed =
+            transputer::encoded(elements_[i].function, static_cast<std::int32_t>(value), elements_[i].least).size();
+        if (needed <= lengths_[i])
+            return false;
+        lengths_[i] = needed;
+        return true;
+    }
+
+    std::vector<CodeElement> elements_;
+    std::vector<std::uint32_t> offsets_;
+    std::vector<std::size_t> lengths_;
+    std::vector<std::uint32_t> labels_;
+};
+
+} // namespace
+
+void Emitter::put(Operation operation, std::int64_t operand) {
+    const transputer::Instruction& instruction = transputer::description_of(operation);
+    if (instruction.unit == transputer::Unit::direct) {
+        buffer_->push_back({.function = function_code(operation), .value = operand});
+    } else if (instruction.unit == transputer::Unit::selected) {
+        put(Operation::ldc, instruction.code);
+        put(Operation::fpentry);
+    } else {
+        buffer_->push_back({.function = operate, .value = instruction.code});
+    }
+}
+
+void Emitter::put(Operation operation, const Cell& cell, const Frame& current, int words) {
+    buffer_->push_back({.kind = CodeElement::Kind::cell,
+                        .function = function_code(operation),
+                        .value = words,
+                        .cell = cell,
+                        .frame = &current});
+}
+
+void Emitter::put_remote(Operation operation, const Cell& cell, int words) {
+    buffer_->push_back(
+        {.kind = CodeElement::Kind::remote, .function = function_code(operation), .value = words, .cell = cell});
+}
+
+void Emitter::put_words(Operation operation, const Frame& frame, int factor) {
+    buffer_->push_back({.kind = CodeElement::Kind::words,
+                        .function = function_code(operation),
+                        .value = factor,
+                        .frame = &frame});
+}
+
+void Emitter::branch(Operation operation, Label to, std::uint8_t least_bytes) {
+    buffer_->push_back({.kind = CodeElement::Kind::branch,
+                        .least = least_bytes,
+                        .function = function_code(operation),
+                        .to = to});
+}
+
+void Emitter::difference(Label to, Label from, std::int64_t more) {
+    buffer_->push_back({.kind = CodeElement::Kind::difference,
+                        .function = function_code(Operation::ldc),
+                        .value = more,
+                        .to = to,
+                        .from = from});
+}
+
+void Emitter::address(Label label) {
+    const Label here = new_label();
+    difference(label, here);
+    put(Operation::ldpi);
+    mark(here);
+}
+
+void Emitter::mark(Label label) { buffer_->push_back({.kind = CodeElement::Kind::mark, .to = label}); }
+
+void Emitter::line(const Place& place) { buffer_->push_back({.kind = CodeElement::Kind::line, .place = place}); }
+
+void Emitter::name(std::string text) {
+    buffer_->push_back({.kind = CodeElement::Kind::name, .value = static_cast<std::int64_t>(names_.size())});
+    names_.push_back(std::move(text));
+}
+
+Label Emitter::constant(std::span<const std::uint8_t> bytes, bool aligned) {
+    std::string key(bytes.begin(), bytes.end());
+    key += aligned ? 'w' : 'b';
+    const auto [known, is_new] = constant_of_.try_emplace(std::move(key), constants_.size());
+    if (is_new)
+        constants_.push_back({{bytes.begin(), bytes.end()}, aligned, new_label()});
+    return constants_[known->second].label;
+}
+
+Code Emitter::finish(const std::vector<const CodeBuffer*>& buffers, Label entry) {
+    std::vector<CodeElement> all;
+    for (const CodeBuffer* each : buffers)
+        all.insert(all.end(), each->begin(), each->end());
+    for (const ConstantBytes& each : constants_) {
+        if (each.aligned)
+            all.push_back({.kind = CodeElement::Kind::align});
+        all.push_back({.kind = CodeElement::Kind::mark, .to = each.label});
+        all.push_back({.kind = CodeElement::Kind::data, .value = static_cast<std::int64_t>(each.bytes.size())});
+    }
+    all.push_back({.kind = CodeElement::Kind::align});
+    all.push_back({.kind = CodeElement::Kind::mark, .to = end_of_code});
+    const CodeLayout layout(std::move(all), labels_);
+    Code code;
+    for (std::size_t i = 0; i < layout.elements().size(); ++i) {
+        const CodeElement& element = layout.elements()[i];
+        if (element.kind == CodeElement::Kind::line) {
+            if (!code.lines.empty() && code.lines.back().offset == layout.offset_at(i))
+                code.lines.pop_back();
+            code.lines.push_back({layout.offset_at(i), element.place});
+        } else if (element.kind == CodeElement::Kind::name) {
+            code.names.push_back({layout.offset_at(i), names_[static_cast<std::size_t>(element.value)]});
+        }
+        const std::vector<std::uint8_t> bytes = layout.bytes_of(i);
+        code.bytes.insert(code.bytes.end(), bytes.begin(), bytes.end());
+    }
+    for (const ConstantBytes& each : constants_)
+        std::ranges::copy(each.bytes, code.bytes.begin() + static_cast<std::ptrdiff_t>(layout.offset(each.label)));
+    code.entry = layout.offset(entry);
+    return code;
+}
+
+bool may_set_error(Operation operation) {
+    switch (operation) {
+    case Operation::add:
+    case Operation::sub:
+    case Operation::adc:
+    case Operation::mul:
+    case Operation::div:
+    case Operation::rem:
+    case Operation::fmul:
+    case Operation::ladd:
+    case Operation::lsub:
+    case Operation::ldiv:
+    case Operation::csub0:
+    case Operation::ccnt1:
+    case Operation::cword:
+    case Operation::csngl:
+    case Operation::cflerr:
+    case Operation::fpchkerror: return true;
+    default: return false;
+    }
+}
+
+int stack_effect(Operation operation) {
+    switch (operation) {
+    case Operation::ldc:
+    case Operation::ldl:
+    case Operation::ldlp:
+    case Operation::mint:
+    case Operation::dup:
+    case Operation::ldtimer:
+    case Operation::ldpri:
+    case Operation::testerr:
+    case Operation::xdble:
+    case Operation::fpgt:
+    case Operation::fpeq:
+    case Operation::fpnan:
+    case Operation::fpnotfinite:
+    case Operation::fpordered: return 1;
+    case Operation::adc:
+    case Operation::ldnl:
+    case Operation::ldnlp:
+    case Operation::eqc:
+    case Operation::rev:
+    case Operation::not_:
+    case Operation::lb:
+    case Operation::ldpi:
+    case Operation::bcnt: return 0;
+    case Operation::stl:
+    case Operation::cj:
+    case Operation::add:
+    case Operation::sub:
+    case Operation::sum:
+    case Operation::diff:
+    case Operation::mul:
+    case Operation::prod:
+    case Operation::fmul:
+    case Operation::div:
+    case Operation::rem:
+    case Operation::gt:
+    case Operation::and_:
+    case Operation::or_:
+    case Operation::xor_:
+    case Operation::shl:
+    case Operation::shr:
+    case Operation::bsub:
+    case Operation::wsub:
+    case Operation::wsubdb:
+    case Operation::csub0:
+    case Operation::ccnt1:
+    case Operation::xword:
+    case Operation::cword:
+    case Operation::csngl:
+    case Operation::fpldnlsn:
+    case Operation::fpldnldb:
+    case Operation::fpstnlsn:
+    case Operation::fpstnldb:
+    case Operation::fpstnli32:
+    case Operation::fpi32tor32:
+    case Operation::fpi32tor64:
+    case Operation::fpldnladdsn:
+    case Operation::fpldnladddb:
+    case Operation::fpldnlmulsn:
+    case Operation::fpldnlmuldb: return -1;
+    case Operation::stnl:
+    case Operation::sb:
+    case Operation::fpldnlsni:
+    case Operation::fpldnldbi: return -2;
+    default: return 0;
+    }
+}
+
+} // namespace placedpar::occam

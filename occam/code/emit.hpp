@@ -1,0 +1,92 @@
+#pragma once
+
+#include "occam/code/compile.hpp"
+#include "occam/code/frame.hpp"
+#include "runtime/transputer/instruction.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace placedpar::occam {
+
+/// One element of code that is not laid out yet.
+struct CodeElement {
+    enum class Kind : std::uint8_t {
+        number,    ///< a function with the operand `value`
+        cell,      ///< operand: `value` plus the words from the workspace pointer of `frame` to `cell`
+        remote,    ///< operand: `value` plus the words from the start of the procedure's frame to `cell`
+        words,     ///< operand: `value` times the words of the frame
+        branch,    ///< operand: the distance to `to`
+        difference, ///< operand: bytes from `from` to `to`, plus `value`
+        mark,      ///< the label `to`
+        align,     ///< up to the next whole word
+        data,      ///< so many bytes as `value`
+        line,      ///< code for a place begins
+        name       ///< code with the name number `value` begins
+    };
+    Kind kind = Kind::number;
+    std::uint8_t least = 1;    ///< bytes of the instruction
+    std::uint8_t function = 0; ///< a direct function; 15 for operations, whose code is the operand
+    std::int64_t value = 0;
+    Cell cell = {};
+    const Frame* frame = nullptr;
+    Label to = 0, from = 0;
+    Place place = {};
+};
+
+using CodeBuffer = std::vector<CodeElement>;
+
+/// The label of the first word behind code and constants.
+inline constexpr Label end_of_code = 0;
+
+/// Collects code in buffers, and makes bytes of it.
+class Emitter {
+public:
+    using Operation = transputer::Operation;
+
+    Label new_label() { return labels_++; }
+    CodeBuffer& buffer() { return *buffer_; }
+    /// Lets code go to another buffer. Returns that to which it went.
+    CodeBuffer* redirect(CodeBuffer* buffer) { return std::exchange(buffer_, buffer); }
+
+    void put(Operation, std::int64_t operand = 0);
+    void put(Operation, const Cell&, const Frame& current, int words = 0);
+    void put_remote(Operation, const Cell&, int words = 0);
+    void put_words(Operation, const Frame&, int factor);
+    void branch(Operation, Label, std::uint8_t least_bytes = 1);
+    /// Loads the distance of two labels.
+    void difference(Label to, Label from, std::int64_t more = 0);
+    /// Loads the address of a label.
+    void address(Label);
+    void mark(Label);
+    void line(const Place&);
+    void name(std::string);
+    /// Returns the label of constant bytes, which are stored behind the code.
+    Label constant(std::span<const std::uint8_t> bytes, bool aligned);
+
+    /// Returns the code of all buffers, in this order, and the constants.
+    Code finish(const std::vector<const CodeBuffer*>&, Label entry);
+
+private:
+    struct ConstantBytes {
+        std::vector<std::uint8_t> bytes;
+        bool aligned;
+        Label label;
+    };
+    CodeBuffer* buffer_ = nullptr;
+    Label labels_ = 1;
+    std::vector<std::string> names_;
+    std::vector<ConstantBytes> constants_;
+    std::unordered_map<std::string, std::size_t> constant_of_; ///< looked up only
+};
+
+/// Returns whether an instruction may set the flag Error by what a program computes.
+bool may_set_error(transputer::Operation);
+/// Returns how many words an instruction leaves on the register stack more than before.
+int stack_effect(transputer::Operation);
+
+} // namespace placedpar::occam

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+namespace placedpar::occam {
+
+/// The workspace of a procedure is laid out when all of its code has been made: words that are used most come first,
+/// and the components of a PAR lie below the process that started them. Until then code names a word by its Cell.
+
+using Label = std::uint32_t;
+struct Level;
+struct Frame;
+
+/// A word of a workspace.
+struct Cell {
+    enum class Area : std::uint8_t {
+        local,     ///< a variable or temporary of the frame
+        low,       ///< one of the lowest words, which instructions and calls use
+        parameter, ///< of the procedure of the frame
+        link,      ///< the hidden parameter: the frame of the enclosing procedure
+        vector,    ///< the hidden parameter: free vector space
+        base       ///< where the workspace pointer of the frame points
+    };
+    Frame* frame = nullptr;
+    Area area = Area::base;
+    int index = 0;
+
+    Cell after(int words) const { return {frame, area, index + words}; }
+};
+
+/// The workspace of a process: of a procedure, or of a component of a PAR.
+struct Frame {
+    explicit Frame(Level& l) : level(&l) {}
+
+    /// Reserve local words that lie together, until `top` is set back.
+    Cell allocate(int words);
+    void use(const Cell& cell, double weight);
+    /// States that the process needs so many words below its frame.
+    void need_below(std::int64_t words) { below = below < words ? words : below; }
+    /// States that an instruction uses so many of the lowest words of the frame. They are not those of variables that
+    /// have a place now.
+    void need_low(int words);
+    /// Returns the words of the frame. REQUIRES: it is laid out.
+    std::int64_t words() const { return size; }
+    void order_by_use();
+
+    Level* level;
+    int top = 0;
+    int low = 0;                 ///< lowest words that instructions use
+    std::int64_t below = 0;      ///< words below the lowest word of the frame
+    std::int64_t coordinate = 0; ///< of the workspace pointer, in words from that of the procedure
+    std::vector<double> uses;    ///< of each local word
+    std::vector<bool> joined;    ///< states that a local word must follow the one before it
+    std::vector<int> above_low;  ///< of each local word: how many of the lowest words it must not be
+    std::vector<int> position;   ///< of each local word
+    std::int64_t size = 0;       ///< words of the frame
+    std::vector<std::vector<Frame*>> parallels; ///< the components of each PAR
+};
+
+/// A procedure, or the component of a replicated PAR, whose frame lies where only the running program knows.
+struct Level {
+    explicit Level(Level* o) : outer(o), main(*this) {
+        link = {&main, Cell::Area::link, 0};
+        vector = {&main, Cell::Area::vector, 0};
+    }
+    /// Lays out all frames. REQUIRES: the code of the level is complete.
+    void lay_out();
+    /// Returns the words below the workspace pointer of the caller that a call needs.
+    std::int64_t need() const { return 4 + main.words() + main.below; }
+
+    Level* outer;
+    Frame main;
+    std::deque<Frame> components;
+    Cell link, vector, table;     ///< where the addresses of these are; `table` has the large constants
+    bool uses_link = false, uses_vector = false, uses_table = false;
+    int parameters = 0;           ///< words
+    std::int64_t vector_now = 0, vector_most = 0; ///< bytes of vector space
+    Label entry = 0, table_label = 0;
+    std::vector<std::uint32_t> constants;
+};
+
+/// Returns the offset of a word from the workspace pointer of its procedure, in words.
+std::int64_t coordinate_of(const Cell&);
+
+} // namespace placedpar::occam

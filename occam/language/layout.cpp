@@ -1,0 +1,103 @@
+#include "occam/language/parser.hpp"
+
+#include <fmt/format.h>
+
+namespace placedpar::occam {
+
+namespace {
+
+constexpr std::uint32_t indentation_step = 2;
+
+} // namespace
+
+/// Goes on behind a line that was refused, at the next line that is not indented further. `line` counts the lines that
+/// had been taken when reading of the statement began.
+void Parser::recover(std::uint32_t indentation, std::size_t line) {
+    if (line == lines_taken_ || !is_at_line_start())
+        next_line();
+    while (!is_at_end() && peek().indentation > indentation)
+        next_line();
+}
+
+/// Reads the line of a construct, such as WHILE. If it is refused, its block is read nevertheless.
+void Parser::parse_header(const Component& header) {
+    const std::size_t line = lines_taken_;
+    try {
+        header();
+    } catch (const LineRefused&) {
+        if (line == lines_taken_ || !is_at_line_start())
+            next_line();
+    }
+}
+
+/// Returns whether the line belongs to the block of a line with this indentation.
+bool Parser::block_goes_on(std::uint32_t indentation) const {
+    return !is_at_end() && peek().indentation > indentation && !peek().is(":") && !peek().is(")");
+}
+
+/// Returns the indentation of a block, which is that of its first line even if it is wrong.
+std::uint32_t Parser::adopt_indentation(const Word& first, const Word& head) {
+    const std::uint32_t wanted = head.indentation + indentation_step;
+    if (first.indentation != wanted && !indentation_in_doubt_)
+        check_indentation(first, wanted, head);
+    return first.indentation;
+}
+
+void Parser::check_indentation(const Word& first, std::uint32_t wanted, const Word& head) {
+    reading_.reporter.error(at(first),
+                            fmt::format("wrong indentation: the line begins with {} blanks, but {} are expected",
+                                        first.indentation, wanted),
+                            fmt::format("lines below \"{}\" are indented by two blanks more than it", head.text),
+                            {{fmt::format("the \"{}\" is here", head.text), at(head)}});
+}
+
+/// Reads the lines that belong to the line of `head`, which has ended. They are indented by two more.
+void Parser::parse_block(const Word& head_word, const Component& component) {
+    const Nesting nesting(*this);
+    const Word head = head_word;
+    const bool doubt = indentation_in_doubt_;
+    std::optional<std::uint32_t> own, reported;
+    while (block_goes_on(head.indentation)) {
+        const Word first = peek();
+        if (!own)
+            own = adopt_indentation(first, head);
+        const bool is_wrong = first.indentation != *own;
+        if (is_wrong && !doubt && first.indentation != reported)
+            check_indentation(first, *own, head);
+        if (is_wrong)
+            reported = first.indentation;
+        indentation_in_doubt_ = doubt || is_wrong;
+        const std::size_t line = lines_taken_;
+        try {
+            component();
+        } catch (const LineRefused&) {
+            recover(first.indentation, line);
+        }
+        if (line == lines_taken_ && is_at_line_start()) // nothing was read
+            next_line();
+    }
+    indentation_in_doubt_ = doubt;
+}
+
+/// Reads the one process below the line of `head`.
+ProcessBox Parser::parse_body(const Word& head) {
+    ProcessBox body;
+    bool is_empty = true, has_more = false;
+    parse_block(head, [&] {
+        is_empty = false;
+        const Word first = peek();
+        if (body && !std::exchange(has_more, true) && !indentation_in_doubt_)
+            reading_.reporter.error(at(first), fmt::format("only one process can stand below \"{}\"", head.text),
+                                    "put SEQ or PAR above both, and indent them by two blanks more",
+                                    {{"the first process is here", reading_.location(body->at)}});
+        Process process = parse_process();
+        if (!body)
+            body = std::make_unique<Process>(std::move(process));
+    });
+    if (is_empty)
+        reading_.reporter.error(at(head), fmt::format("a process is missing below \"{}\"", head.text),
+                                "write SKIP, indented by two blanks more, if it is to do nothing");
+    return body ? std::move(body) : std::make_unique<Process>(Process{head.at, Skip{}});
+}
+
+} // namespace placedpar::occam

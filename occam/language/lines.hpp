@@ -1,0 +1,83 @@
+#pragma once
+
+#include "occam/language/files.hpp"
+#include "occam/language/words.hpp"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace placedpar::occam {
+
+/// A line of a program with those that it goes on in. The last word is its end.
+struct Line {
+    std::vector<Word> words;
+    bool is_end = false; ///< behind the last line of the file
+};
+
+/// Reads the lines of a file and of those that it includes, and executes directives. #USE is left to the parser.
+class Lines {
+public:
+    /// REQUIRES: the file is the last of `reading.open`.
+    Lines(Reading& reading, std::uint32_t file);
+
+    /// Returns the next line that has words. After the last one, returns a line that is the end, again and again.
+    Line next();
+
+private:
+    /// An #IF that is not closed.
+    struct Condition {
+        Place at;
+        bool is_true = false;  ///< its lines are read
+        bool was_true = false; ///< this branch or an earlier one was read
+        bool has_else = false;
+    };
+    struct File {
+        std::uint32_t index = 0;
+        std::string_view rest = {};    ///< of its text
+        std::uint32_t line = 0;        ///< number of the last line that was taken
+        std::uint32_t indentation = 0; ///< of the #INCLUDE
+        std::vector<Condition> conditions = {};
+    };
+    struct TextLine {
+        std::string_view text;
+        Place start;
+        std::uint32_t indentation = 0;
+    };
+
+    std::optional<TextLine> take_text();
+    std::optional<TextLine> next_text(std::vector<Word>& words);
+    bool is_left_out() const;
+    void warn_of_tabs(const TextLine&);
+    void continue_line(Line&, bool in_string);
+    void close_file();
+
+    void execute(std::string_view name, const TextLine&, std::vector<Word>& words);
+    void execute_condition(std::string_view name, const TextLine&);
+    void execute_if(const std::vector<Word>& words);
+    void execute_else(const std::vector<Word>& words, bool is_else);
+    void execute_include(const std::vector<Word>& words);
+    void execute_define(const std::vector<Word>& words, bool is_defined);
+    const Word* argument(const std::vector<Word>& words, WordKind, std::string_view what);
+
+    Reading& reading_;
+    WordScanner scanner_;
+    std::vector<File> files_;
+    Place last_; ///< start of the last line that was read
+    bool warned_of_tabs_ = false;
+};
+
+// Directives (directives.cpp)
+
+/// Returns whether the directive chooses lines: #IF, #ELIF, #ELSE, #ENDIF.
+bool is_condition(std::string_view directive);
+/// Returns whether the condition in `words`, behind its directive, is true. Reports what is wrong.
+bool evaluate_condition(Reading&, const std::vector<Word>& words);
+/// Executes #OPTION: a string of letters.
+void execute_option(Reading&, const Word& letters);
+/// Executes #PRAGMA with the word that follows it.
+void execute_pragma(Reading&, const Word& what);
+/// Reports a directive that is not read, with a text behind it in #ERROR and #WARNING.
+void execute_message(Reading&, std::string_view directive, std::string_view text, const Place&);
+
+} // namespace placedpar::occam

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "occam/language/tree.hpp"
+
+#include "text/reporter.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace placedpar::occam {
+
+enum class WordKind : std::uint8_t {
+    name,
+    keyword,
+    integer, ///< `42`, `#2A`
+    real,    ///< `1.5`, `1.0E+20`
+    character,
+    string,
+    symbol,
+    directive, ///< `#USE`, at the start of a line
+    illegal,   ///< has been reported
+    end        ///< of a line, or of the file
+};
+
+/// A word of a line. Its text lies in the source file.
+struct Word {
+    WordKind kind = WordKind::end;
+    std::string_view text = {};
+    Place at = {};
+    std::uint32_t indentation = 0; ///< blanks in front of it, with tabs and the indentation of an #INCLUDE
+    std::string bytes = {};        ///< of a character or string, with its escapes resolved; a file of #USE
+
+    bool is(std::string_view symbol) const { return kind == WordKind::symbol && text == symbol; }
+    /// Returns whether it is this keyword, or a name with this text. Words of later versions of the language are names.
+    bool is_word(std::string_view word) const {
+        return (kind == WordKind::keyword || kind == WordKind::name) && text == word;
+    }
+};
+
+/// Returns whether the text is a keyword of occam 2. The words of later versions, such as STEP, are words only where
+/// the language expects them, so that old programs can use them as names.
+bool is_keyword(std::string_view text);
+/// Returns "the name \"x\"", "the keyword \"SEQ\"", "\":=\"", "the end of the line" for messages.
+std::string describe(const Word&);
+/// Returns whether a line goes on below this word: it is an operator, `,`, `:=`, `IS` or the like.
+bool continues_line(const Word&);
+
+/// Returns the directive that a line begins with, such as "#USE"; "" if there is none. #FEED is a number.
+std::string_view directive_of(std::string_view line);
+
+/// Splits lines of a file into words. Reports what is not a word.
+class WordScanner {
+public:
+    WordScanner(const Program& program, Reporter& reporter) : program_(program), reporter_(reporter) {}
+
+    /// Appends the words of a line to `words`. `indentation` is added to that of each word. Returns whether the line
+    /// ends within a string, by a `*`. Then continue_string() is called with the next line.
+    bool scan(std::string_view line, Place start, std::uint32_t indentation, std::vector<Word>& words);
+    /// Does the same for a line that goes on with a string, which is the last of the words.
+    bool continue_string(std::string_view line, Place start, std::uint32_t indentation, std::vector<Word>& words);
+
+private:
+    bool scan_rest(std::vector<Word>& words);
+    bool scan_word(std::vector<Word>& words);
+    void take_name(Word&);
+    void take_digits_of(Word&);
+    void take_hexadecimal(Word&);
+    void take_symbol(Word&);
+    void take_character(Word&);
+    bool take_string(Word&);
+    void take_escape(std::string& bytes, bool first_of_string);
+    void refuse_byte(Word&);
+    void skip_blanks();
+    void error(std::size_t position, std::string message, std::string hint = "");
+    bool digit_at(std::size_t position) const;
+    char at(std::size_t position) const { return position < line_.size() ? line_[position] : '\0'; }
+
+    const Program& program_;
+    Reporter& reporter_;
+    std::string_view line_;
+    Place start_;
+    std::size_t position_ = 0;
+    std::uint32_t blanks_ = 0; ///< blanks in front of position_, if all in front of it were blanks
+    std::uint32_t indentation_ = 0;
+    std::size_t counted_ = 0;  ///< bytes of the line that are in blanks_
+};
+
+} // namespace placedpar::occam

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+namespace placedpar::occam::embedded {
+
+/// Each returns the text of the file of this folder that it is named after. The build makes the definitions
+/// (CMakeLists.txt of the room).
+std::string convert_occ();
+std::string hostio_inc();
+std::string hostio_occ();
+std::string terminal_occ();
+
+} // namespace placedpar::occam::embedded
