@@ -79,20 +79,22 @@ class Messages(unittest.TestCase):
         self.assert_wrong('WHILE TRUE\n  so.write.string.nl (fs, ts, "42")', 1, "the program prints more than 65536 bytes")
 
     def test_a_program_that_is_right_in_the_usual_order_only(self):
-        racing = """CHAN OF INT a, b, c:
+        racing = """[4]CHAN OF INT c:
+INT first, x:
 SEQ
   PAR
-    a ! 42
-    b ! 24
-    INT x, y:
+    PAR i = 0 FOR 4
+      c[i] ! 42 - i
     SEQ
-      ALT
-        a ? x
-          b ? y
-        b ? x
-          a ? y
-      so.write.int (fs, ts, x, 0)
-      so.write.nl (fs, ts)
+      ALT i = 0 FOR 4
+        c[i] ? first
+          SKIP
+      SEQ j = 0 FOR 3
+        ALT i = 0 FOR 4
+          c[i] ? x
+            SKIP
+  so.write.int (fs, ts, first, 0)
+  so.write.nl (fs, ts)
   so.exit (fs, ts, sps.success)"""
         self.assert_wrong(racing, 1, r'it is right in the usual order of its processes, but not in all orders\n'
                                      r'with --shuffle \d+, line 1 of the output is wrong\n  expected: "42"')
