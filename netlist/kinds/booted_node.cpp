@@ -161,6 +161,8 @@ void BootedNode::tell_hosts() {
     }
 }
 
+void BootedNode::shuffle(std::uint64_t seed) { device_.core().shuffle(RandomStream(seed, node().name)); }
+
 FaultEffects BootedNode::suffer(const Fault& halts) {
     device_.halt_at(begin_of(halts));
     return [this](FaultUse& use) {

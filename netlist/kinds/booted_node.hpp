@@ -32,6 +32,7 @@ public:
     void report(MachineUse&) const override;
     std::vector<ProgramWait> program_waits() const override;
     void carry(AnyChannel&, const RouteHop&) override;
+    void shuffle(std::uint64_t seed) override;
     FaultEffects suffer(const Fault& halts) override;
 
     transputer::Node& device() { return device_; }

@@ -72,6 +72,8 @@ public:
     virtual void carry(AnyChannel&, const RouteHop&);
     /// Puts the channels that are broadcast on the device (ChannelPlacement::broadcast_on) on their carriers.
     virtual void broadcast(const std::function<AnyChannel&(std::size_t)>& /* channel */) {}
+    /// Makes the device run the ready processes of its own code in a random order. Called before the run.
+    virtual void shuffle(std::uint64_t /* seed */) {}
     /// Tells the device that it has this fault in this run. Called before the run.
     virtual FaultEffects suffer(const Fault&) { return {}; }
     /// Adds the device's part of the report. Called when the work of the run is over.

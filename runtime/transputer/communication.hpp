@@ -31,6 +31,8 @@ PLACEDPAR_EXPANDED void Core::enqueue(Word process) {
 
 /// Takes the process at the front of a queue. REQUIRES: the queue is not empty.
 PLACEDPAR_EXPANDED void Core::take_front(std::size_t priority, Registers& r) {
+    if (shuffle_) [[unlikely]]
+        put_off_some(priority);
     r.workspace = front_[priority];
     front_[priority] = r.workspace == back_[priority] ? not_a_process : load(r.workspace - below::link);
     r.instruction = load(r.workspace - below::instruction);

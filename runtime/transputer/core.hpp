@@ -1,5 +1,6 @@
 #pragma once
 
+#include "runtime/random.hpp"
 #include "runtime/time.hpp"
 #include "runtime/transputer/core_state.hpp"
 #include "runtime/transputer/decoded_code.hpp"
@@ -101,6 +102,9 @@ public:
     /// Returns the local time at which the core attends to its timers and timeslices next.
     HalfCycles next_attention() const { return due_ > local_ ? due_ : local_; }
 
+    /// Takes ready processes in an order drawn from these numbers from now on, and not in the order in which they became
+    /// ready. The instruction set promises that order, but occam does not.
+    void shuffle(const RandomStream& lots) { shuffle_ = lots; }
     /// Begins to run code as the boot does. `old` registers are passed in A and B.
     void boot(Word code_bytes, int input_channel);
     /// Makes the process that waits at a link's channel ready: its transfer is done.
@@ -237,6 +241,7 @@ private:
     bool dispatch();
     void run_front(int priority);
     void take_front(std::size_t priority, Registers&);
+    void put_off_some(std::size_t priority);
     void set_priority(int priority);
     void save_process();
     void interrupt();

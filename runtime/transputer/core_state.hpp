@@ -1,5 +1,6 @@
 #pragma once
 
+#include "runtime/random.hpp"
 #include "runtime/time.hpp"
 #include "runtime/transputer/fpu.hpp"
 #include "runtime/transputer/instruction.hpp"
@@ -53,6 +54,7 @@ struct CoreState {
     std::array<Word, 3> move_{}; ///< rows, stride of the target, stride of the source: move2dinit
 
     std::array<Word, 2> front_{not_a_process, not_a_process}, back_{not_a_process, not_a_process};
+    std::optional<RandomStream> shuffle_; ///< set if the queues are shuffled
     std::optional<Pending> pending_, interrupted_pending_;
     bool clocks_run_ = false;
     Word clock_start_ = 0;

@@ -314,6 +314,16 @@ bool Core::dispatch() {
     return true;
 }
 
+/// Moves some ready processes to the end of their queue, at random.
+[[gnu::cold, gnu::noinline]] void Core::put_off_some(std::size_t priority) {
+    while (front_[priority] != back_[priority] && shuffle_->chance(0.5)) {
+        const Word process = front_[priority];
+        front_[priority] = load(process - below::link);
+        store(back_[priority] - below::link, process);
+        back_[priority] = process;
+    }
+}
+
 void Core::run_front(int priority) {
     take_front(static_cast<std::size_t>(priority), registers_);
     set_priority(priority);
