@@ -156,4 +156,10 @@ void Machine::start_processes() {
             software_.processes()[i]->serve_machine(); // the process is the switch's logic and never ends
 }
 
+void Machine::shuffle(std::uint64_t seed) {
+    simulation_.shuffle(seed);
+    for (const auto& node : parts_.nodes)
+        node->shuffle(seed);
+}
+
 } // namespace placedpar
