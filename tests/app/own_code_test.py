@@ -41,8 +41,8 @@ class OwnCode(unittest.TestCase):
     def test_explain_says_that_processes_wait_for_a_program(self):
         done = placedpar("explain", self.netlist)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertRegex(done.stdout, r"\nconsumer .*  root \(0\.0")
-        self.assertRegex(done.stdout, r"\nproducer .*  root \(0\.0")
+        self.assertRegex(done.stdout, r"\nconsumer .* root \(0\.072\)")
+        self.assertRegex(done.stdout, r"\nproducer .* root \(0\.076\)")
 
     def test_a_process_and_a_program_that_wait_for_each_other_are_named(self):
         done = placedpar("run", self.netlist, "--set", "numbers=11")
