@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -134,6 +135,7 @@ bool has_own_devices(const Network& network) {
 
 RunReport Machine::run(Time limit) {
     RunReport report;
+    std::vector<ProgramWait> waits;
     auto count_work = [&] {
         for (std::size_t i = 0; i < parts_.nodes.size(); ++i)
             ask(i, &MachineNode::report, report);
@@ -149,8 +151,13 @@ RunReport Machine::run(Time limit) {
         rethrow_for_the_kernel();
     }
     forget_waits_that_end(report);
-    if (report.result.deadlock)
+    if (report.result.deadlock) {
+        if (report.result.ending == Ending::stuck)
+            for (std::size_t i = 0; i < parts_.nodes.size(); ++i)
+                std::ranges::move(ask(i, &MachineNode::program_waits), std::back_inserter(waits));
         add_places(*report.result.deadlock, network_);
+        add_program_waits(*report.result.deadlock, waits);
+    }
     const std::uint64_t events = report.result.fingerprint;
     report.result.fingerprint = fingerprint_with(events, software_.measurements());
     report.measurements = software_.measurements();

@@ -2,10 +2,12 @@
 
 #include "netlist/kinds/boot_host.hpp"
 #include "netlist/kinds/machine_node.hpp"
+#include "runtime/transputer/code_lines.hpp"
 #include "runtime/transputer/listing.hpp"
 #include "runtime/transputer/message_end.hpp"
 #include "runtime/transputer/node.hpp"
 #include "runtime/transputer/stepper.hpp"
+#include "runtime/transputer/waiting.hpp"
 
 #include <cstddef>
 #include <map>
@@ -28,6 +30,7 @@ public:
 
     void has_link(hardware::Link&) override;
     void report(MachineUse&) const override;
+    std::vector<ProgramWait> program_waits() const override;
     void carry(AnyChannel&, const RouteHop&) override;
     FaultEffects suffer(const Fault& halts) override;
 
@@ -38,6 +41,8 @@ private:
     void tell_hosts();
     std::string state() const;
     std::string state_of_program() const;
+    const transputer::CodeLines& lines() const;
+    ProgramWait describe(const transputer::WaitingProcess&) const;
     void connect_host(hardware::Link&, const LinkEnd& own, bool own_is_a);
     transputer::MessageEnd& message_end(std::size_t connection);
 

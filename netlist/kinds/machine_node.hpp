@@ -2,6 +2,7 @@
 
 #include "netlist/kinds/fault_kinds.hpp"
 #include "netlist/kinds/machine_use.hpp"
+#include "netlist/kinds/program_waits.hpp"
 #include "netlist/network/network.hpp"
 #include "runtime/hardware/link.hpp"
 #include "runtime/hardware/switched_lane.hpp"
@@ -75,6 +76,8 @@ public:
     virtual FaultEffects suffer(const Fault&) { return {}; }
     /// Adds the device's part of the report. Called when the work of the run is over.
     virtual void report(MachineUse&) const {}
+    /// Returns the processes of the device's own program that wait. Called after a run that ended in a deadlock.
+    virtual std::vector<ProgramWait> program_waits() const { return {}; }
 
     /// Returns the engine of a link whose partner changes during the run.
     hardware::SharedEngine& engine(int link, bool outputs);

@@ -19,6 +19,10 @@
 #include <string_view>
 #include <vector>
 
+namespace placedpar::transputer {
+class CodeLines; // runtime/transputer/code_lines.hpp
+} // namespace placedpar::transputer
+
 namespace placedpar {
 
 struct DeviceKind; // netlist/kinds/device_kind.hpp: what a device of some kind is and can do
@@ -47,6 +51,8 @@ struct Node {
     std::string boot_file = ""; ///< path of the bootable file that a host sends to the node; "" if none
     std::shared_ptr<const std::vector<std::uint8_t>> boot_bytes = nullptr; ///< contents of this file
     Location boot_stated = {};                                             ///< place of the `use` that names the file
+    std::shared_ptr<const transputer::CodeLines> code_lines =
+        nullptr;                ///< what NAME.lines beside the file says; or null
     bool runs_own_code = false; ///< the node is emulated: it executes what it is booted with, and runs no processes
 
     /// REQUIRES: the kind has an integer attribute of this name; throws std::logic_error otherwise.
@@ -231,6 +237,7 @@ struct HostServices {
     std::map<std::string, std::string> environment = {};
     std::uint64_t write_limit_bytes = 64U << 20;
     bool lists_code = false;       ///< counts the instructions that booted nodes execute
+    bool analyses = false;         ///< shows the state of booted nodes at the end
     std::istream* steps = nullptr; ///< commands that execute the code of the node with a host step by step; null: none
     /// Makes the terminal of a host. Empty: the screen shows nothing, and no key is pressed.
     std::function<std::shared_ptr<iserver::Terminal>()> terminal = {};

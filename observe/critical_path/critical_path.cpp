@@ -113,6 +113,15 @@ void CriticalPath::turns(const Process& process, Activity activity, Time now) {
     tell(process, activity, now);
 }
 
+/// Accounts for a process of a booted program. Its message takes no time once both processes are at the channel.
+void CriticalPath::program_turns(const ProgramTurn& turn, Time now) {
+    ProgramLane& lane = programs_[turn.process];
+    if (is_waiting(lane.does) && turn.activity == Activity::ready)
+        accounts_.explain(turn.process, turn.partner.empty() ? lane.partner : turn.partner, now, now);
+    accounts_.turn(turn.process, lane.does, turn.activity, now);
+    lane = {turn.activity, turn.awaited.empty() ? "" : turn.awaited.front().partner};
+}
+
 /// Adds a process. A component of a PAR begins at its parent's last event.
 void CriticalPath::begin(const Process& process, Time now) {
     Lane* parent = lane_of(process.parent());

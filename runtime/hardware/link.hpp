@@ -17,12 +17,23 @@
 
 namespace placedpar::hardware {
 
+/// Is told before the two ends of a link change its state by give(), take() or a reset. A processor that has computed
+/// its future meanwhile can then return to the present. Must not wait or throw.
+class LinkEngineWatcher {
+public:
+    virtual void link_will_change() = 0;
+
+protected:
+    ~LinkEngineWatcher() = default;
+};
+
 /// The memory of a processor, as the engines of its links use it. A part of a message takes one word for each
 /// `bytes_in_a_word` bytes; remaining bytes at its end take one more word.
 struct LinkEngineMemory {
     std::uint32_t bytes_in_a_word = 4; ///< or 2
     std::uint64_t words_of_ended_parts = 0;
     int parts_under_way = 0;
+    LinkEngineWatcher* watcher = nullptr; ///< null if nothing must be told
 
     std::uint64_t words_in(std::uint32_t bytes) const {
         return (std::uint64_t{bytes} + bytes_in_a_word - 1) >> (bytes_in_a_word / 2); // divides by 2 or 4
@@ -201,6 +212,7 @@ private:
         std::uint32_t agreed = 0;               ///< bytes of the current part that count for the receiver
         bool gives = false, takes = false;      ///< whether a give() or a take() has not ended
     };
+    void tell_watchers() const;
     void begin_part_by_counts(LinkState&);
     bool agree_on_part(LinkState&);
     void ask_by_counts();
@@ -271,6 +283,9 @@ public:
     const LinkDirection& from_b_to_a() const { return b_to_a_; }
 
     const LinkTiming& timing() const { return timing_; }
+    /// Returns whether nothing is under way. The link then stays as it is until one of its ends acts on it, and
+    /// words_moved() has the same result at all later times.
+    bool is_still() const { return course_.is_still(); }
     /// Prefetches the data that words_moved() reads.
     void fetch() const { course_.fetch(); }
     /// Returns how many words of the current parts the engines at this memory moved before `now`. Performs steps that

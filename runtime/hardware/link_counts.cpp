@@ -23,10 +23,17 @@ void LinkDirection::move_by_counts(ByteUser& sender, ByteUser& receiver) {
     counts_ = std::make_unique<Counts>(Counts{sender, receiver});
 }
 
+void LinkDirection::tell_watchers() const {
+    for (const LinkEngineMemory* memory : memories_)
+        if (memory && memory->watcher)
+            memory->watcher->link_will_change();
+}
+
 void LinkDirection::give(std::uint32_t bytes) {
     if (bytes == 0 || std::exchange(counts_->gives, true))
         throw std::logic_error(
             fmt::format("{}: give() needs at least one byte, and a call of sent() for the preceding bytes", name_));
+    tell_watchers();
     LinkCourse::Touch touch(course_);
     counts_->to_give = bytes;
     begin_part_by_counts(*touch);
@@ -37,6 +44,7 @@ void LinkDirection::take(std::uint32_t bytes) {
     if (bytes == 0 || std::exchange(counts_->takes, true))
         throw std::logic_error(
             fmt::format("{}: take() needs at least one byte, and a call of taken() for the preceding bytes", name_));
+    tell_watchers();
     counts_->to_take = bytes;
     ask_by_counts();
 }
@@ -96,6 +104,7 @@ void LinkDirection::end_of_taking() {
 }
 
 std::uint32_t LinkDirection::reset_giving() {
+    tell_watchers();
     LinkCourse::Touch touch(course_);
     const auto received = static_cast<std::uint32_t>(counts_->gives ? bytes_received() : 0);
     if (counts_->gives) {
@@ -112,6 +121,7 @@ std::uint32_t LinkDirection::reset_giving() {
 }
 
 std::uint32_t LinkDirection::reset_taking() {
+    tell_watchers();
     LinkCourse::Touch touch(course_);
     LinkState::Direction& direction = touch->directions[number_];
     if (counts_->takes)
