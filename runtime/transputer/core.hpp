@@ -200,7 +200,7 @@ public:
     /// Performs everything of the scheduler at its own moment from now on, with the same results. REQUIRES: `watcher`
     /// outlives the run.
     void watch_processes(ProcessWatcher* watcher) { process_watcher_ = watcher; }
-    /// Returns whether instructions or processes are watched. What a watcher is told cannot be taken back.
+    /// Returns whether instructions or processes are watched. The core must not go back behind what a watcher has seen.
     bool is_watched() const { return watcher_ != nullptr || process_watcher_ != nullptr; }
 
 private:

@@ -5,6 +5,7 @@
 #include "runtime/transputer/byte_lane.hpp"
 #include "runtime/transputer/core.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -58,8 +59,11 @@ public:
     /// Executes one instruction at an event. Tests compare such a run with a usual one. REQUIRES: the run has not
     /// begun.
     void run_instruction_by_instruction() { run_ahead_by(Time{0}); }
-    /// Runs ahead by this time wherever it can. REQUIRES: the run has not begun.
-    void run_ahead_by(Time most) { most_ahead_ = ahead_by_ = least_ahead_ = longest_ahead_ = most; }
+    /// Runs ahead by this time while the links rest. REQUIRES: the run has not begun.
+    void run_ahead_by(Time time) {
+        most_ahead_ = std::min(most_ahead_, time);
+        ahead_by_ = least_ahead_ = longest_ahead_ = time;
+    }
 
     /// Stops the node at a time. It executes nothing more, and takes no commands of a boot. Its link engines finish the
     /// transfers that are under way. REQUIRES: the run has not begun.

@@ -77,6 +77,7 @@ Core::Pause Core::run(HalfCycles limit, Links links) {
             if (links != Links::rest && local_ != on_time_at_)
                 return Pause::limit;
             attend();
+            continue; // it may have stopped
         }
         if (is_analysed_ && !running_) {
             fault(Stopped::by_analyse, 0);
