@@ -112,6 +112,7 @@ private:
         std::function<void()> load;
     };
     using Arguments = std::vector<Argument>;
+    void end_run();
     void add_main_argument(Arguments&, const Declaration& parameter, std::int64_t memory);
 
     // location_code.cpp
