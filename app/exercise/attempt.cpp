@@ -18,18 +18,18 @@ namespace {
 constexpr std::chrono::seconds longest_run{10};
 constexpr std::size_t most_output = 65536;
 
-TriedSolution::End end_of(const RunReport& report, bool too_much) {
+Attempt::End end_of(const RunReport& report, bool too_much) {
     if (too_much)
-        return TriedSolution::End::too_much_output;
+        return Attempt::End::too_much_output;
     if (std::ranges::any_of(report.programs, &ProgramUse::failed))
-        return TriedSolution::End::failed;
+        return Attempt::End::failed;
     switch (report.result.ending) {
-    case Ending::completed: return TriedSolution::End::completed;
-    case Ending::stuck: return TriedSolution::End::deadlock;
-    case Ending::time_limit: return TriedSolution::End::too_long;
+    case Ending::completed: return Attempt::End::completed;
+    case Ending::stuck: return Attempt::End::deadlock;
+    case Ending::time_limit: return Attempt::End::too_long;
     case Ending::interrupted: break;
     }
-    return TriedSolution::End::interrupted;
+    return Attempt::End::interrupted;
 }
 
 std::string_view without_blanks(std::string_view text) {
@@ -66,8 +66,8 @@ std::string difference(const std::string& output, const std::string& expected) {
 
 } // namespace
 
-TriedSolution attempt(const Network& network, std::optional<std::uint64_t> shuffle, Interruption& interruption) {
-    TriedSolution result;
+Attempt attempt(const Network& network, std::optional<std::uint64_t> shuffle, Interruption& interruption) {
+    Attempt result;
     bool too_much = false;
     const auto print = [&](std::string_view text) {
         result.output += text;
@@ -87,20 +87,20 @@ TriedSolution attempt(const Network& network, std::optional<std::uint64_t> shuff
     return result;
 }
 
-std::string what_is_wrong(const TriedSolution& made, const std::string& expected) {
+std::string what_is_wrong(const Attempt& made, const std::string& expected) {
     const std::string printed = fmt::format("after {} of output", counted(lines_of(made.output).size(), "line"));
     switch (made.end) {
-    case TriedSolution::End::completed: return difference(made.output, expected);
-    case TriedSolution::End::failed: return fmt::format("the program {}, {}", made.state, printed);
-    case TriedSolution::End::deadlock:
+    case Attempt::End::completed: return difference(made.output, expected);
+    case Attempt::End::failed: return fmt::format("the program {}, {}", made.state, printed);
+    case Attempt::End::deadlock:
         return fmt::format("the program is in a deadlock at {}, {}: its processes wait for each other, or for a "
                            "process that has ended",
                            to_string(made.time), printed);
-    case TriedSolution::End::too_long:
+    case Attempt::End::too_long:
         return fmt::format("the program has not ended after {} s of simulated time, {}", longest_run.count(), printed);
-    case TriedSolution::End::too_much_output:
+    case Attempt::End::too_much_output:
         return fmt::format("the program prints more than {} bytes; expected are {}", most_output, expected.size());
-    case TriedSolution::End::interrupted: break;
+    case Attempt::End::interrupted: break;
     }
     return "";
 }
