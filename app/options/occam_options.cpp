@@ -1,10 +1,10 @@
 #include "app/options/occam_options.hpp"
 
+#include "app/options/common_options.hpp"
 #include "occam/check/check.hpp"
 #include "occam/library/library.hpp"
-#include "app/options/common_options.hpp"
-#include "app/standard_error.hpp"
 #include "text/load_source.hpp"
+#include "text/output_file.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +27,8 @@ bool leaves_out(const OccamOptions& options, std::string_view name) {
         const std::string_view each = rest.substr(0, rest.find(','));
         rest.remove_prefix(std::min(rest.size(), each.size() + 1));
         if (std::ranges::find(names_of_checks, each) == names_of_checks.end())
-            throw UserError(fmt::format("--no-checks: \"{}\" is no check; there are usage, alias, range and all", each));
+            throw UserError(
+                fmt::format("--no-checks: \"{}\" is no check; there are usage, alias, range and all", each));
         found |= each == name;
     }
     return found;

@@ -58,7 +58,8 @@ void Generator::bind_parameters(const std::vector<DeclarationBox>& parameters, L
             location.base = Storage::Base::cell;
             location.is_scalar = bytes_of(type.basic) < 4;
         }
-        for (const Type* dimension = &type; dimension->kind == Type::Kind::array; dimension = &plain(*dimension->element))
+        for (const Type* dimension = &type; dimension->kind == Type::Kind::array;
+             dimension = &plain(*dimension->element))
             if (!dimension->count)
                 location.extents.push_back({std::nullopt, next()});
         bindings_[each.get()] = location;
@@ -89,6 +90,8 @@ void Generator::return_results(const Function& f, Level& level) {
         if (!in_register)
             return;
         stack_ = 0;
+        if (f.body.process)
+            clear_error();
         if (is_real(*f.result_types.front())) {
             real(f.body.results.front());
             check_reals();
@@ -105,6 +108,7 @@ void Generator::instance(const Process& p, const Instance& i) {
     if (std::holds_alternative<Predefined>(i.meaning->form))
         return predefined_instance(p, i);
     call(*i.meaning, i.arguments, {});
+    clear_error();
 }
 
 void Generator::call(const Declaration& d, const std::vector<Expression>& arguments,
@@ -201,7 +205,6 @@ void Generator::call_with(Routine& routine, Arguments words) {
     emitter_.branch(Operation::call, routine.entry);
     stack_ = 0;
     frame_->need_below(level.need());
-    clear_error();
 }
 
 /// Calls a function. Without places for its results, its only one is left in a register.
@@ -214,7 +217,9 @@ void Generator::call_function(const Expression& e, const std::vector<Storage>& r
     call(*c.meaning, c.arguments, in_register ? std::vector<Storage>() : results);
     const bool is_word_result = in_register && is_word(*function.result_types.front());
     stack_ = is_word_result ? 1 : 0;
-    if (!in_register || results.empty())
+    if (!in_register)
+        return clear_error();
+    if (results.empty())
         return;
     if (is_word_result)
         store(results.front());

@@ -18,8 +18,8 @@ int Generator::depth_of_channel(const Expression& e) const {
 }
 
 /// Loads address, channel and count, and communicates. The count needs one register.
-void Generator::transfer(Operation operation, const std::function<void()>& load_address,
-                         const Expression& on, const std::function<void()>& load_count) {
+void Generator::transfer(Operation operation, const std::function<void()>& load_address, const Expression& on,
+                         const std::function<void()>& load_count) {
     load_address();
     if (depth_of_channel(on) > 2) {
         const Cell saved_address = temporary(), saved = temporary();
@@ -137,7 +137,8 @@ void Generator::output(const Output& o) {
     if (o.channel.type->kind == Type::Kind::port)
         return copy(pointer_to(value_in_memory(o.items.front().value)), locate(o.channel));
     if (o.tag_value)
-        output_word(o.channel, [&] { constant(*o.tag_value); }, 1, 1);
+        output_word(
+            o.channel, [&] { constant(*o.tag_value); }, 1, 1);
     for (std::size_t i = o.tag_value ? 1 : 0; i < o.items.size(); ++i) {
         stack_ = 0;
         if (o.items[i].counted_array)
@@ -151,10 +152,12 @@ void Generator::output_item(const Expression& on, const Expression& value) {
     const Type& type = *value.type;
     const std::int64_t size = size_of(type);
     if (is_word(type) && size != 2)
-        return output_word(on, [&] { expression(value); }, depth_of(value), size);
+        return output_word(
+            on, [&] { expression(value); }, depth_of(value), size);
     const Storage location = pointer_to(value_in_memory(value));
     if (size == 4 && !is_compound(plain(type)))
-        return output_word(on, [&] { load_bits(location); }, 1, size);
+        return output_word(
+            on, [&] { load_bits(location); }, 1, size);
     transfer(Operation::out, location, on);
 }
 
@@ -198,7 +201,8 @@ void Generator::output_counted(const Expression& on, const Item& item) {
     if (size_of(count_type) == 2)
         transfer(Operation::out, number, on);
     else
-        output_word(on, [&] { load(number.cell); }, 1, size_of(count_type));
+        output_word(
+            on, [&] { load(number.cell); }, 1, size_of(count_type));
     const Label none = emitter_.new_label();
     load(number.cell);
     jump_if_false(none);

@@ -33,16 +33,20 @@ struct CodeName {
 /// Code of a program that can stand anywhere in memory.
 struct Code {
     std::vector<std::uint8_t> bytes;
-    std::uint32_t entry = 0;           ///< offset of the first instruction, which needs no values in registers
-    std::uint64_t workspace_words = 0; ///< of the first process, with those of everything it calls
+    std::uint32_t entry = 0;                 ///< offset of the first instruction, which needs no values in registers
+    std::uint64_t workspace_words = 0;       ///< of the first process, with those of everything it calls
     std::uint64_t first_workspace_words = 0; ///< those of them that the first workspace pointer has above it
     std::uint64_t vector_space_bytes = 0;    ///< behind the code
-    std::vector<CodeLine> lines; ///< in order of offsets
+    std::vector<CodeLine> lines;             ///< in order of offsets
     std::vector<CodeName> names;
 };
 
 /// Compiles a program that was checked without errors. Throws RefusedInput for what this compiler cannot compile.
 Code compile(const Program&, const Declaration& main, const CodeOptions&);
+
+/// Returns where the loader puts the code, in bytes from the start of memory. The vector space is behind it, then comes
+/// what the main procedure gets as free memory.
+std::uint32_t where_code_is(const Code&, const CodeOptions&);
 
 /// Returns a bootable file that runs the program on one transputer: a loader of ours, and the code.
 std::vector<std::uint8_t> bootable(const Code&, const CodeOptions&);

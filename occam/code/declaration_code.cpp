@@ -22,7 +22,8 @@ void Generator::declare_variable(const Declaration& d, const Variable& variable)
     if (is_channel(*d.type) || d.type->kind == Type::Kind::port)
         return declare_channels(d);
     const Type& type = plain(*d.type);
-    if (type.kind == Type::Kind::timer || (type.kind == Type::Kind::array && plain(*type.element).kind == Type::Kind::timer))
+    if (type.kind == Type::Kind::timer ||
+        (type.kind == Type::Kind::array && plain(*type.element).kind == Type::Kind::timer))
         return;
     if (d.placement && d.placement->where == Placement::Where::address)
         refuse(d.at, "only channels and ports can be placed at an address");

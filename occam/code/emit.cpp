@@ -3,6 +3,7 @@
 #include "runtime/transputer/assembler.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace placedpar::occam {
 
@@ -15,7 +16,6 @@ constexpr std::uint8_t operate = 15;
 std::uint8_t function_code(Operation operation) {
     return static_cast<std::uint8_t>(transputer::description_of(operation).code);
 }
-
 
 /// Lays out code: finds the lengths and offsets of all elements.
 class CodeLayout {
@@ -32,8 +32,7 @@ public:
     std::int64_t operand(std::size_t i) const {
         const CodeElement& element = elements_[i];
         switch (element.kind) {
-        case CodeElement::Kind::cell:
-            return element.value + coordinate_of(element.cell) - element.frame->coordinate;
+        case CodeElement::Kind::cell: return element.value + coordinate_of(element.cell) - element.frame->coordinate;
         case CodeElement::Kind::remote: return element.value + coordinate_of(element.cell);
         case CodeElement::Kind::words: return element.value * element.frame->words();
         case CodeElement::Kind::branch:
@@ -123,17 +122,13 @@ void Emitter::put_remote(Operation operation, const Cell& cell, int words) {
 }
 
 void Emitter::put_words(Operation operation, const Frame& frame, int factor) {
-    buffer_->push_back({.kind = CodeElement::Kind::words,
-                        .function = function_code(operation),
-                        .value = factor,
-                        .frame = &frame});
+    buffer_->push_back(
+        {.kind = CodeElement::Kind::words, .function = function_code(operation), .value = factor, .frame = &frame});
 }
 
 void Emitter::branch(Operation operation, Label to, std::uint8_t least_bytes) {
-    buffer_->push_back({.kind = CodeElement::Kind::branch,
-                        .least = least_bytes,
-                        .function = function_code(operation),
-                        .to = to});
+    buffer_->push_back(
+        {.kind = CodeElement::Kind::branch, .least = least_bytes, .function = function_code(operation), .to = to});
 }
 
 void Emitter::difference(Label to, Label from, std::int64_t more) {
@@ -223,73 +218,38 @@ bool may_set_error(Operation operation) {
     }
 }
 
+namespace {
+
+using Operations = std::initializer_list<Operation>;
+
+constexpr Operations that_push = {Operation::ldc,       Operation::ldl,        Operation::ldlp,    Operation::mint,
+                                  Operation::dup,       Operation::xdble,      Operation::ldtimer, Operation::ldpri,
+                                  Operation::testerr,   Operation::fpgt,       Operation::fpeq,    Operation::fpnan,
+                                  Operation::fpordered, Operation::fpnotfinite};
+constexpr Operations that_pop = {
+    Operation::stl,        Operation::cj,          Operation::add,         Operation::sub,
+    Operation::sum,        Operation::diff,        Operation::mul,         Operation::prod,
+    Operation::fmul,       Operation::div,         Operation::rem,         Operation::gt,
+    Operation::and_,       Operation::or_,         Operation::xor_,        Operation::shl,
+    Operation::shr,        Operation::bsub,        Operation::wsub,        Operation::wsubdb,
+    Operation::csub0,      Operation::ccnt1,       Operation::xword,       Operation::cword,
+    Operation::csngl,      Operation::fpldnlsn,    Operation::fpldnldb,    Operation::fpstnlsn,
+    Operation::fpstnldb,   Operation::fpstnli32,   Operation::fpi32tor32,  Operation::fpi32tor64,
+    Operation::fpb32tor64, Operation::fpldnladdsn, Operation::fpldnladddb, Operation::fpldnlmulsn,
+    Operation::fpldnlmuldb};
+constexpr Operations that_pop_two = {Operation::stnl, Operation::sb, Operation::fpldnlsni, Operation::fpldnldbi};
+
+bool is_among(Operation operation, const Operations& all) {
+    return std::find(all.begin(), all.end(), operation) != all.end();
+}
+
+} // namespace
+
 int stack_effect(Operation operation) {
-    switch (operation) {
-    case Operation::ldc:
-    case Operation::ldl:
-    case Operation::ldlp:
-    case Operation::mint:
-    case Operation::dup:
-    case Operation::ldtimer:
-    case Operation::ldpri:
-    case Operation::testerr:
-    case Operation::xdble:
-    case Operation::fpgt:
-    case Operation::fpeq:
-    case Operation::fpnan:
-    case Operation::fpnotfinite:
-    case Operation::fpordered: return 1;
-    case Operation::adc:
-    case Operation::ldnl:
-    case Operation::ldnlp:
-    case Operation::eqc:
-    case Operation::rev:
-    case Operation::not_:
-    case Operation::lb:
-    case Operation::ldpi:
-    case Operation::bcnt: return 0;
-    case Operation::stl:
-    case Operation::cj:
-    case Operation::add:
-    case Operation::sub:
-    case Operation::sum:
-    case Operation::diff:
-    case Operation::mul:
-    case Operation::prod:
-    case Operation::fmul:
-    case Operation::div:
-    case Operation::rem:
-    case Operation::gt:
-    case Operation::and_:
-    case Operation::or_:
-    case Operation::xor_:
-    case Operation::shl:
-    case Operation::shr:
-    case Operation::bsub:
-    case Operation::wsub:
-    case Operation::wsubdb:
-    case Operation::csub0:
-    case Operation::ccnt1:
-    case Operation::xword:
-    case Operation::cword:
-    case Operation::csngl:
-    case Operation::fpldnlsn:
-    case Operation::fpldnldb:
-    case Operation::fpstnlsn:
-    case Operation::fpstnldb:
-    case Operation::fpstnli32:
-    case Operation::fpi32tor32:
-    case Operation::fpi32tor64:
-    case Operation::fpldnladdsn:
-    case Operation::fpldnladddb:
-    case Operation::fpldnlmulsn:
-    case Operation::fpldnlmuldb: return -1;
-    case Operation::stnl:
-    case Operation::sb:
-    case Operation::fpldnlsni:
-    case Operation::fpldnldbi: return -2;
-    default: return 0;
-    }
+    return is_among(operation, that_push)      ? 1
+           : is_among(operation, that_pop)     ? -1
+           : is_among(operation, that_pop_two) ? -2
+                                               : 0;
 }
 
 } // namespace placedpar::occam

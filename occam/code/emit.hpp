@@ -16,17 +16,17 @@ namespace placedpar::occam {
 /// One element of code that is not laid out yet.
 struct CodeElement {
     enum class Kind : std::uint8_t {
-        number,    ///< a function with the operand `value`
-        cell,      ///< operand: `value` plus the words from the workspace pointer of `frame` to `cell`
-        remote,    ///< operand: `value` plus the words from the start of the procedure's frame to `cell`
-        words,     ///< operand: `value` times the words of the frame
-        branch,    ///< operand: the distance to `to`
+        number,     ///< a function with the operand `value`
+        cell,       ///< operand: `value` plus the words from the workspace pointer of `frame` to `cell`
+        remote,     ///< operand: `value` plus the words from the start of the procedure's frame to `cell`
+        words,      ///< operand: `value` times the words of the frame
+        branch,     ///< operand: the distance to `to`
         difference, ///< operand: bytes from `from` to `to`, plus `value`
-        mark,      ///< the label `to`
-        align,     ///< up to the next whole word
-        data,      ///< so many bytes as `value`
-        line,      ///< code for a place begins
-        name       ///< code with the name number `value` begins
+        mark,       ///< the label `to`
+        align,      ///< up to the next whole word
+        data,       ///< so many bytes as `value`
+        line,       ///< code for a place begins
+        name        ///< code with the name number `value` begins
     };
     Kind kind = Kind::number;
     std::uint8_t least = 1;    ///< bytes of the instruction

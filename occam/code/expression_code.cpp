@@ -92,7 +92,7 @@ void Generator::binary(const BinaryOperation& operation) {
     case Operator::less_or_equal:
     case Operator::greater_or_equal:
     case Operator::after:
-        return is_real(type) ? real_comparison(operation)
+        return is_real(type)   ? real_comparison(operation)
                : is_wide(type) ? wide_comparison(operation)
                                : comparison(operation);
     case Operator::shift_left:

@@ -108,8 +108,7 @@ std::int64_t coordinate_of(const Cell& cell) {
     const Level& level = *cell.frame->level;
     const std::int64_t parameters = level.main.words() + 1;
     switch (cell.area) {
-    case Cell::Area::local:
-        return cell.frame->coordinate + cell.frame->position[static_cast<std::size_t>(cell.index)];
+    case Cell::Area::local: return cell.frame->coordinate + cell.frame->position[static_cast<std::size_t>(cell.index)];
     case Cell::Area::low: return cell.frame->coordinate + cell.index;
     case Cell::Area::parameter: return parameters + level.uses_link + cell.index;
     case Cell::Area::link: return parameters;

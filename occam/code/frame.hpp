@@ -48,14 +48,14 @@ struct Frame {
 
     Level* level;
     int top = 0;
-    int low = 0;                 ///< lowest words that instructions use
-    std::int64_t below = 0;      ///< words below the lowest word of the frame
-    std::int64_t coordinate = 0; ///< of the workspace pointer, in words from that of the procedure
-    std::vector<double> uses;    ///< of each local word
-    std::vector<bool> joined;    ///< states that a local word must follow the one before it
-    std::vector<int> above_low;  ///< of each local word: how many of the lowest words it must not be
-    std::vector<int> position;   ///< of each local word
-    std::int64_t size = 0;       ///< words of the frame
+    int low = 0;                                ///< lowest words that instructions use
+    std::int64_t below = 0;                     ///< words below the lowest word of the frame
+    std::int64_t coordinate = 0;                ///< of the workspace pointer, in words from that of the procedure
+    std::vector<double> uses;                   ///< of each local word
+    std::vector<bool> joined;                   ///< states that a local word must follow the one before it
+    std::vector<int> above_low;                 ///< of each local word: how many of the lowest words it must not be
+    std::vector<int> position;                  ///< of each local word
+    std::int64_t size = 0;                      ///< words of the frame
     std::vector<std::vector<Frame*>> parallels; ///< the components of each PAR
 };
 
@@ -73,9 +73,9 @@ struct Level {
     Level* outer;
     Frame main;
     std::deque<Frame> components;
-    Cell link, vector, table;     ///< where the addresses of these are; `table` has the large constants
+    Cell link, vector, table; ///< where the addresses of these are; `table` has the large constants
     bool uses_link = false, uses_vector = false, uses_table = false;
-    int parameters = 0;           ///< words
+    int parameters = 0;                           ///< words
     std::int64_t vector_now = 0, vector_most = 0; ///< bytes of vector space
     Label entry = 0, table_label = 0;
     std::vector<std::uint32_t> constants;

@@ -36,7 +36,8 @@ namespace {
 /// Returns the digits of a constant that ldc needs, with prefixes.
 int digits_of(std::int64_t value) {
     const auto word = static_cast<std::int32_t>(value);
-    return static_cast<int>(8 - static_cast<unsigned>(__builtin_clz(static_cast<unsigned>(word < 0 ? ~word : word) | 1)) / 4);
+    return static_cast<int>(
+        8 - static_cast<unsigned>(__builtin_clz(static_cast<unsigned>(word < 0 ? ~word : word) | 1)) / 4);
 }
 
 } // namespace

@@ -68,7 +68,8 @@ private:
         Label entry = 0;
     };
     /// Sets a variable back at the end of a scope.
-    template <typename T> class Kept {
+    template <typename T>
+    class Kept {
     public:
         explicit Kept(T& variable) : variable_(variable), value_(variable) {}
         Kept(T& variable, T value) : Kept(variable) { variable = value; }
@@ -118,7 +119,9 @@ private:
     static bool is_word(const Type&);
     static bool is_wide(const Type&); ///< INT64 or REAL64
     static bool is_real(const Type&);
-    static bool is_compound(const Type& type) { return type.kind == Type::Kind::array || type.kind == Type::Kind::record; }
+    static bool is_compound(const Type& type) {
+        return type.kind == Type::Kind::array || type.kind == Type::Kind::record;
+    }
     static bool is_channel(const Type&);
     static std::int64_t size_of(const Type&); ///< bytes in memory; of channels the pointer
     static std::optional<std::int64_t> fixed_size(const Type&);
@@ -128,9 +131,6 @@ private:
     Storage locate(const Expression&);
     Storage locate_field(const Subscript&);
     Storage locate_element(const Subscript&);
-    Storage locate_segment(const Segment&);
-    Extent segment_count(const Segment&, const Extent& all);
-    Storage move_to_segment(Storage, const Segment&, const Extent& all, const Extent& count);
     void add_index(Storage&, const Extent&, const Expression& index);
     void check_index(const Extent&, const Expression& index);
     void load_base(Storage&);
@@ -153,6 +153,11 @@ private:
     void fill_table(const TableLiteral&, const Storage&);
     static std::optional<std::int64_t> constant_of(const Expression&);
     const Type* basic(Basic) const;
+
+    // segment_code.cpp
+    Storage locate_segment(const Segment&);
+    Extent segment_count(const Segment&, const Extent& all);
+    Storage move_to_segment(Storage, const Segment&, const Extent& all, const Extent& count);
 
     // expression_code.cpp: values of a word
     void expression(const Expression&);
@@ -296,7 +301,7 @@ private:
     struct Nest {
         std::unordered_map<const Declaration*, Cell> kept = {}; ///< the index of each replicator, of the chosen guard
         std::vector<std::pair<const Declaration*, Cell>> chosen = {}; ///< those of the replicators around
-        Label after = 0;                                         ///< behind altend
+        Label after = 0;                                              ///< behind altend
         std::vector<Branch> branches = {};
     };
     void alternation(const Alternation&);
@@ -346,12 +351,12 @@ private:
     std::deque<Type> arrays_; ///< types of segments and of words for channels
     Level* level_ = nullptr;
     Frame* frame_ = nullptr;
-    double weight_ = 1; ///< how often code is executed, roughly
-    std::string path_;  ///< name of the code around, with a slash
+    double weight_ = 1;      ///< how often code is executed, roughly
+    std::string path_;       ///< name of the code around, with a slash
     std::uint32_t line_ = 0; ///< of the statement
-    int stack_ = 0;     ///< words on the register stack
-    int reals_ = 0;     ///< values on the stack of the floating-point unit
-    bool checked_ = false; ///< an instruction since the last settle() may have set Error
+    int stack_ = 0;          ///< words on the register stack
+    int reals_ = 0;          ///< values on the stack of the floating-point unit
+    bool checked_ = false;   ///< an instruction since the last settle() may have set Error
 };
 
 } // namespace placedpar::occam

@@ -76,9 +76,7 @@ void Generator::load_base_of(Frame& frame) {
     stack_ = 1;
 }
 
-void Generator::adjust(Frame& from, Frame& to) {
-    emitter_.put(Operation::ajw, Cell{&to, Cell::Area::base, 0}, from);
-}
+void Generator::adjust(Frame& from, Frame& to) { emitter_.put(Operation::ajw, Cell{&to, Cell::Area::base, 0}, from); }
 
 /// Generates a component in a frame of its own, up to its end.
 void Generator::component(const Process& p, Frame& frame, Frame& parent) {
@@ -159,8 +157,8 @@ void Generator::replicated_parallel(const Process& p, const Parallel& each) {
 }
 
 /// Stores into each workspace what its component must know, and starts it.
-void Generator::start_components(const Replicator& replicator, std::int64_t components, Level& level,
-                                 const Cell& index, Label start) {
+void Generator::start_components(const Replicator& replicator, std::int64_t components, Level& level, const Cell& index,
+                                 Label start) {
     const std::int64_t words = level.main.words(), all = words + level.main.below;
     frame_->need_below(words_of_scheduler + components * all);
     const Cell control = temporary(2), workspace = temporary(), vector = temporary();

@@ -148,8 +148,8 @@ void Generator::real_operands_behind(const Expression& second) {
 
 bool Generator::real_function(const Expression& e, const Call& c) {
     const bool is_double = is_wide(*e.type);
-    const std::string_view name = c.name.starts_with('D') && c.name != "DIVBY2" ? std::string_view(c.name).substr(1)
-                                                                               : c.name;
+    const std::string_view name =
+        c.name.starts_with('D') && c.name != "DIVBY2" ? std::string_view(c.name).substr(1) : c.name;
     if (name == "MINUSX" || name == "COPYSIGN") {
         real_sign(c, name == "COPYSIGN");
         return true;

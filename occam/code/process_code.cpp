@@ -339,7 +339,8 @@ void Generator::selection(const Case& c) {
             targets.emplace_back(*constant_of(value), labels.back());
     }
     std::ranges::sort(targets);
-    if (targets.size() >= 12 && targets.back().first - targets.front().first < 2 * static_cast<std::int64_t>(targets.size()))
+    if (targets.size() >= 12 &&
+        targets.back().first - targets.front().first < 2 * static_cast<std::int64_t>(targets.size()))
         select_by_table(selector, targets, otherwise);
     else
         select(selector, targets, otherwise);

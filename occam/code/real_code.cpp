@@ -42,7 +42,7 @@ Storage Generator::real_constant(const Expression& e) {
     std::vector<std::uint32_t> words = {static_cast<std::uint32_t>(bits)};
     if (is_long(*e.type))
         words.push_back(static_cast<std::uint32_t>(bits >> 32));
-    const auto known = std::ranges::search(constants, words).begin() - constants.begin();
+    const auto known = std::search(constants.begin(), constants.end(), words.begin(), words.end()) - constants.begin();
     if (static_cast<std::size_t>(known) == constants.size())
         constants.insert(constants.end(), words.begin(), words.end());
     level_->uses_table = true;
@@ -145,19 +145,21 @@ void Generator::real_binary(const BinaryOperation& operation) {
     const bool adds = operation.operation == Operator::add, multiplies = operation.operation == Operator::multiply;
     const bool two_words = is_long(*left.type);
     if ((adds || multiplies) && (is_real_leaf(right) || is_real_leaf(left))) {
-        const Expression& leaf = is_real_leaf(right) && !(is_real_leaf(left) && depth_of_real(right) > 1) ? right : left;
+        const Expression& leaf =
+            is_real_leaf(right) && !(is_real_leaf(left) && depth_of_real(right) > 1) ? right : left;
         real(&leaf == &right ? left : right);
         address(constant_of(leaf) ? real_constant(leaf) : locate(leaf));
-        return op(adds ? two_words ? Operation::fpldnladddb : Operation::fpldnladdsn
-                       : two_words ? Operation::fpldnlmuldb : Operation::fpldnlmulsn);
+        return op(adds        ? two_words ? Operation::fpldnladddb : Operation::fpldnladdsn
+                  : two_words ? Operation::fpldnlmuldb
+                              : Operation::fpldnlmulsn);
     }
     if (operation.operation == Operator::remainder)
         return real_remainder(left, right);
     real_operands(left, right, adds || multiplies);
-    op(adds                                               ? Operation::fpadd
-       : multiplies                                       ? Operation::fpmul
+    op(adds                                        ? Operation::fpadd
+       : multiplies                                ? Operation::fpmul
        : operation.operation == Operator::subtract ? Operation::fpsub
-                                                          : Operation::fpdiv);
+                                                   : Operation::fpdiv);
     --reals_;
 }
 
@@ -236,8 +238,7 @@ void Generator::real_conversion(const Expression& e, const Conversion& converted
 
 void Generator::real_comparison(const BinaryOperation& operation) {
     const Expression &left = *operation.left, &right = *operation.right;
-    const bool exchanged =
-        operation.operation == Operator::less || operation.operation == Operator::greater_or_equal;
+    const bool exchanged = operation.operation == Operator::less || operation.operation == Operator::greater_or_equal;
     const bool equality = operation.operation == Operator::equal || operation.operation == Operator::unequal;
     begin_reals();
     stack_ = 0;

@@ -47,7 +47,8 @@ Generator::Wide Generator::wide(const Expression& e) {
     else if (std::holds_alternative<Call>(e.form))
         call_function(e, {{.cell = result.cell, .type = e.type}});
     else if (const auto* values = std::get_if<ValueProcess>(&e.form))
-        value_process(*values, [&] { wide_store(wide(values->results.front()), {.cell = result.cell, .type = e.type}); });
+        value_process(*values,
+                      [&] { wide_store(wide(values->results.front()), {.cell = result.cell, .type = e.type}); });
     stack_ = 0;
     return result;
 }

@@ -7,8 +7,16 @@ namespace placedpar::occam::embedded {
 /// Each returns the text of the file of this folder that it is named after. The build makes the definitions
 /// (CMakeLists.txt of the room).
 std::string convert_occ();
+std::string course_occ();
+std::string dblmath_occ();
 std::string hostio_inc();
 std::string hostio_occ();
+std::string linkaddr_inc();
+std::string mathvals_inc();
+std::string snglmath_occ();
+std::string streamio_inc();
+std::string streamio_occ();
+std::string string_occ();
 std::string terminal_occ();
 
 } // namespace placedpar::occam::embedded

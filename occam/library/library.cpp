@@ -14,10 +14,12 @@ struct LibraryFile {
 };
 
 constexpr std::array library_files{
-    LibraryFile{"convert.lib", embedded::convert_occ},
-    LibraryFile{"hostio.inc", embedded::hostio_inc},
-    LibraryFile{"hostio.lib", embedded::hostio_occ},
-    LibraryFile{"terminal.lib", embedded::terminal_occ},
+    LibraryFile{"convert.lib", embedded::convert_occ},   LibraryFile{"course.lib", embedded::course_occ},
+    LibraryFile{"dblmath.lib", embedded::dblmath_occ},   LibraryFile{"hostio.inc", embedded::hostio_inc},
+    LibraryFile{"hostio.lib", embedded::hostio_occ},     LibraryFile{"linkaddr.inc", embedded::linkaddr_inc},
+    LibraryFile{"mathvals.inc", embedded::mathvals_inc}, LibraryFile{"snglmath.lib", embedded::snglmath_occ},
+    LibraryFile{"streamio.inc", embedded::streamio_inc}, LibraryFile{"streamio.lib", embedded::streamio_occ},
+    LibraryFile{"string.lib", embedded::string_occ},     LibraryFile{"terminal.lib", embedded::terminal_occ},
 };
 
 } // namespace
@@ -33,7 +35,8 @@ std::optional<std::string> library_text(std::string_view name) {
 
 std::vector<std::string> library_names() {
     std::vector<std::string> names;
-    for (const LibraryFile& each : library_files) names.emplace_back(each.name);
+    for (const LibraryFile& each : library_files)
+        names.emplace_back(each.name);
     return names;
 }
 

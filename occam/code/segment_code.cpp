@@ -1,0 +1,86 @@
+#include "occam/code/generator.hpp"
+
+namespace placedpar::occam {
+
+using transputer::Operation;
+
+Storage Generator::locate_segment(const Segment& segment) {
+    Storage location = pointer_to(locate(*segment.array));
+    const Extent all = outer_extent(location);
+    const Type& array = plain(*location.type);
+    const std::optional<std::int64_t> from = segment.from ? constant_of(*segment.from) : 0,
+                                      count = segment.count ? constant_of(*segment.count) : std::nullopt,
+                                      size = fixed_size(*array.element);
+    if (array.count)
+        location.extents.insert(location.extents.begin(), all);
+    Extent& extent = location.extents.front();
+    location.type = array_of(*array.element);
+    location.is_scalar = false;
+    if (!segment.count && from && all.constant)
+        extent.constant = *all.constant - *from;
+    else if (count)
+        extent = {count};
+    else
+        extent = segment_count(segment, all);
+    if (from && size && (all.constant || !options_.range_checks) && (extent.constant || *from == 0)) {
+        location.offset += *from * *size;
+        return location;
+    }
+    return move_to_segment(location, segment, all, extent);
+}
+
+/// Computes the count of a segment that is not constant, with its check.
+Extent Generator::segment_count(const Segment& segment, const Extent& all) {
+    const Extent extent{std::nullopt, temporary()};
+    if (segment.count) {
+        expression(*segment.count);
+        if (options_.range_checks) {
+            load_extent(all, 1);
+            op(Operation::csub0);
+        }
+    } else {
+        load_extent(all);
+        const Cell saved = temporary();
+        store(saved);
+        expression(*segment.from);
+        if (options_.range_checks) {
+            load(saved);
+            op(Operation::adc, 1);
+            op(Operation::csub0);
+        }
+        load(saved);
+        op(Operation::rev);
+        op(Operation::sub);
+    }
+    store(extent.cell);
+    return extent;
+}
+
+/// Adds the beginning of a segment to its location, checked against the elements of the array.
+Storage Generator::move_to_segment(Storage location, const Segment& segment, const Extent& all, const Extent& extent) {
+    const Type& element = *plain(*location.type).element;
+    if (segment.from)
+        expression(*segment.from);
+    else
+        constant(0);
+    if (options_.range_checks && segment.count) {
+        if (all.constant && extent.constant) {
+            constant(*all.constant - *extent.constant + 1);
+        } else {
+            load_extent(all, 1);
+            load_extent(extent);
+            op(Operation::sub);
+        }
+        op(Operation::csub0);
+    }
+    Storage start = location;
+    start.type = &element;
+    start.extents.erase(start.extents.begin());
+    start.has_index = true;
+    start = pointer_to(start);
+    start.type = location.type;
+    start.extents = location.extents;
+    return start;
+}
+
+} // namespace placedpar::occam

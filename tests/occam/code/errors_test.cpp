@@ -1,0 +1,95 @@
+// Executes programs with errors at run time, and shows what they do in each error mode.
+
+#include "executed.hpp"
+
+#include "text/user_error.hpp"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <string>
+
+using namespace placedpar;
+using namespace placedpar::test;
+
+namespace {
+
+constexpr const char* declared = R"(INT x, zero:
+INT16 h:
+BYTE b:
+[8]INT v:
+REAL32 r:
+SEQ
+  zero := 0
+  x := 10
+  r := 1.0E+30(REAL32)
+  memory[0] := 1
+)";
+
+constexpr std::array errors = {
+    "x := v[x]",
+    "v[x - 11] := 1",
+    "x := x / zero",
+    "x := x \\ zero",
+    "x := (MOSTPOS INT) + (x + zero)",
+    "x := (MOSTNEG INT) - (x + zero)",
+    "x := (x * 1000) * (x * 1000000)",
+    "x := -((MOSTNEG INT) + zero)",
+    "x := 1 << (x + 23)",
+    "b := BYTE (x + 246)",
+    "h := INT16 (x * 10000)",
+    "h := INT16 ((x * 3000) + 10000)",
+    "x := INT ROUND r",
+    "x := INT TRUNC (r / (REAL32 ROUND zero))",
+    "r := r * r",
+    "[v FROM x - 4 FOR x - 5] := [v FROM 0 FOR 5]",
+    "[v FROM x - 7 FOR 3] := [v FROM zero FOR 4 + zero]",
+    "SEQ i = 0 FOR zero - 1\n  x := i",
+    "IF\n  x = zero\n    SKIP",
+    "CASE x\n  1\n    SKIP",
+    "STOP",
+    "CAUSEERROR ()",
+    "ASSERT (x = zero)",
+};
+
+occam::CodeOptions in(occam::ErrorMode mode) { return {.model = transputer::Model::t800, .mode = mode}; }
+
+} // namespace
+
+TEST_CASE("an error halts the processor in mode halt and in mode universal") {
+    for (const char* error : errors)
+        for (const occam::ErrorMode mode : {occam::ErrorMode::halt, occam::ErrorMode::universal}) {
+            CAPTURE(error);
+            const Executed done = execute(declared + indented(error, 2) + "  memory[1] := 1\n", in(mode));
+            CHECK(done.trouble == "");
+            CHECK(done.halted);
+            CHECK(done.results[0] == 1);
+            CHECK(done.results[1] == 0);
+        }
+}
+
+TEST_CASE("an error stops its process in mode stop, and others go on") {
+    for (const char* error : errors) {
+        CAPTURE(error);
+        const std::string wrong = declared + indented(error, 2) + "  memory[1] := 1\n";
+        const Executed done = execute("SEQ\n  PAR\n" + indented(wrong, 4) + R"(    SEQ
+      SEQ i = 0 FOR 1000
+        memory[2] := i
+      memory[3] := 5 + 6
+  memory[4] := 1
+)",
+                                      in(occam::ErrorMode::stop));
+        CHECK(done.trouble == "");
+        CHECK_FALSE(done.halted);
+        CHECK(done.results[0] == 1);
+        CHECK(done.results[1] == 0);
+        CHECK(done.results[3] == 11);
+        CHECK(done.results[4] == 0);
+    }
+}
+
+TEST_CASE("what is not compiled is refused by its name and place") {
+    CHECK_THROWS_WITH_AS(
+        execute("REAL32 r:\nSEQ\n  r := 1.0(REAL32)\n  r := r + r\n", {.model = transputer::Model::t414}),
+        doctest::Contains("needs a transputer with a floating-point unit"), RefusedInput);
+}
