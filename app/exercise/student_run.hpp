@@ -13,9 +13,9 @@ struct StudentRun {
     enum class End { completed, failed, deadlock, too_long, too_much_output, interrupted };
 
     End end = End::completed;
-    std::string output;
-    std::string state; ///< of the program: "exited with failure"
-    Time time{};       ///< simulated time at the end
+    std::string output = "";
+    std::string state = ""; ///< of the program: "exited with failure"
+    Time time{};            ///< simulated time at the end
 };
 
 /// Runs the program of a network with one transputer and a host. No key is pressed, and no file can be used. The run
