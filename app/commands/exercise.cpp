@@ -1,6 +1,6 @@
 #include "app/command.hpp"
-#include "app/exercise/attempt.hpp"
 #include "app/exercise/course.hpp"
+#include "app/exercise/student_run.hpp"
 #include "app/options/booted_options.hpp"
 #include "app/options/occam_options.hpp"
 #include "app/signals.hpp"
@@ -33,11 +33,11 @@ void list_exercises() {
                           program_name()));
 }
 
-ExitCode report(const std::string& file, const Attempt& made, const std::string& wrong) {
-    if (made.end == Attempt::End::interrupted)
+ExitCode report(const std::string& file, const StudentRun& made, const std::string& wrong) {
+    if (made.end == StudentRun::End::interrupted)
         return ExitCode::interrupted;
     print_out(fmt::format("{}: not solved: {}\n", file, wrong));
-    return made.end == Attempt::End::deadlock ? ExitCode::deadlock : ExitCode::bad_input;
+    return made.end == StudentRun::End::deadlock ? ExitCode::deadlock : ExitCode::bad_input;
 }
 
 ExitCode check_solution(const Options& command, const ExerciseOptions& options) {
@@ -48,13 +48,14 @@ ExitCode check_solution(const Options& command, const ExerciseOptions& options) 
     const Network network = load_network(command, options.program, {});
     InterruptedBySignals interruption;
     for (std::uint64_t order = 0; order <= orders; ++order) {
-        const Attempt made = attempt(network, order == 0 ? std::nullopt : std::optional(order), interruption);
+        const StudentRun made =
+            run_student_program(network, order == 0 ? std::nullopt : std::optional(order), interruption);
         std::string wrong = what_is_wrong(made, exercise.expected);
         if (order > 0 && !wrong.empty())
             wrong = fmt::format("it is right in the usual order of its processes, but not in all orders\nwith "
                                 "--shuffle {}, {}",
                                 order, wrong);
-        if (!wrong.empty() || made.end == Attempt::End::interrupted)
+        if (!wrong.empty() || made.end == StudentRun::End::interrupted)
             return report(file, made, wrong);
     }
     print_out(fmt::format("{}: solved; also in {} other orders of its processes\n", file, orders));

@@ -102,8 +102,8 @@ public:
     /// Returns the local time at which the core attends to its timers and timeslices next.
     HalfCycles next_attention() const { return due_ > local_ ? due_ : local_; }
 
-    /// Takes ready processes in an order drawn from these numbers from now on, and not in the order in which they became
-    /// ready. The instruction set promises that order, but occam does not.
+    /// Takes ready processes in an order drawn from these numbers from now on, and not in the order in which they
+    /// became ready. The instruction set promises that order, but occam does not.
     void shuffle(const RandomStream& lots) { shuffle_ = lots; }
     /// Begins to run code as the boot does. `old` registers are passed in A and B.
     void boot(Word code_bytes, int input_channel);

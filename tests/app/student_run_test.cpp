@@ -1,4 +1,4 @@
-#include "app/exercise/attempt.hpp"
+#include "app/exercise/student_run.hpp"
 
 #include <doctest/doctest.h>
 
@@ -28,14 +28,15 @@ TEST_CASE("an output is compared line by line, without blanks at the ends") {
 
 TEST_CASE("another end than success is wrong whatever was printed") {
     const std::string expected = "1\n";
-    CHECK(what_is_wrong({.end = Attempt::End::failed, .output = "1\n", .state = "exited with failure"}, expected) ==
+    CHECK(what_is_wrong({.end = StudentRun::End::failed, .output = "1\n", .state = "exited with failure"}, expected) ==
           "the program exited with failure, after 1 line of output");
-    CHECK(what_is_wrong({.end = Attempt::End::deadlock, .output = "", .time = std::chrono::milliseconds(2)}, expected) ==
+    CHECK(what_is_wrong({.end = StudentRun::End::deadlock, .output = "", .time = std::chrono::milliseconds(2)},
+                        expected) ==
           "the program is in a deadlock at 2.000000 ms, after 0 lines of output: its processes wait for each other, or "
           "for a process that has ended");
-    CHECK(what_is_wrong({.end = Attempt::End::too_long, .output = "1\n2\n"}, expected) ==
+    CHECK(what_is_wrong({.end = StudentRun::End::too_long, .output = "1\n2\n"}, expected) ==
           "the program has not ended after 10 s of simulated time, after 2 lines of output");
-    CHECK(what_is_wrong({.end = Attempt::End::too_much_output, .output = "1\n"}, expected) ==
+    CHECK(what_is_wrong({.end = StudentRun::End::too_much_output, .output = "1\n"}, expected) ==
           "the program prints more than 65536 bytes; expected are 2");
 }
 

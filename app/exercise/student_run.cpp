@@ -1,4 +1,4 @@
-#include "app/exercise/attempt.hpp"
+#include "app/exercise/student_run.hpp"
 
 #include "explore/problems.hpp"
 #include "iserver/terminal.hpp"
@@ -18,23 +18,21 @@ namespace {
 constexpr std::chrono::seconds longest_run{10};
 constexpr std::size_t most_output = 65536;
 
-Attempt::End end_of(const RunReport& report, bool too_much) {
+StudentRun::End end_of(const RunReport& report, bool too_much) {
     if (too_much)
-        return Attempt::End::too_much_output;
+        return StudentRun::End::too_much_output;
     if (std::ranges::any_of(report.programs, &ProgramUse::failed))
-        return Attempt::End::failed;
+        return StudentRun::End::failed;
     switch (report.result.ending) {
-    case Ending::completed: return Attempt::End::completed;
-    case Ending::stuck: return Attempt::End::deadlock;
-    case Ending::time_limit: return Attempt::End::too_long;
+    case Ending::completed: return StudentRun::End::completed;
+    case Ending::stuck: return StudentRun::End::deadlock;
+    case Ending::time_limit: return StudentRun::End::too_long;
     case Ending::interrupted: break;
     }
-    return Attempt::End::interrupted;
+    return StudentRun::End::interrupted;
 }
 
-std::string_view without_blanks(std::string_view text) {
-    return text.substr(0, text.find_last_not_of(" \t\r") + 1);
-}
+std::string_view without_blanks(std::string_view text) { return text.substr(0, text.find_last_not_of(" \t\r") + 1); }
 
 /// Returns the lines without blanks at their ends, and without empty lines at the end.
 std::vector<std::string_view> lines_of(std::string_view text) {
@@ -59,15 +57,16 @@ std::string difference(const std::string& output, const std::string& expected) {
     if (at != wanted.end())
         return fmt::format("line {} of the output is missing\n  expected: \"{}\"", line, *at);
     if (other != printed.end())
-        return fmt::format("the output has more than {}\n  printed in line {}: \"{}\"",
-                           counted(wanted.size(), "line"), line, *other);
+        return fmt::format("the output has more than {}\n  printed in line {}: \"{}\"", counted(wanted.size(), "line"),
+                           line, *other);
     return "";
 }
 
 } // namespace
 
-Attempt attempt(const Network& network, std::optional<std::uint64_t> shuffle, Interruption& interruption) {
-    Attempt result;
+StudentRun run_student_program(const Network& network, std::optional<std::uint64_t> shuffle,
+                               Interruption& interruption) {
+    StudentRun result;
     bool too_much = false;
     const auto print = [&](std::string_view text) {
         result.output += text;
@@ -87,20 +86,20 @@ Attempt attempt(const Network& network, std::optional<std::uint64_t> shuffle, In
     return result;
 }
 
-std::string what_is_wrong(const Attempt& made, const std::string& expected) {
+std::string what_is_wrong(const StudentRun& made, const std::string& expected) {
     const std::string printed = fmt::format("after {} of output", counted(lines_of(made.output).size(), "line"));
     switch (made.end) {
-    case Attempt::End::completed: return difference(made.output, expected);
-    case Attempt::End::failed: return fmt::format("the program {}, {}", made.state, printed);
-    case Attempt::End::deadlock:
+    case StudentRun::End::completed: return difference(made.output, expected);
+    case StudentRun::End::failed: return fmt::format("the program {}, {}", made.state, printed);
+    case StudentRun::End::deadlock:
         return fmt::format("the program is in a deadlock at {}, {}: its processes wait for each other, or for a "
                            "process that has ended",
                            to_string(made.time), printed);
-    case Attempt::End::too_long:
+    case StudentRun::End::too_long:
         return fmt::format("the program has not ended after {} s of simulated time, {}", longest_run.count(), printed);
-    case Attempt::End::too_much_output:
+    case StudentRun::End::too_much_output:
         return fmt::format("the program prints more than {} bytes; expected are {}", most_output, expected.size());
-    case Attempt::End::interrupted: break;
+    case StudentRun::End::interrupted: break;
     }
     return "";
 }
