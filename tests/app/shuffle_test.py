@@ -15,6 +15,25 @@ connect p.out to c.in; connect q.out to d.in;
 place p on w; place q on w; place c on w; place d on w;
 """
 
+# Four processes of one transputer are ready to output. The ALT takes the first in its text, unless it comes too early.
+RACE = """#INCLUDE "hostio.inc"
+PROC race (CHAN OF SP fs, ts, []INT memory)
+  #USE "hostio.lib"
+  [4]CHAN OF INT c:
+  PAR
+    PAR i = 0 FOR 4
+      c[i] ! i
+    INT x:
+    SEQ
+      SEQ j = 0 FOR 4
+        ALT i = 0 FOR 4
+          c[i] ? x
+            so.write.int (fs, ts, x, 0)
+      so.write.nl (fs, ts)
+      so.exit (fs, ts, sps.success)
+:
+"""
+
 
 class Shuffled(unittest.TestCase):
     def test_the_same_number_gives_the_same_course_and_others_give_others(self):
@@ -25,6 +44,20 @@ class Shuffled(unittest.TestCase):
             courses = [fingerprint(placedpar("run", netlist, "--shuffle", seed).stdout) for seed in (1, 1, 2, 3)]
         self.assertEqual(courses[0], courses[1])
         self.assertEqual(len({plain, *courses}), 4)
+
+    def test_a_transputer_runs_its_own_ready_processes_in_other_orders(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = pathlib.Path(folder) / "race.occ"
+            program.write_text(RACE, encoding="utf-8")
+            def printed(*options):
+                done = placedpar("run", program, *options)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                return done.stdout.splitlines()[0]
+            self.assertEqual(printed(), "0123")
+            orders = [printed("--shuffle", seed) for seed in range(1, 17)]
+            self.assertEqual(orders[:4], [printed("--shuffle", seed) for seed in range(1, 5)])
+        self.assertEqual({"".join(sorted(order)) for order in orders}, {"0123"})
+        self.assertGreater(len(set(orders)), 1)
 
     def test_processors_share_themselves_out_as_before(self):
         self.assertEqual(fingerprint(placedpar("run", FIGURE_E2, "--shuffle", 1).stdout),

@@ -71,9 +71,10 @@ BELOW = {
     "app/generation": ["gaprocs", "picture"],
     "app/record": ["explore/study", "hydraulics/plant"],
     "app/options": ["app"],
+    "app/exercise": ["app"],
     "app/identify": ["app/options", "identification/report"],
     "app/mpi": ["explore/study"],
-    "app/commands": ["app/generation", "app/identify", "app/record", "experiments/kit", "explore/generate", "explore/optimise", "monitor/service"],
+    "app/commands": ["app/exercise", "app/generation", "app/identify", "app/record", "experiments/kit", "explore/generate", "explore/optimise", "monitor/service"],
 }
 ROOMS = sorted({folder.split("/")[0] for folder in BELOW})
 

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// An exercise of the course in occam: docs/occam-course.
+struct Exercise {
+    std::string number;   ///< page, and place on the page: "3.2"
+    std::string start;    ///< the program to start from; its first comment is the task
+    std::string expected; ///< what a solution prints
+
+    /// Returns the title of the task: "An adder".
+    std::string title() const;
+};
+
+/// Returns all exercises in their order. The build embeds their files.
+std::vector<Exercise> exercises();
+std::vector<std::string> numbers_of_exercises();
+/// Throws UserError if there is no exercise of this number.
+Exercise exercise_of(const std::string& number);
+
+} // namespace placedpar

@@ -1,0 +1,107 @@
+#include "app/exercise/student_run.hpp"
+
+#include "explore/problems.hpp"
+#include "iserver/terminal.hpp"
+#include "text/counted.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+constexpr std::chrono::seconds longest_run{10};
+constexpr std::size_t most_output = 65536;
+
+StudentRun::End end_of(const RunReport& report, bool too_much) {
+    if (too_much)
+        return StudentRun::End::too_much_output;
+    if (std::ranges::any_of(report.programs, &ProgramUse::failed))
+        return StudentRun::End::failed;
+    switch (report.result.ending) {
+    case Ending::completed: return StudentRun::End::completed;
+    case Ending::stuck: return StudentRun::End::deadlock;
+    case Ending::time_limit: return StudentRun::End::too_long;
+    case Ending::interrupted: break;
+    }
+    return StudentRun::End::interrupted;
+}
+
+std::string_view without_blanks(std::string_view text) { return text.substr(0, text.find_last_not_of(" \t\r") + 1); }
+
+/// Returns the lines without blanks at their ends, and without empty lines at the end.
+std::vector<std::string_view> lines_of(std::string_view text) {
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        lines.push_back(without_blanks(text.substr(0, end)));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    while (!lines.empty() && lines.back().empty())
+        lines.pop_back();
+    return lines;
+}
+
+/// Says how the output differs from what is expected; "" if it does not.
+std::string difference(const std::string& output, const std::string& expected) {
+    const auto printed = lines_of(output), wanted = lines_of(expected);
+    const auto [at, other] = std::ranges::mismatch(wanted, printed);
+    const auto line = at - wanted.begin() + 1;
+    if (at != wanted.end() && other != printed.end())
+        return fmt::format("line {} of the output is wrong\n  expected: \"{}\"\n  printed:  \"{}\"", line, *at, *other);
+    if (at != wanted.end())
+        return fmt::format("line {} of the output is missing\n  expected: \"{}\"", line, *at);
+    if (other != printed.end())
+        return fmt::format("the output has more than {}\n  printed in line {}: \"{}\"", counted(wanted.size(), "line"),
+                           line, *other);
+    return "";
+}
+
+} // namespace
+
+StudentRun run_student_program(const Network& network, std::optional<std::uint64_t> shuffle,
+                               Interruption& interruption) {
+    StudentRun result;
+    bool too_much = false;
+    const auto print = [&](std::string_view text) {
+        result.output += text;
+        if (result.output.size() > most_output && !too_much) {
+            too_much = true;
+            interruption.request();
+        }
+    };
+    Network served = network;
+    served.host.terminal = [&print] { return std::make_shared<iserver::ScriptedTerminal>("", print); };
+    const RunReport report = run_netlist(served, known_problems(1),
+                                         {.until = longest_run, .shuffle = shuffle, .interruption = &interruption});
+    result.end = end_of(report, too_much);
+    result.time = report.result.time;
+    if (!report.programs.empty())
+        result.state = report.programs.front().state;
+    return result;
+}
+
+std::string what_is_wrong(const StudentRun& made, const std::string& expected) {
+    const std::string printed = fmt::format("after {} of output", counted(lines_of(made.output).size(), "line"));
+    switch (made.end) {
+    case StudentRun::End::completed: return difference(made.output, expected);
+    case StudentRun::End::failed: return fmt::format("the program {}, {}", made.state, printed);
+    case StudentRun::End::deadlock:
+        return fmt::format("the program is in a deadlock at {}, {}: its processes wait for each other, or for a "
+                           "process that has ended",
+                           to_string(made.time), printed);
+    case StudentRun::End::too_long:
+        return fmt::format("the program has not ended after {} s of simulated time, {}", longest_run.count(), printed);
+    case StudentRun::End::too_much_output:
+        return fmt::format("the program prints more than {} bytes; expected are {}", most_output, expected.size());
+    case StudentRun::End::interrupted: break;
+    }
+    return "";
+}
+
+} // namespace placedpar

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "explore/netlist_run.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace placedpar {
+
+/// What a student's program has printed, and how its run has ended.
+struct StudentRun {
+    enum class End { completed, failed, deadlock, too_long, too_much_output, interrupted };
+
+    End end = End::completed;
+    std::string output = "";
+    std::string state = ""; ///< of the program: "exited with failure"
+    Time time{};            ///< simulated time at the end
+};
+
+/// Runs the program of a network with one transputer and a host. No key is pressed, and no file can be used. The run
+/// ends after 10 s of simulated time, or 64 Kbyte of output. `shuffle`: if set, ready processes run in an order drawn
+/// from this seed.
+StudentRun run_student_program(const Network&, std::optional<std::uint64_t> shuffle, Interruption&);
+
+/// Says what is wrong with a run in some lines without a newline at the end; "" if nothing is. Blanks at the ends
+/// of lines, and empty lines at the end, are ignored.
+std::string what_is_wrong(const StudentRun&, const std::string& expected);
+
+} // namespace placedpar
