@@ -17,13 +17,10 @@ std::string through_text(const Access& access) {
 
 /// Returns whether an abbreviation stands for a part of another one.
 bool is_part_of(const Declaration& abbreviation, const Declaration* other) {
-    const Declaration* each = &abbreviation;
-    while (const auto* form = each ? std::get_if<Abbreviation>(&each->form) : nullptr) {
-        each = root_of(form->value);
-        if (each == other)
-            return true;
-    }
-    return false;
+    const Declaration* each = named_by(abbreviation);
+    while (each && each != other)
+        each = named_by(*each);
+    return each != nullptr;
 }
 
 } // namespace

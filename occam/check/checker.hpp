@@ -14,14 +14,19 @@ namespace placedpar::occam {
 
 /// Returns the declaration at the root of a path such as `a[i]` or `[a FROM i FOR n]`; null if it begins otherwise.
 const Declaration* root_of(const Expression&);
+/// Returns the declaration that an abbreviation or RETYPES without VAL names; null of others.
+const Declaration* named_by(const Declaration&);
 /// Returns the declaration that an abbreviation or RETYPES finally names; of others itself.
 const Declaration* base_of(const Declaration*);
-/// Returns whether a value of this type can be in a variable: it is no channel, timer or port.
+/// Returns whether a value of this type can be in a variable: it is not a channel, timer or port.
 bool is_data(const Type&);
 /// Returns the type of the channels, timers or values in an array of any dimensions; of others itself.
 const Type& innermost(const Type&);
 /// Returns whether a value of a type can be where another is wanted. Arrays of unknown size are compared at run time.
 bool fits(const Type& wanted, const Type& given);
+
+/// Returns whether an expression is made of integer literals without a type.
+bool is_untyped(const Expression&);
 
 /// Declarations that are visible at a place, by name.
 class Names {
@@ -101,6 +106,7 @@ private:
     const Type* variable(Expression&, const std::string& action);
     /// Reports whether the type of a value is not what is wanted.
     bool agrees(Expression&, const Type* wanted, const std::string& role);
+    bool adapt(Expression&, const Type& wanted);
     std::string conversion_hint(const Expression&, const Type& wanted) const;
     void assigned(const Declaration*, const Place&, const std::string& through);
     const Type* form_of(Expression&, NameUse&);
@@ -151,8 +157,9 @@ private:
     void enter_routine(Routine);
     void leave_routine(std::size_t mark);
     void value_process(ValueProcess&);
-    /// Checks the right side of an assignment or the results of a function, where one call may give several values.
+    /// Checks the right side of an assignment, where one call may give several values.
     std::vector<const Type*> types_of_values(std::vector<Expression>&);
+    std::vector<const Type*> types_of_results(std::vector<Expression>&);
     bool has_values(const Place&, const std::string& role, std::vector<Expression>& values,
                     const std::vector<const Type*>& given, const std::vector<const Type*>& wanted);
 
@@ -217,7 +224,7 @@ private:
     std::unordered_map<const TypeText*, const Type*> resolved_;  ///< several declarations may share a text
     std::unordered_map<std::string, Declaration*> predefined_;
     std::unordered_set<std::string> reported_; ///< unknown names
-    std::vector<const ProtocolType*> outermost_protocols_;
+    std::vector<const ProtocolType*> named_protocols_;
     struct Pending {
         const DeclarationList* list;
         std::size_t next;

@@ -43,8 +43,10 @@ void Checker::mark_direction(const Declaration& declaration, Direction direction
     // The tree belongs to the check; names refer to constant declarations for the sake of its other readers.
     auto& own = const_cast<Declaration&>(declaration);
     const bool is_directed = own.direction != Direction::unused;
-    const bool is_limited =
-        std::holds_alternative<Parameter>(own.form) || std::holds_alternative<Abbreviation>(own.form);
+    const auto* abbreviation = std::get_if<Abbreviation>(&own.form);
+    const bool is_channel = own.type && innermost(*own.type).kind == Type::Kind::channel;
+    const bool is_limited = is_channel && (abbreviation ? abbreviation->written_output.has_value()
+                                                        : std::holds_alternative<Parameter>(own.form));
     if (!is_directed)
         own.direction = direction;
     const Place first = directed_at_.emplace(&declaration, is_directed ? own.at : place).first->second;
@@ -58,13 +60,8 @@ void Checker::mark_direction(const Declaration& declaration, Direction direction
 }
 
 void Checker::use_channel(const Expression& expression, Direction direction) {
-    const Declaration* declaration = root_of(expression);
-    while (declaration) {
-        mark_direction(*declaration, direction, expression.at);
-        const auto* abbreviation = std::get_if<Abbreviation>(&declaration->form);
-        const auto* retyping = std::get_if<Retyping>(&declaration->form);
-        declaration = abbreviation ? root_of(abbreviation->value) : retyping ? root_of(retyping->value) : nullptr;
-    }
+    for (const Declaration* each = root_of(expression); each; each = named_by(*each))
+        mark_direction(*each, direction, expression.at);
 }
 
 bool Checker::has_items(const Place& place, std::size_t given, std::size_t wanted) {

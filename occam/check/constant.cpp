@@ -23,7 +23,8 @@ std::int64_t wrapped(Basic basic, std::uint64_t bits) {
     switch (basic) {
     case Basic::byte: return static_cast<std::uint8_t>(bits);
     case Basic::int16: return static_cast<std::int16_t>(bits);
-    case Basic::int64: return static_cast<std::int64_t>(bits);
+    case Basic::int64:
+    case Basic::real64: return static_cast<std::int64_t>(bits);
     case Basic::boolean: return static_cast<std::int64_t>(bits & 1);
     case Basic::real32: return static_cast<std::uint32_t>(bits);
     default: return static_cast<std::int32_t>(bits);

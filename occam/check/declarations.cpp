@@ -59,6 +59,13 @@ void Checker::declare(Declaration& declaration, Variable& variable) {
 
 /// Checks what an abbreviation without VAL stands for: a variable, a channel, a timer or a port.
 const Type* Checker::abbreviated(Expression& expression) {
+    const auto* table = std::get_if<TableLiteral>(&expression.form);
+    const auto* first = table && !table->elements.empty() ? std::get_if<NameUse>(&table->elements[0].form) : nullptr;
+    const Declaration* const named = first ? names_.find(first->name) : nullptr;
+    if (named && named->type && !is_data(*named->type)) {
+        report(expression.at, "tables of channels are not supported", "declare an array of channels");
+        return expression.type = mistaken();
+    }
     const Type* const type = check(expression);
     if (is_wrong_type(*type))
         return type;
@@ -78,6 +85,8 @@ void Checker::declare(Declaration& declaration, Abbreviation& abbreviation) {
     const Type* given = abbreviation.is_value ? value(abbreviation.value) : abbreviated(abbreviation.value);
     if (wanted && !agrees(abbreviation.value, wanted, "the value of \"" + declaration.name + "\""))
         given = wanted;
+    else
+        given = abbreviation.value.type;
     declaration.type = wanted && is_wrong_type(*given) ? wanted : given;
     if (wanted && plain(*wanted).count && !is_wrong_type(*given))
         declaration.type = wanted;
@@ -202,6 +211,13 @@ std::vector<const Type*> Checker::types_of_values(std::vector<Expression>& value
     return types;
 }
 
+std::vector<const Type*> Checker::types_of_results(std::vector<Expression>& results) {
+    std::vector<const Type*> types;
+    for (Expression& each : results)
+        types.push_back(value(each));
+    return types;
+}
+
 bool Checker::has_values(const Place& place, const std::string& role, std::vector<Expression>& values,
                          const std::vector<const Type*>& given, const std::vector<const Type*>& wanted) {
     if (given.size() != wanted.size()) {
@@ -238,7 +254,7 @@ void Checker::declare(Declaration& declaration, Function& function) {
     parameters(function.parameters);
     value_process(function.body);
     if (!function.body.results.empty()) {
-        const std::vector<const Type*> given = types_of_values(function.body.results);
+        const std::vector<const Type*> given = types_of_results(function.body.results);
         has_values(function.body.results[0].at, "results", function.body.results, given, function.result_types);
     }
     leave_routine(mark);

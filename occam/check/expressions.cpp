@@ -40,10 +40,13 @@ std::string reason_not_writable(const Declaration& declaration) {
     return parameter && parameter->passing == Parameter::Passing::value ? "is a VAL parameter" : "";
 }
 
-/// Returns how an expression is written if that is short; else "(...)".
+/// Returns the name that is to be converted in an expression; "(...)" if there is none.
 std::string short_text(const Expression& expression) {
-    const auto* use = std::get_if<NameUse>(&expression.form);
-    return use ? use->name : "(...)";
+    if (const auto* use = std::get_if<NameUse>(&expression.form))
+        return use->name;
+    const auto* binary = std::get_if<BinaryOperation>(&expression.form);
+    const std::string left = binary ? short_text(*binary->left) : "(...)";
+    return binary && left == "(...)" ? short_text(*binary->right) : left;
 }
 
 } // namespace
@@ -87,6 +90,8 @@ void Checker::constant_of_type(Expression& expression, const Type* wanted, const
 
 bool Checker::agrees(Expression& expression, const Type* wanted, const std::string& role) {
     if (fits(*wanted, *expression.type))
+        return true;
+    if (adapt(expression, *wanted) && fits(*wanted, *expression.type))
         return true;
     report(expression.at, role + " must be " + name_of(*wanted) + ", not " + name_of(*expression.type),
            conversion_hint(expression, *wanted));
@@ -391,7 +396,7 @@ const Type* Checker::form_of(Expression& expression, ValueProcess& process) {
     const std::size_t mark = names_.mark();
     enter_routine({.is_function = true});
     value_process(process);
-    const std::vector<const Type*> results = types_of_values(process.results);
+    const std::vector<const Type*> results = types_of_results(process.results);
     leave_routine(mark);
     several_allowed_ = several_here;
     return several(expression, results);

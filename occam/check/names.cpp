@@ -32,18 +32,16 @@ const Declaration* root_of(const Expression& expression) {
     return next ? root_of(*next) : nullptr;
 }
 
+const Declaration* named_by(const Declaration& declaration) {
+    if (const auto* abbreviation = std::get_if<Abbreviation>(&declaration.form))
+        return abbreviation->is_value ? nullptr : root_of(abbreviation->value);
+    const auto* retyping = std::get_if<Retyping>(&declaration.form);
+    return retyping && !retyping->is_value ? root_of(retyping->value) : nullptr;
+}
+
 const Declaration* base_of(const Declaration* declaration) {
-    while (declaration) {
-        const Expression* value = nullptr;
-        if (const auto* abbreviation = std::get_if<Abbreviation>(&declaration->form))
-            value = abbreviation->is_value ? nullptr : &abbreviation->value;
-        else if (const auto* retyping = std::get_if<Retyping>(&declaration->form))
-            value = retyping->is_value ? nullptr : &retyping->value;
-        const Declaration* const next = value ? root_of(*value) : nullptr;
-        if (!next)
-            break;
+    while (const Declaration* const next = declaration ? named_by(*declaration) : nullptr)
         declaration = next;
-    }
     return declaration;
 }
 

@@ -35,8 +35,8 @@ const OperatorTraits& traits_of(Operator operation) { return operator_traits[sta
 
 bool takes(Operands operands, Basic basic) {
     switch (operands) {
-    case Operands::numbers: return basic != Basic::boolean && basic != Basic::byte;
-    case Operands::integers: return is_integer(basic) && basic != Basic::byte;
+    case Operands::numbers: return basic != Basic::boolean;
+    case Operands::integers: return is_integer(basic);
     case Operands::truths: return basic == Basic::boolean;
     case Operands::ordered: return basic != Basic::boolean;
     default: return true;
@@ -57,7 +57,11 @@ void Checker::become(Expression& expression, std::int64_t bits, const char* erro
 bool Checker::has_operator(const Expression& operand, Operator operation, const Type& type) {
     const OperatorTraits& traits = traits_of(operation);
     const Type& form = plain(type);
-    if (form.kind == Type::Kind::basic && takes(traits.operands, form.basic))
+    const bool takes_byte = operation <= Operator::remainder ||
+                            (operation >= Operator::bit_and && operation <= Operator::bit_xor) ||
+                            traits.operands == Operands::ordered || traits.operands == Operands::scalars;
+    if (form.kind == Type::Kind::basic && takes(traits.operands, form.basic) &&
+        (form.basic != Basic::byte || takes_byte))
         return true;
     std::string hint;
     if (form.kind == Type::Kind::basic && form.basic == Basic::byte)
@@ -92,8 +96,12 @@ const Type* Checker::form_of(Expression& expression, BinaryOperation& operation)
     if (operation.operation == Operator::shift_left || operation.operation == Operator::shift_right)
         return shift(expression, operation);
     const OperatorTraits& traits = traits_of(operation.operation);
-    const Type* const left = value(*operation.left);
-    const Type* const right = value(*operation.right);
+    const Type* left = value(*operation.left);
+    const Type* right = value(*operation.right);
+    if (left != right && adapt(*operation.right, *left))
+        right = operation.right->type;
+    else if (left != right && adapt(*operation.left, *right))
+        left = operation.left->type;
     const Type* const known = is_wrong(*left) ? right : left;
     if (is_wrong(*known))
         return traits.gives_truth ? basic(Basic::boolean) : mistaken();

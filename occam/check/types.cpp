@@ -162,7 +162,7 @@ void Checker::add_tags(ProtocolType& protocol, Protocol& written) {
     }
 }
 
-/// Returns the protocol of an earlier file if it has the same name and the same items: a program and its libraries may
+/// Returns an earlier protocol if it has the same name and the same items: a program and its libraries may
 /// include the same declaration.
 const ProtocolType* Checker::shared_protocol(const Declaration& declaration, ProtocolType protocol) {
     const auto same_tag = [](const ProtocolTag& a, const ProtocolTag& b) {
@@ -172,15 +172,11 @@ const ProtocolType* Checker::shared_protocol(const Declaration& declaration, Pro
         return other->declared->name == declaration.name && other->kind == protocol.kind &&
                other->items == protocol.items && std::ranges::equal(other->tags, protocol.tags, same_tag);
     };
-    const bool is_outermost = routines_.empty() && pending_.size() == 1;
-    const auto earlier = std::ranges::find_if(outermost_protocols_, same);
-    if (is_outermost && earlier != outermost_protocols_.end())
+    const auto earlier = std::ranges::find_if(named_protocols_, same);
+    if (earlier != named_protocols_.end())
         return *earlier;
     protocol.declared = &declaration;
-    const ProtocolType* const made = types_.protocol(std::move(protocol));
-    if (is_outermost)
-        outermost_protocols_.push_back(made);
-    return made;
+    return named_protocols_.emplace_back(types_.protocol(std::move(protocol)));
 }
 
 const Type* Checker::record_type(const Declaration& declaration, DataType& text) {

@@ -254,21 +254,28 @@ void UsageCheck::visit_routine(const Declaration& routine, const DeclarationList
     log_.resize(first);
 }
 
-/// Returns the accesses since a place of the log to what was declared before a time, each kind of access once.
+/// Returns the accesses since a place of the log to what was declared before a time, each kind of access once. They are
+/// named as they would be outside.
 std::vector<Access> UsageCheck::outside_accesses(std::size_t first, std::uint64_t since) const {
     std::vector<Access> accesses;
-    std::set<std::tuple<const Declaration*, AccessKind, std::vector<const void*>>> seen;
+    std::set<std::tuple<const Declaration*, const Declaration*, AccessKind, std::vector<const void*>>> seen;
+    const auto is_outside = [&](const Declaration* each) {
+        const auto declared = declared_.find(each);
+        return declared == declared_.end() || declared->second < since;
+    };
     for (std::size_t i = first; i < log_.size(); ++i) {
-        const Access& access = log_[i];
-        const auto declared = declared_.find(access.base);
+        Access access = log_[i];
+        if (!is_outside(access.base))
+            continue;
+        while (!is_outside(access.root))
+            access.root = named_by(*access.root);
         std::vector<const void*> steps;
         for (const PathStep& step : access.steps) {
             steps.push_back(step.index);
             steps.push_back(step.count);
         }
-        const bool is_outside = declared == declared_.end() || declared->second < since;
-        if (is_outside && seen.insert({access.base, access.kind, std::move(steps)}).second)
-            accesses.push_back(access);
+        if (seen.insert({access.base, access.root, access.kind, std::move(steps)}).second)
+            accesses.push_back(std::move(access));
     }
     return accesses;
 }

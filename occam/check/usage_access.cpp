@@ -9,7 +9,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// Adds the steps of a path to those of its root. Returns false if the root is no name.
+/// Adds the steps of a path to those of its root. Returns false if the root is not a name.
 bool add_steps(const Expression& expression, std::vector<PathStep>& steps, const Declaration*& root) {
     if (const auto* use = std::get_if<NameUse>(&expression.form)) {
         root = use->meaning;
@@ -171,7 +171,6 @@ void UsageCheck::call(const Declaration& routine, const std::vector<Expression>&
         return;
     for (Access access : summary->second) {
         access.at = place;
-        access.root = access.base;
         access.through = &routine;
         log(std::move(access));
     }

@@ -23,8 +23,9 @@ Generator::Routine& Generator::routine_of(const Declaration& d) {
     return routine;
 }
 
-bool Generator::returns_in_register(const Function& f) {
-    return f.result_types.size() == 1 && (is_word(*f.result_types.front()) || is_real(*f.result_types.front()));
+bool Generator::returns_in_register(const Function& f) const {
+    return f.result_types.size() == 1 &&
+           (is_word(*f.result_types.front()) || (is_real(*f.result_types.front()) && has_reals()));
 }
 
 void Generator::generate_routine(const Declaration& d, Routine& routine) {
@@ -174,11 +175,13 @@ void Generator::call_with(Routine& routine, Arguments words) {
     const std::int64_t vector_now = level_->vector_now;
     if (level.uses_link)
         words.insert(words.begin(), {1, [this, &level] { load_frame_of(*level.outer); }});
-    if (level.uses_vector)
+    if (level.uses_vector) {
+        level_->uses_vector = true;
         words.push_back({1, [this, vector_now] {
                              load(level_->vector);
                              add_offset(vector_now);
                          }});
+    }
     level_->vector_most = std::max(level_->vector_most, vector_now + level.vector_most);
     for (std::size_t i = 0; i < words.size(); ++i) {
         stack_ = 0;

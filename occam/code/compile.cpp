@@ -2,7 +2,9 @@
 
 #include "occam/code/generator.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+
+#include <array>
 
 namespace placedpar::occam {
 
@@ -12,6 +14,8 @@ namespace {
 
 /// The words of an array `[]INT memory` that a main procedure gets.
 constexpr std::int64_t words_of_free_memory = 64 * 1024;
+
+constexpr std::uint64_t most_bytes_of_program = std::uint64_t{1} << 31;
 
 bool is_array_of_integers(const Type& type) {
     return type.kind == Type::Kind::array && !type.count && type.element->is(Basic::integer);
@@ -39,7 +43,10 @@ Code Generator::generate(const Declaration& main) {
         Arguments words;
         for (const DeclarationBox& each : std::get<Procedure>(main.form).parameters)
             add_main_argument(words, *each, memory);
+        const bool has_host = !words.empty();
         call_with(routine, std::move(words));
+        if (!has_host)
+            end_run();
         op(Operation::stopp);
     });
     std::vector<const CodeBuffer*> buffers;
@@ -49,7 +56,21 @@ Code Generator::generate(const Declaration& main) {
     code.workspace_words = static_cast<std::uint64_t>(level.main.words() + level.main.below);
     code.first_workspace_words = static_cast<std::uint64_t>(level.main.words());
     code.vector_space_bytes = static_cast<std::uint64_t>(memory * 4);
+    if (4 * code.workspace_words + code.bytes.size() + code.vector_space_bytes > most_bytes_of_program)
+        refuse(main.at, fmt::format("the program needs {} bytes of workspace and {} of vector space, more than a "
+                                    "transputer can have",
+                                    4 * code.workspace_words, code.vector_space_bytes));
     return code;
+}
+
+/// Sends the host the request that ends a run with success, as so.exit does.
+void Generator::end_run() {
+    constexpr std::array<std::uint8_t, 10> request = {8, 0, 35, 0xff, 0xc9, 0x9a, 0x3b, 0, 0, 0}; // 999999999
+    address({.base = Storage::Base::constant, .label = emitter_.constant(request, true), .type = basic(Basic::byte)});
+    op(Operation::mint);
+    constant(request.size());
+    op(Operation::out);
+    stack_ = 0;
 }
 
 void Generator::add_main_argument(Arguments& words, const Declaration& parameter, std::int64_t memory) {

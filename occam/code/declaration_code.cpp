@@ -1,5 +1,7 @@
 #include "occam/code/generator.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace placedpar::occam {
@@ -19,6 +21,10 @@ void Generator::declare(const Declaration& d) {
 
 void Generator::declare_variable(const Declaration& d, const Variable& variable) {
     stack_ = 0;
+    constexpr std::int64_t most_bytes = 1 << 28;
+    if (size_of(*d.type) > most_bytes)
+        refuse(d.at, fmt::format("\"{}\" needs {} bytes; a variable can have at most {}", d.name, size_of(*d.type),
+                                 most_bytes));
     if (is_channel(*d.type) || d.type->kind == Type::Kind::port)
         return declare_channels(d);
     const Type& type = plain(*d.type);
@@ -53,7 +59,7 @@ void Generator::declare_channels(const Declaration& d) {
     const bool placed = d.placement && d.placement->where == Placement::Where::address;
     const std::int64_t at = placed ? *constant_of(*d.placement->address) : 0;
     if (d.type->kind == Type::Kind::port && !placed)
-        refuse(d.at, "PORT \"" + d.name + "\" is not placed; write PLACE " + d.name + " AT n:");
+        refuse(d.at, fmt::format("PORT \"{0}\" is not placed; write PLACE {0} AT n:", d.name));
     if (d.type->kind == Type::Kind::port || (placed && d.type->kind == Type::Kind::channel)) {
         bindings_[&d] = {.base = Storage::Base::absolute, .offset = 4 * at, .type = d.type};
         return;
@@ -146,7 +152,8 @@ void Generator::abbreviate(const Declaration& d, const Abbreviation& a) {
         return;
     if (is_compound(plain(*d.type))) {
         if (!level_ && !a.value.constant)
-            refuse(d.at, "the value of \"" + d.name + "\" is not known at compile time, and no procedure is around it");
+            refuse(d.at, fmt::format("the value of \"{}\" is not known at compile time, and no procedure is around it",
+                                     d.name));
         const Storage location = a.is_value ? value_in_memory(a.value) : locate(a.value);
         bindings_[&d] = seen_as(level_ ? pointer_to(location) : location, *d.type);
     } else if (!a.is_value) {
@@ -162,7 +169,8 @@ void Generator::abbreviate(const Declaration& d, const Abbreviation& a) {
 void Generator::retype(const Declaration& d, const Retyping& r) {
     stack_ = 0;
     if (!level_ && !r.value.constant)
-        refuse(d.at, "the value of \"" + d.name + "\" is not known at compile time, and no procedure is around it");
+        refuse(d.at,
+               fmt::format("the value of \"{}\" is not known at compile time, and no procedure is around it", d.name));
     Storage location = r.is_value ? value_in_memory(r.value) : locate(r.value);
     if (level_)
         location = pointer_to(location);

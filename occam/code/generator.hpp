@@ -112,6 +112,7 @@ private:
         std::function<void()> load;
     };
     using Arguments = std::vector<Argument>;
+    void end_run();
     void add_main_argument(Arguments&, const Declaration& parameter, std::int64_t memory);
 
     // location_code.cpp
@@ -227,6 +228,7 @@ private:
     void assignment(const Assignment&);
     void assign(const Expression& target, const Expression& value);
     void assign_to(const Expression& value, const Storage& target);
+    bool is_copied(const Expression& value) const;
     bool is_bits(const Expression& value) const;
     void assign_word(const Expression& value, int depth, const std::function<Storage()>& target);
     void assign_compound(const Expression& value, int depth, const std::function<Storage()>& target);
@@ -326,7 +328,7 @@ private:
     void add_value(Arguments&, const Expression&);
     void add_pointer(Arguments&, Storage, const Type& parameter);
     void call_with(Routine&, Arguments);
-    static bool returns_in_register(const Function&);
+    bool returns_in_register(const Function&) const;
     void call_function(const Expression&, const std::vector<Storage>& results);
 
     // predefined_code.cpp

@@ -257,6 +257,8 @@ VAL [4]BYTE bytes RETYPES 258:
 VAL wrapped IS (MOSTPOS INT16) PLUS 1(INT16):
 VAL later IS (MOSTNEG INT) AFTER (MOSTPOS INT):
 VAL nearest IS INT ROUND 2.5(REAL32):
+VAL sum IS 200(BYTE) + 55:
+VAL INT64 long IS 2000 * 4:
 DATA TYPE PAIR
   RECORD
     BYTE b:
@@ -280,6 +282,9 @@ VAL bytes.in.pair IS (BYTESIN (PAIR)) + (OFFSETOF (PAIR, i)):
     CHECK(bits("wrapped") == -32768);
     CHECK(bits("later") == 1);
     CHECK(bits("nearest") == 2);
+    CHECK(bits("sum") == 255);
+    CHECK(bits("long") == 8000);
+    CHECK(test::declared(checked, "long").type->is(Basic::int64));
     CHECK(bytes("pair") == std::vector<std::uint8_t>{1, 0, 0, 0, 7, 0, 0, 0});
     CHECK(bits("field") == 7);
     CHECK(bits("bytes.in.pair") == 12);

@@ -13,11 +13,12 @@ using namespace placedpar::test;
 
 namespace {
 
-constexpr std::array modes = {occam::ErrorMode::halt, occam::ErrorMode::stop, occam::ErrorMode::universal};
+constexpr std::array error_modes = {occam::ErrorMode::halt, occam::ErrorMode::stop, occam::ErrorMode::universal};
 
-/// Executes a program in all modes, with and without checks, and with arrays in both places.
-void expect(const std::vector<std::int32_t>& expected, std::string_view body, std::string_view declarations = "") {
-    for (const occam::ErrorMode mode : modes)
+/// Executes a program in all error_modes, with and without checks, and with arrays in both places.
+void expect_words(const std::vector<std::int32_t>& expected, std::string_view body,
+                  std::string_view declarations = "") {
+    for (const occam::ErrorMode mode : error_modes)
         for (const bool checks : {true, false})
             for (const bool vector_space : {true, false}) {
                 CAPTURE(body);
@@ -41,7 +42,7 @@ void expect(const std::vector<std::int32_t>& expected, std::string_view body, st
 } // namespace
 
 TEST_CASE("assignments, also of several values and of arrays") {
-    expect({2, 1, 7, 30, 20, 10}, R"(INT x, y:
+    expect_words({2, 1, 7, 30, 20, 10}, R"(INT x, y:
 [3]INT a, b:
 SEQ
   x, y := 1, 2
@@ -58,7 +59,7 @@ SEQ
 }
 
 TEST_CASE("IF, CASE and WHILE") {
-    expect({3, 20, 20, 99, 1, 4, 2, -2}, R"(INT x:
+    expect_words({3, 20, 20, 99, 1, 4, 2, -2}, R"(INT x:
 SEQ
   x := 3
   IF
@@ -94,11 +95,11 @@ SEQ
         options += "    " + std::to_string(i + 5) + "\n      memory[i] := " + std::to_string(i * i) + "\n";
         expected.push_back(i < 5 ? -1 : (i - 5) * (i - 5));
     }
-    expect(expected, "SEQ i = 0 FOR 20\n  CASE i\n" + options + "    ELSE\n      memory[i] := -1\n");
+    expect_words(expected, "SEQ i = 0 FOR 20\n  CASE i\n" + options + "    ELSE\n      memory[i] := -1\n");
 }
 
 TEST_CASE("replicators with counts that are not constant, and none") {
-    expect({0, 1, 3, 6, 4}, R"(INT n, s:
+    expect_words({0, 1, 3, 6, 4}, R"(INT n, s:
 SEQ
   n := 0
   s := 0
@@ -115,7 +116,7 @@ SEQ
 }
 
 TEST_CASE("procedures and functions: references, values, open arrays, variables around them, results") {
-    expect({12, 5, 30, 3, 2, 1234567, 81, 108}, R"(INT x, y:
+    expect_words({12, 5, 30, 3, 2, 1234567, 81, 108}, R"(INT x, y:
 PROC add (INT a, VAL INT b)
   a := a + b
 :
@@ -162,7 +163,7 @@ SEQ
 }
 
 TEST_CASE("abbreviations, RETYPES, slices and tables") {
-    expect({9, 55, 2, 7, 67305985, 1065353216, 3, 14}, R"([2][4]INT m:
+    expect_words({9, 55, 2, 7, 67305985, 1065353216, 3, 14}, R"([2][4]INT m:
 INT i:
 SEQ
   SEQ a = 0 FOR 2
@@ -200,7 +201,7 @@ SEQ
 }
 
 TEST_CASE("PAR: components, replicated, nested, with arrays of their own") {
-    expect({10, 20, 0, 1, 4, 9, 16, 33}, R"(INT x, y:
+    expect_words({10, 20, 0, 1, 4, 9, 16, 33}, R"(INT x, y:
 [5]INT squares:
 SEQ
   PAR
@@ -237,7 +238,7 @@ SEQ
 }
 
 TEST_CASE("PRI PAR goes on at low priority") {
-    expect({5, 1}, R"(CHAN OF INT c:
+    expect_words({5, 1}, R"(CHAN OF INT c:
 TIMER t:
 INT x, before, after:
 SEQ
@@ -260,7 +261,7 @@ SEQ
 }
 
 TEST_CASE("protocols: sequences, counted arrays, variants") {
-    expect({42, 99, 3, 7, 9, 5, 0, 17}, R"(CHAN OF P pair:
+    expect_words({42, 99, 3, 7, 9, 5, 0, 17}, R"(CHAN OF P pair:
 CHAN OF BYTE::[]INT counted:
 CHAN OF V v:
 CHAN OF [2]INT16 shorts:
@@ -292,11 +293,11 @@ PAR
     shorts ? s
     memory[7] := (INT s[0]) + (INT s[1])
 )",
-           "PROTOCOL P IS INT; BYTE:\nPROTOCOL V\n  CASE\n    number; INT\n    nothing\n:\n");
+                 "PROTOCOL P IS INT; BYTE:\nPROTOCOL V\n  CASE\n    number; INT\n    nothing\n:\n");
 }
 
 TEST_CASE("ALT: priority, guards, replicated, nested, with time-outs and SKIP") {
-    expect({6, 1, 2, 210, 1, 1}, R"([3]CHAN OF INT c:
+    expect_words({6, 1, 2, 210, 1, 1}, R"([3]CHAN OF INT c:
 CHAN OF INT never:
 TIMER t:
 INT x, total, now, later:
@@ -358,7 +359,7 @@ SEQ
 }
 
 TEST_CASE("predefined functions") {
-    expect({1, 0, 1, 31, -13, 0x34567812, 9, 12}, R"(INT a, b, c:
+    expect_words({1, 0, 1, 31, -13, 0x34567812, 9, 12}, R"(INT a, b, c:
 SEQ
   a, b := LONGSUM (#FFFFFFFF, 1, 0)
   memory[0] := a
@@ -375,7 +376,7 @@ SEQ
 }
 
 TEST_CASE("a replicated PAR of 1000 processes in a ring") {
-    expect({1000}, R"([1001]CHAN OF INT c:
+    expect_words({1000}, R"([1001]CHAN OF INT c:
 PAR
   PAR i = 0 FOR 1000
     INT x:
@@ -386,4 +387,45 @@ PAR
     c[0] ! 0
     c[1000] ? memory[0]
 )");
+}
+
+TEST_CASE("components of a replicated PAR call procedures with arrays of their own") {
+    expect_words({0, 40, 80, 120}, R"(PROC sum (VAL INT n, INT total)
+  [40]INT own:
+  SEQ
+    SEQ i = 0 FOR 40
+      own[i] := n
+    total := 0
+    SEQ i = 0 FOR 40
+      total := total + own[i]
+:
+[4]INT totals:
+SEQ
+  PAR i = 0 FOR 4
+    sum (i, totals[i])
+  [memory FROM 0 FOR 4] := totals
+)");
+}
+
+TEST_CASE("reals are copied and passed without a floating-point unit") {
+    const Executed done = execute(R"(REAL64 FUNCTION same (VAL REAL64 x) IS x:
+PROC both (VAL REAL32 r, VAL REAL64 d, [2]REAL64 a)
+  VAL INT w RETYPES r:
+  SEQ
+    memory[0] := w
+    a[1] := same (d)
+:
+REAL32 r:
+REAL64 d:
+[2]REAL64 a:
+SEQ
+  r, d := 1.0(REAL32), 2.0(REAL64)
+  both (r, d, a)
+  VAL [4]INT w RETYPES a:
+  memory[1] := w[3]
+)",
+                                  {.model = transputer::Model::t414});
+    CHECK(done.trouble == "");
+    CHECK(done.results[0] == 0x3f800000);
+    CHECK(done.results[1] == 0x40000000);
 }

@@ -1,4 +1,4 @@
-// Executes programs with errors at run time, and shows what they do in each error mode.
+// Executes programs with run_time_errors at run time, and shows what they do in each error mode.
 
 #include "executed.hpp"
 
@@ -14,7 +14,7 @@ using namespace placedpar::test;
 
 namespace {
 
-constexpr const char* declared = R"(INT x, zero:
+constexpr const char* with_values = R"(INT x, zero:
 INT16 h:
 BYTE b:
 [8]INT v:
@@ -26,7 +26,7 @@ SEQ
   memory[0] := 1
 )";
 
-constexpr std::array errors = {
+constexpr std::array run_time_errors = {
     "x := v[x]",
     "v[x - 11] := 1",
     "x := x / zero",
@@ -52,15 +52,15 @@ constexpr std::array errors = {
     "ASSERT (x = zero)",
 };
 
-occam::CodeOptions in(occam::ErrorMode mode) { return {.model = transputer::Model::t800, .mode = mode}; }
+occam::CodeOptions in_mode(occam::ErrorMode mode) { return {.model = transputer::Model::t800, .mode = mode}; }
 
 } // namespace
 
 TEST_CASE("an error halts the processor in mode halt and in mode universal") {
-    for (const char* error : errors)
+    for (const char* error : run_time_errors)
         for (const occam::ErrorMode mode : {occam::ErrorMode::halt, occam::ErrorMode::universal}) {
             CAPTURE(error);
-            const Executed done = execute(declared + indented(error, 2) + "  memory[1] := 1\n", in(mode));
+            const Executed done = execute(with_values + indented(error, 2) + "  memory[1] := 1\n", in_mode(mode));
             CHECK(done.trouble == "");
             CHECK(done.halted);
             CHECK(done.results[0] == 1);
@@ -69,16 +69,16 @@ TEST_CASE("an error halts the processor in mode halt and in mode universal") {
 }
 
 TEST_CASE("an error stops its process in mode stop, and others go on") {
-    for (const char* error : errors) {
+    for (const char* error : run_time_errors) {
         CAPTURE(error);
-        const std::string wrong = declared + indented(error, 2) + "  memory[1] := 1\n";
+        const std::string wrong = with_values + indented(error, 2) + "  memory[1] := 1\n";
         const Executed done = execute("SEQ\n  PAR\n" + indented(wrong, 4) + R"(    SEQ
       SEQ i = 0 FOR 1000
         memory[2] := i
       memory[3] := 5 + 6
   memory[4] := 1
 )",
-                                      in(occam::ErrorMode::stop));
+                                      in_mode(occam::ErrorMode::stop));
         CHECK(done.trouble == "");
         CHECK_FALSE(done.halted);
         CHECK(done.results[0] == 1);
@@ -92,4 +92,11 @@ TEST_CASE("what is not compiled is refused by its name and place") {
     CHECK_THROWS_WITH_AS(
         execute("REAL32 r:\nSEQ\n  r := 1.0(REAL32)\n  r := r + r\n", {.model = transputer::Model::t414}),
         doctest::Contains("needs a transputer with a floating-point unit"), RefusedInput);
+    CHECK_THROWS_WITH_AS(execute("[10000][10000]INT a:\na[0][0] := 1\n"),
+                         doctest::Contains("\"a\" needs 400000000 bytes; a variable can have at most 268435456"),
+                         RefusedInput);
+    CHECK_THROWS_WITH_AS(execute("PAR i = 0 FOR 1000000\n  [1000]INT a:\n  a[0] := i\n"),
+                         doctest::Contains("of vector space, more than a transputer can have"), RefusedInput);
+    CHECK_THROWS_WITH_AS(execute("PLACED PAR\n  PROCESSOR 0 T8\n    SKIP\n"), doctest::Contains("PLACED PAR"),
+                         std::runtime_error);
 }

@@ -42,7 +42,7 @@ private:
     std::optional<std::pair<transputer::Word, transputer::Word>> asked_;
 };
 
-occam::Code compiled(const std::string& text, const occam::CodeOptions& options) {
+occam::Code compiled_program(const std::string& text, const occam::CodeOptions& options) {
     Reporter reporter;
     const auto file = std::make_shared<SourceFile>("test.occ", text);
     occam::Parsed parsed = occam::parse(file, {}, reporter);
@@ -85,7 +85,7 @@ Executed execute(std::string_view body, const occam::CodeOptions& options, std::
     const std::string text = fmt::format("PROTOCOL SP IS INT16::[]BYTE:\n{}PROC main (CHAN OF SP fs, ts, []INT "
                                          "memory)\n{}:\n",
                                          declarations, indented(body, 2));
-    const occam::Code code = compiled(text, options);
+    const occam::Code code = compiled_program(text, options);
     std::vector<std::uint8_t> file = bootable(code, options);
     const std::size_t loader = file.front();
     BootLink link({file.begin() + 1 + static_cast<std::ptrdiff_t>(loader), file.end()});

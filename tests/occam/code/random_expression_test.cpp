@@ -27,50 +27,51 @@ using occam::Basic;
 __extension__ using Integer = __int128;
 
 /// The value of an expression: an integer or a BOOL, or a real.
-struct Value {
+struct ExactValue {
     Integer integer = 0;
     double real = 0;
 };
 
 /// A random expression: its text, and what it gives; nothing if it is an error.
-struct Term {
+struct RandomTerm {
     std::string text;
-    std::optional<Value> value;
+    std::optional<ExactValue> value;
     bool is_literal = false;
 };
 
 int bits_of(Basic type) { return static_cast<int>(8 * occam::bytes_of(type)); }
 
+/// Returns a value modulo 2 to the power of `bits`. A value of 8 bits, a BYTE, has no sign.
 Integer wrapped(Integer value, int bits) {
     const Integer range = Integer{1} << bits;
     value = ((value % range) + range) % range;
-    return value >= range / 2 ? value - range : value;
+    return value >= range / 2 && bits > 8 ? value - range : value;
 }
 
-std::optional<Value> fitting(Integer value, Basic type) {
-    return wrapped(value, bits_of(type)) == value ? std::optional(Value{value, 0}) : std::nullopt;
+std::optional<ExactValue> fitting(Integer value, Basic type) {
+    return wrapped(value, bits_of(type)) == value ? std::optional(ExactValue{value, 0}) : std::nullopt;
 }
 
-std::optional<Value> real_of(double value, Basic type) {
+std::optional<ExactValue> real_of(double value, Basic type) {
     if (type == Basic::real32)
         value = static_cast<float>(value);
-    return std::isfinite(value) ? std::optional(Value{0, value}) : std::nullopt;
+    return std::isfinite(value) ? std::optional(ExactValue{0, value}) : std::nullopt;
 }
 
-/// The variables of a type: two scalars, an array of four, and a function that returns its parameter.
-constexpr int variables = 4;
+/// The variables_of_type of a type: two scalars, an array of four, and a function that returns its parameter.
+constexpr int variables_of_type = 4;
 
 class ExpressionMaker {
 public:
     explicit ExpressionMaker(std::uint64_t seed) : random_(seed, "expressions") {
         for (std::size_t type = 0; type < values_.size(); ++type)
-            for (Value& each : values_[type])
+            for (ExactValue& each : values_[type])
                 each = random_value(static_cast<Basic>(type));
-        for (int i = 0; i < variables; ++i)
+        for (int i = 0; i < variables_of_type; ++i)
             indices_[static_cast<std::size_t>(i)] = i;
     }
 
-    Term make(Basic type, int depth) {
+    RandomTerm make(Basic type, int depth) {
         if (depth == 0 || random_.chance(0.15))
             return leaf(type);
         if (type == Basic::boolean)
@@ -81,11 +82,12 @@ public:
             return random_.chance(0.25) ? conversion_to_real(type, depth) : real_operation(type, depth);
         if (random_.chance(0.2))
             return conversion_to_integer(type, depth);
-        return random_.chance(0.2) ? unary(type, variable(type, depth - 1)) : integer_operation(type, depth);
+        return type != Basic::byte && random_.chance(0.2) ? unary(type, variable(type, depth - 1))
+                                                          : integer_operation(type, depth);
     }
 
     /// Returns the literal of a value.
-    static std::string literal(Value value, Basic type) {
+    static std::string literal(ExactValue value, Basic type) {
         if (type == Basic::boolean)
             return value.integer != 0 ? "TRUE" : "FALSE";
         if (occam::is_real(type)) {
@@ -101,7 +103,7 @@ public:
     const auto& values() const { return values_; }
 
 private:
-    Value random_value(Basic type) {
+    ExactValue random_value(Basic type) {
         if (type == Basic::boolean)
             return {random_.below(2), 0};
         if (occam::is_real(type))
@@ -112,13 +114,13 @@ private:
         return {type == Basic::byte ? raw & 255 : wrapped(raw >> (63 - magnitude), bits), 0};
     }
 
-    Term leaf(Basic type) {
-        const auto which = static_cast<std::size_t>(random_.below(variables));
-        const Value value = values_[static_cast<std::size_t>(type)][which];
+    RandomTerm leaf(Basic type) {
+        const auto which = static_cast<std::size_t>(random_.below(variables_of_type));
+        const ExactValue value = values_[static_cast<std::size_t>(type)][which];
         const std::string name = fmt::format("v.{}", name_of(type));
         switch (random_.below(4)) {
         case 0: {
-            const Value other = random_value(type);
+            const ExactValue other = random_value(type);
             return {literal(other, type), other, true};
         }
         case 1: return {fmt::format("{}[{}]", name, which), value};
@@ -127,44 +129,46 @@ private:
         }
     }
 
-    static Term call(Basic type, Term argument) {
+    static RandomTerm call(Basic type, RandomTerm argument) {
         argument.text = fmt::format("f.{} ({})", name_of(type), argument.text);
         argument.is_literal = false;
         return argument;
     }
 
     /// Returns an operand that is not a literal: the compiler refuses what is wrong in constant expressions.
-    Term variable(Basic type, int depth) {
-        Term term = make(type, depth);
+    RandomTerm variable(Basic type, int depth) {
+        RandomTerm term = make(type, depth);
         return term.is_literal ? call(type, std::move(term)) : term;
     }
 
-    static Term unary(Basic type, const Term& operand) {
-        Term result{fmt::format("(-{})", operand.text), std::nullopt};
+    static RandomTerm unary(Basic type, const RandomTerm& operand) {
+        RandomTerm result{fmt::format("(-{})", operand.text), std::nullopt};
         if (operand.value)
             result.value = fitting(-operand.value->integer, type);
         return result;
     }
 
-    Term integer_operation(Basic type, int depth) {
-        const Term left = variable(type, depth - 1);
+    RandomTerm integer_operation(Basic type, int depth) {
+        const RandomTerm left = variable(type, depth - 1);
         const int bits = bits_of(type);
-        if (random_.chance(0.15)) {
+        if (type != Basic::byte && random_.chance(0.15)) {
             const auto places = static_cast<int>(random_.below(static_cast<std::uint32_t>(bits) + 1));
             const bool by_variable = random_.chance(0.5), is_left = random_.chance(0.5);
-            Term result{fmt::format("({} {} {})", left.text, is_left ? "<<" : ">>",
-                                    by_variable ? fmt::format("f.INT ({})", places) : std::to_string(places)),
-                        std::nullopt};
+            RandomTerm result{fmt::format("({} {} {})", left.text, is_left ? "<<" : ">>",
+                                          by_variable ? fmt::format("f.INT ({})", places) : std::to_string(places)),
+                              std::nullopt};
             if (left.value) {
                 const Integer raw = left.value->integer & ((Integer{1} << bits) - 1);
-                result.value = Value{wrapped(is_left ? raw << places : raw >> places, bits), 0};
+                result.value = ExactValue{wrapped(is_left ? raw << places : raw >> places, bits), 0};
             }
             return result;
         }
-        const Term right = variable(type, depth - 1);
+        const RandomTerm right = variable(type, depth - 1);
         constexpr std::array operators = {"+", "-", "*", "/", "\\", "PLUS", "MINUS", "TIMES", "/\\", "\\/", "><"};
-        const auto which = random_.below(static_cast<std::uint32_t>(operators.size()));
-        Term result{fmt::format("({} {} {})", left.text, operators[which], right.text), std::nullopt};
+        auto which = random_.below(static_cast<std::uint32_t>(operators.size()));
+        if (type == Basic::byte && which >= 5 && which <= 7)
+            which -= 5; // a BYTE has no PLUS, MINUS and TIMES
+        RandomTerm result{fmt::format("({} {} {})", left.text, operators[which], right.text), std::nullopt};
         if (!left.value || !right.value)
             return result;
         const Integer a = left.value->integer, b = right.value->integer;
@@ -174,21 +178,21 @@ private:
         case 2: result.value = fitting(a * b, type); break;
         case 3: result.value = b == 0 ? std::nullopt : fitting(a / b, type); break;
         case 4: result.value = b == 0 || !fitting(a / b, type) ? std::nullopt : fitting(a % b, type); break;
-        case 5: result.value = Value{wrapped(a + b, bits), 0}; break;
-        case 6: result.value = Value{wrapped(a - b, bits), 0}; break;
-        case 7: result.value = Value{wrapped(wrapped(a * b, 128 - 1), bits), 0}; break;
-        case 8: result.value = Value{a & b, 0}; break;
-        case 9: result.value = Value{a | b, 0}; break;
-        default: result.value = Value{a ^ b, 0}; break;
+        case 5: result.value = ExactValue{wrapped(a + b, bits), 0}; break;
+        case 6: result.value = ExactValue{wrapped(a - b, bits), 0}; break;
+        case 7: result.value = ExactValue{wrapped(wrapped(a * b, 128 - 1), bits), 0}; break;
+        case 8: result.value = ExactValue{a & b, 0}; break;
+        case 9: result.value = ExactValue{a | b, 0}; break;
+        default: result.value = ExactValue{a ^ b, 0}; break;
         }
         return result;
     }
 
-    Term real_operation(Basic type, int depth) {
-        const Term left = variable(type, depth - 1), right = make(type, depth - 1);
+    RandomTerm real_operation(Basic type, int depth) {
+        const RandomTerm left = variable(type, depth - 1), right = make(type, depth - 1);
         constexpr std::array operators = {"+", "-", "*", "/"};
         const auto which = random_.below(static_cast<std::uint32_t>(operators.size()));
-        Term result{fmt::format("({} {} {})", left.text, operators[which], right.text), std::nullopt};
+        RandomTerm result{fmt::format("({} {} {})", left.text, operators[which], right.text), std::nullopt};
         if (!left.value || !right.value)
             return result;
         const double a = left.value->real, b = right.value->real;
@@ -202,25 +206,26 @@ private:
         return result;
     }
 
-    Term conversion_to_real(Basic type, int depth) {
+    RandomTerm conversion_to_real(Basic type, int depth) {
         const Basic from = random_.chance(0.5) ? Basic::integer : type == Basic::real32 ? Basic::real64 : Basic::real32;
-        const Term operand = variable(from, depth - 1);
+        const RandomTerm operand = variable(from, depth - 1);
         const bool exact = from == Basic::real32;
-        Term result{fmt::format("({} {}{})", name_of(type), exact ? "" : "ROUND ", operand.text), std::nullopt};
+        RandomTerm result{fmt::format("({} {}{})", name_of(type), exact ? "" : "ROUND ", operand.text), std::nullopt};
         if (operand.value)
             result.value = occam::is_real(from) ? real_of(operand.value->real, type)
                                                 : real_of(static_cast<double>(operand.value->integer), type);
         return result;
     }
 
-    Term conversion_to_integer(Basic type, int depth) {
+    RandomTerm conversion_to_integer(Basic type, int depth) {
         constexpr std::array from_types = {Basic::byte,  Basic::integer, Basic::int16, Basic::int32,
                                            Basic::int64, Basic::real32,  Basic::real64};
-        const Basic from = from_types[random_.below(static_cast<std::uint32_t>(from_types.size()))];
-        const Term operand = from == Basic::byte ? call(from, leaf(from)) : variable(from, depth - 1);
+        const std::size_t count = from_types.size() - (type == Basic::byte ? 2 : 0); // a real cannot become a BYTE
+        const Basic from = from_types[random_.below(static_cast<std::uint32_t>(count))];
+        const RandomTerm operand = from == Basic::byte ? call(from, leaf(from)) : variable(from, depth - 1);
         const bool truncates = random_.chance(0.5);
         const char* const rounding = !occam::is_real(from) ? "" : truncates ? "TRUNC " : "ROUND ";
-        Term result{fmt::format("({} {}{})", name_of(type), rounding, operand.text), std::nullopt};
+        RandomTerm result{fmt::format("({} {}{})", name_of(type), rounding, operand.text), std::nullopt};
         if (!operand.value)
             return result;
         if (!occam::is_real(from)) {
@@ -233,19 +238,19 @@ private:
         return result;
     }
 
-    Term condition(int depth) {
+    RandomTerm condition(int depth) {
         switch (random_.below(4)) {
         case 0: {
-            Term operand = variable(Basic::boolean, depth - 1);
+            RandomTerm operand = variable(Basic::boolean, depth - 1);
             operand.text = fmt::format("(NOT {})", operand.text);
             if (operand.value)
                 operand.value->integer ^= 1;
             return operand;
         }
         case 1: {
-            const Term left = variable(Basic::boolean, depth - 1), right = make(Basic::boolean, depth - 1);
+            const RandomTerm left = variable(Basic::boolean, depth - 1), right = make(Basic::boolean, depth - 1);
             const bool is_and = random_.chance(0.5);
-            Term result{fmt::format("({} {} {})", left.text, is_and ? "AND" : "OR", right.text), left.value};
+            RandomTerm result{fmt::format("({} {} {})", left.text, is_and ? "AND" : "OR", right.text), left.value};
             if (left.value && (left.value->integer != 0) == is_and)
                 result.value = right.value;
             return result;
@@ -254,14 +259,14 @@ private:
         }
     }
 
-    Term comparison(int depth) {
-        constexpr std::array types = {Basic::integer, Basic::int16,  Basic::int32,
-                                      Basic::int64,   Basic::real32, Basic::real64};
+    RandomTerm comparison(int depth) {
+        constexpr std::array types = {Basic::byte,  Basic::integer, Basic::int16, Basic::int32,
+                                      Basic::int64, Basic::real32,  Basic::real64};
         const Basic type = types[random_.below(static_cast<std::uint32_t>(types.size()))];
-        const Term left = variable(type, depth - 1), right = make(type, depth - 1);
+        const RandomTerm left = variable(type, depth - 1), right = make(type, depth - 1);
         constexpr std::array operators = {"=", "<>", "<", ">", "<=", ">="};
         const auto which = random_.below(static_cast<std::uint32_t>(operators.size()));
-        Term result{fmt::format("({} {} {})", left.text, operators[which], right.text), std::nullopt};
+        RandomTerm result{fmt::format("({} {} {})", left.text, operators[which], right.text), std::nullopt};
         if (!left.value || !right.value)
             return result;
         const auto compared = [&](auto a, auto b) {
@@ -272,31 +277,31 @@ private:
                    : which == 4 ? a <= b
                                 : a >= b;
         };
-        result.value = Value{occam::is_real(type) ? compared(left.value->real, right.value->real)
-                                                  : compared(left.value->integer, right.value->integer),
-                             0};
+        result.value = ExactValue{occam::is_real(type) ? compared(left.value->real, right.value->real)
+                                                       : compared(left.value->integer, right.value->integer),
+                                  0};
         return result;
     }
 
     RandomStream random_;
-    std::array<std::array<Value, variables>, 8> values_;
-    std::array<int, variables> indices_{};
+    std::array<std::array<ExactValue, variables_of_type>, 8> values_;
+    std::array<int, variables_of_type> indices_{};
 };
 
-constexpr std::array tested = {Basic::boolean, Basic::integer, Basic::int16, Basic::int32,
-                               Basic::int64,   Basic::real32,  Basic::real64};
+constexpr std::array tested_types = {Basic::boolean, Basic::byte,  Basic::integer, Basic::int16,
+                                     Basic::int32,   Basic::int64, Basic::real32,  Basic::real64};
 
-/// Declares the variables of all types and gives them their values.
+/// Declares the variables_of_type of all types and gives them their values.
 std::string with_variables(const ExpressionMaker& maker, const std::string& body) {
-    std::string declarations = fmt::format("[{}]INT at:\n", variables), values = "SEQ\n";
-    for (int i = 0; i < variables; ++i)
+    std::string declarations = fmt::format("[{}]INT at:\n", variables_of_type), values = "SEQ\n";
+    for (int i = 0; i < variables_of_type; ++i)
         values += fmt::format("  at[{0}] := {0}\n", i);
     for (std::size_t index = 0; index < 8; ++index) {
         const auto type = static_cast<Basic>(index);
         const std::string name = name_of(type);
-        declarations += fmt::format("[{}]{} v.{}:\n", variables, name, name);
+        declarations += fmt::format("[{}]{} v.{}:\n", variables_of_type, name, name);
         declarations += fmt::format("{0} FUNCTION f.{0} (VAL {0} x) IS x:\n", name);
-        for (std::size_t i = 0; i < variables; ++i) {
+        for (std::size_t i = 0; i < variables_of_type; ++i) {
             declarations += fmt::format("{0} x{1}.{0}:\n", name, i);
             const std::string literal = ExpressionMaker::literal(maker.values()[index][i], type);
             values += fmt::format("  v.{0}[{1}] := {2}\n  x{1}.{0} := {2}\n", name, i, literal);
@@ -306,10 +311,10 @@ std::string with_variables(const ExpressionMaker& maker, const std::string& body
 }
 
 /// Returns statements that store a value in `memory`, from this word on.
-std::string storing(const Term& term, Basic type, std::size_t at) {
+std::string storing(const RandomTerm& term, Basic type, std::size_t at) {
     if (type == Basic::integer)
         return fmt::format("memory[{}] := {}\n", at, term.text);
-    if (type == Basic::boolean || type == Basic::int16 || type == Basic::int32)
+    if (type == Basic::boolean || type == Basic::byte || type == Basic::int16 || type == Basic::int32)
         return fmt::format("memory[{}] := INT {}\n", at, term.text);
     if (type == Basic::real32)
         return fmt::format("REAL32 r:\nSEQ\n  r := {}\n  VAL INT w RETYPES r:\n  memory[{}] := w\n", term.text, at);
@@ -318,7 +323,7 @@ std::string storing(const Term& term, Basic type, std::size_t at) {
 }
 
 /// Returns the two words of a value in memory.
-std::array<std::int32_t, 2> words_of(const Value& value, Basic type) {
+std::array<std::int32_t, 2> words_of(const ExactValue& value, Basic type) {
     const auto bits = type == Basic::real64   ? std::bit_cast<std::int64_t>(value.real)
                       : type == Basic::real32 ? std::bit_cast<std::int32_t>(static_cast<float>(value.real))
                                               : static_cast<std::int64_t>(value.integer);
@@ -335,8 +340,8 @@ TEST_CASE("random expressions of all types give what an exact evaluator gives") 
         std::vector<std::function<void(const Executed&)>> checks;
         std::size_t at = 0;
         for (int i = 0; i < 70; ++i) {
-            const Basic type = tested[static_cast<std::size_t>(i) % tested.size()];
-            const Term term = maker.make(type, 4);
+            const Basic type = tested_types[static_cast<std::size_t>(i) % tested_types.size()];
+            const RandomTerm term = maker.make(type, 4);
             if (!term.value)
                 continue;
             body += indented(storing(term, type, at), 2);
@@ -364,8 +369,8 @@ TEST_CASE("random expressions that are errors halt the processor, or stop the pr
     for (const std::uint64_t seed : seeds(400)) {
         INFO(replay(seed));
         ExpressionMaker maker(seed + 1000);
-        const Basic type = tested[seed % tested.size()];
-        const Term term = maker.make(type, 5);
+        const Basic type = tested_types[seed % tested_types.size()];
+        const RandomTerm term = maker.make(type, 5);
         if (term.value)
             continue;
         ++errors;

@@ -1,0 +1,174 @@
+"""Tests programs in occam: compiled, run and checked by the program.
+
+PLACEDPAR_D7205 names the folder of INMOS's occam toolset, unpacked from its itools. Without it, what INMOS's compiler
+makes of the same programs is not compared.
+"""
+
+import os
+import pathlib
+import re
+import shutil
+import tempfile
+import unittest
+
+from program import placedpar
+
+TESTS = pathlib.Path(__file__).parent.parent / "occam"
+D7205 = os.environ.get("PLACEDPAR_D7205")
+
+# What INMOS's occam compiler 2.01 made of these programs printed on the emulated T800, with its ticks of 64 us: in mode
+# halt, without checks, and in mode stop.
+FIGURES = {
+    "ring-seq": ("20015", 3453, 3453, 4015),
+    "ring-par": ("20015", 4281, 4281, 4844),
+    "sieve": ("1028", 9383, 8207, 11345),
+    "matrix32": ("1290.0", 5061, 4936, 5831),
+    "two-clients": ("150015000", 3219, 3219, 3610),
+}
+OUTPUTS = ("integers", "channels", "reals", "arrays", "functions")
+
+
+def output_of(text):
+    """Returns what a program printed, without the report of the run."""
+    return text[:re.search(r"^.*: completed at ", text, re.MULTILINE).start()]
+
+
+class Programs(unittest.TestCase):
+    def run_program(self, file, *options):
+        done = placedpar("run", file, *options)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return output_of(done.stdout)
+
+    def test_programs_take_the_time_of_those_that_inmos_compiled(self):
+        for name, (printed, halt, unchecked, stop) in FIGURES.items():
+            for options, ticks in (((), halt), (("--no-checks", "all"), unchecked), (("--mode", "stop"), stop)):
+                with self.subTest(name=name, options=options):
+                    text = self.run_program(TESTS / "programs" / f"{name}.occ", "--memorycycles", 1, *options)
+                    self.assertEqual(text.split()[0], printed)
+                    self.assertLessEqual(abs(int(text.split()[1]) / ticks - 1), 0.06, text)
+
+    def test_programs_print_what_those_that_inmos_compiled_printed(self):
+        for name in OUTPUTS:
+            expected = (TESTS / "code/programs" / f"{name}.txt").read_text(encoding="ascii")
+            for mode in ("halt", "stop", "universal"):
+                with self.subTest(name=name, mode=mode):
+                    self.assertEqual(self.run_program(TESTS / "code/programs" / f"{name}.occ", "--mode", mode), expected)
+
+    def test_a_compiled_file_runs_like_the_program(self):
+        program = TESTS / "programs/ring-seq.occ"
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "ring.btl"
+            done = placedpar("compile", program, "-o", file)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertRegex(done.stdout, r"ring\.btl: \d+ bytes for a T800\n")
+            self.assertEqual(self.run_program(file), self.run_program(program))
+
+    def run_text(self, text, *options, command="run"):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "test.occ"
+            file.write_text(text, encoding="ascii")
+            return placedpar(command, file, *options)
+
+    def test_a_program_for_a_terminal_gets_keyboard_and_screen(self):
+        done = self.run_text("""PROC echo (CHAN BYTE keyboard?, screen!, error!)
+  BYTE ch:
+  SEQ i = 0 FOR 3
+    SEQ
+      keyboard ? ch
+      screen ! ch
+:
+""", "--keys", "abc")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue(done.stdout.startswith("abc"), done.stdout)
+
+    def test_a_program_without_a_host_ends_with_success(self):
+        done = self.run_text("PROC main ()\n  INT x:\n  x := 1\n:\n")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_an_error_halts_the_processor(self):
+        done = self.run_text("PROC main ()\n  INT x, y:\n  SEQ\n    x := 0\n    y := 1 / x\n:\n")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("set the Error flag while HaltOnError was set", done.stdout)
+
+    def test_errors_have_places(self):
+        for command in ("run", "check"):
+            done = self.run_text("PROC main ()\n  x := 1\n:\n", command=command)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn('test.occ:2:3: error: unknown name "x"', done.stderr)
+        done = self.run_text("PROC main ()\n  SKIP\n:\n", command="check")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("no errors; PROC main would be run", done.stdout)
+        done = self.run_text("VAL x IS 1:\n")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("the file has no PROC that could be run", done.stderr)
+        done = self.run_text("PROC main (VAL INT n)\n  SKIP\n:\n")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("the main procedure cannot have this parameter", done.stderr)
+        done = self.run_text("PROC main ()\n  SKIP\n:\n", "--no-checks", "bounds")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn('--no-checks: "bounds" is no check; there are usage, alias, range and all', done.stderr)
+
+    def test_usage_is_checked_unless_it_is_left_out(self):
+        text = "PROC main ()\n  INT x:\n  PAR\n    x := 1\n    x := 2\n:\n"
+        self.assertEqual(self.run_text(text, command="check").returncode, 1)
+        self.assertEqual(self.run_text(text, "--no-checks", "usage,alias", command="check").returncode, 0)
+
+
+@unittest.skipUnless(D7205, "PLACEDPAR_D7205 names no folder of the occam toolset")
+class Toolset(unittest.TestCase):
+    CONFIGURATION = """VAL m IS 1024 * 1024 :
+NODE t :
+ARC hostlink :
+NETWORK example
+  DO
+    SET t (type, memsize := "T800", 2 * m)
+    CONNECT t[link][0] TO HOST WITH hostlink
+:
+NODE application :
+MAPPING
+  DO
+    MAP application ONTO t
+:
+#INCLUDE "hostio.inc"
+#USE "p.cah"
+CONFIG
+  CHAN OF SP fs, ts :
+  PLACE fs, ts ON hostlink :
+  PLACED PAR
+    PROCESSOR application
+      [65536]INT memory:
+      PROCEDURE (fs, ts, memory)
+:
+"""
+
+    def compiled_by_inmos(self, folder, text):
+        """Returns what the program prints that INMOS's tools make, without support of the debugger."""
+        (folder / "p.occ").write_text(text, encoding="ascii")
+        (folder / "p.lnk").write_text("p.tco\nhostio.lib\nconvert.lib\n#include occam8.lnk\n", encoding="ascii")
+        name = re.findall(r"^PROC (\w+)", text, re.MULTILINE)[-1]
+        (folder / "p.pgm").write_text(self.CONFIGURATION.replace("PROCEDURE", name), encoding="ascii")
+        for tool, arguments in (("oc", "p -t8 -h -y -o p.tco"), ("ilink", "-f p.lnk -t8 -h -y -o p.cah"),
+                                ("occonf", "p.pgm -h -y -o p.cfb"), ("icollect", "p.cfb -y -o p.btl")):
+            done = placedpar("run", pathlib.Path(D7205) / "itools" / f"{tool}.btl", "--processor", "T414",
+                             "--host-folder", folder, "--", *arguments.split())
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return output_of(placedpar("run", folder / "p.btl", "--memorycycles", 1).stdout)
+
+    def test_both_compilers_agree(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            for file in (pathlib.Path(D7205) / "libs").iterdir():
+                shutil.copy(file, folder)
+            for program in OUTPUTS:
+                text = (TESTS / "code/programs" / f"{program}.occ").read_text(encoding="ascii")
+                self.assertEqual(self.compiled_by_inmos(folder, text),
+                                 (TESTS / "code/programs" / f"{program}.txt").read_text(encoding="ascii"))
+            for program, (printed, ticks, *_) in FIGURES.items():
+                text = (TESTS / "programs" / f"{program}.occ").read_text(encoding="ascii")
+                words = self.compiled_by_inmos(folder, text).split()
+                self.assertEqual(words[0], printed)
+                self.assertLessEqual(abs(int(words[1]) / ticks - 1), 0.01)
+
+
+if __name__ == "__main__":
+    unittest.main()
