@@ -36,8 +36,8 @@ private:
     void refuse(const std::string& message) {
         const Word& at = words_[std::min(position_, words_.size() - 1)];
         if (!failed_ && at.kind != WordKind::illegal)
-            reading_.reporter.error(reading_.location(at.at), message + " in the condition of " +
-                                                                  std::string(words_.front().text),
+            reading_.reporter.error(reading_.location(at.at),
+                                    message + " in the condition of " + std::string(words_.front().text),
                                     "write #IF DEFINED (X), with NOT, AND, OR and =");
         failed_ = true;
         position_ = words_.size();
@@ -129,8 +129,7 @@ void execute_option(Reading& reading, const Word& letters) {
         case 'Y':
         case ' ': break;
         default:
-            reading.reporter.warning(reading.location(letters.at),
-                                     fmt::format("#OPTION has no letter \"{}\"", letter),
+            reading.reporter.warning(reading.location(letters.at), fmt::format("#OPTION has no letter \"{}\"", letter),
                                      "A: no alias checks, N: no usage checks, K: no range checks, U: no checks at run "
                                      "time, V: arrays in the workspace");
         }
@@ -146,8 +145,8 @@ void execute_pragma(Reading& reading, const Word& what) {
 }
 
 void execute_message(Reading& reading, std::string_view directive, std::string_view text, const Place& at) {
-    static const std::vector<std::string> known = {"#INCLUDE", "#USE",  "#OPTION", "#PRAGMA", "#COMMENT",
-                                                   "#DEFINE",  "#UNDEF", "#IF",    "#ELIF",   "#ELSE",
+    static const std::vector<std::string> known = {"#INCLUDE", "#USE",   "#OPTION", "#PRAGMA", "#COMMENT",
+                                                   "#DEFINE",  "#UNDEF", "#IF",     "#ELIF",   "#ELSE",
                                                    "#ENDIF",   "#ERROR", "#WARNING"};
     const auto first = std::min(text.find_first_not_of(" \t"), text.size());
     const std::string message = fmt::format("{}: {}", directive, text.substr(first));

@@ -57,9 +57,10 @@ std::optional<FoundFile> built_in_file(const Reading& reading, const std::string
     if (!reading.options.built_in)
         return std::nullopt;
     const std::string own = lower_case(without_folders(name));
-    for (const char* extension : {"", ".lib", ".inc"})
-        if (auto text = reading.options.built_in(own + extension)) {
-            const std::string shown = "<" + own + extension + ">";
+    const bool has_extension = own.find('.') != std::string::npos;
+    for (const auto& each : has_extension ? std::vector{own} : std::vector{own, own + ".lib", own + ".inc"})
+        if (auto text = reading.options.built_in(each)) {
+            const std::string shown = "<" + each + ">";
             return FoundFile{shown, std::make_shared<const SourceFile>(shown, std::move(*text))};
         }
     return std::nullopt;
@@ -100,9 +101,9 @@ bool may_open(Reading& reading, const std::string& key, const std::string& name,
         return false;
     }
     if (reading.open.size() > deepest_files)
-        reading.reporter.error(reading.location(at),
-                               fmt::format("files are too deep within files: at most {} levels are allowed",
-                                           deepest_files));
+        reading.reporter.error(
+            reading.location(at),
+            fmt::format("files are too deep within files: at most {} levels are allowed", deepest_files));
     return reading.open.size() <= deepest_files;
 }
 

@@ -27,11 +27,11 @@ struct Reading {
     const ParseOptions& options;
     Reporter& reporter;
     SourceOptions source_options = {};
-    std::map<std::string, std::size_t> units = {};     ///< by key
-    std::vector<OpenFile> open = {};                   ///< the main file first
-    std::map<std::string, std::string> defined = {};   ///< names of the preprocessor with their values
-    std::set<std::string, std::less<>> refused = {};   ///< words that have been refused: each is refused once
-    std::size_t depth = 0;                             ///< of nesting, also over files
+    std::map<std::string, std::size_t> units = {};   ///< by key
+    std::vector<OpenFile> open = {};                 ///< the main file first
+    std::map<std::string, std::string> defined = {}; ///< names of the preprocessor with their values
+    std::set<std::string, std::less<>> refused = {}; ///< words that have been refused: each is refused once
+    std::size_t depth = 0;                           ///< of nesting, also over files
 
     Location location(const Place& place) const { return program.location(place); }
 };

@@ -1,5 +1,7 @@
 #include "occam/language/parser.hpp"
 
+#include "text/counted.hpp"
+
 #include <fmt/format.h>
 
 namespace placedpar::occam {
@@ -24,7 +26,9 @@ void Parser::parse_header(const Component& header) {
     const std::size_t line = lines_taken_;
     try {
         header();
+        header_failed_ = false;
     } catch (const LineRefused&) {
+        header_failed_ = true;
         if (line == lines_taken_ || !is_at_line_start())
             next_line();
     }
@@ -45,15 +49,14 @@ std::uint32_t Parser::adopt_indentation(const Word& first, const Word& head) {
 
 void Parser::check_indentation(const Word& first, std::uint32_t wanted, const Word& head) {
     reading_.reporter.error(at(first),
-                            fmt::format("wrong indentation: the line begins with {} blanks, but {} are expected",
-                                        first.indentation, wanted),
+                            fmt::format("wrong indentation: the line begins with {}, but {} are expected",
+                                        counted(first.indentation, "blank"), wanted),
                             fmt::format("lines below \"{}\" are indented by two blanks more than it", head.text),
                             {{fmt::format("the \"{}\" is here", head.text), at(head)}});
 }
 
 /// Reads the lines that belong to the line of `head`, which has ended. They are indented by two more.
 void Parser::parse_block(const Word& head_word, const Component& component) {
-    const Nesting nesting(*this);
     const Word head = head_word;
     const bool doubt = indentation_in_doubt_;
     std::optional<std::uint32_t> own, reported;
@@ -82,7 +85,7 @@ void Parser::parse_block(const Word& head_word, const Component& component) {
 /// Reads the one process below the line of `head`.
 ProcessBox Parser::parse_body(const Word& head) {
     ProcessBox body;
-    bool is_empty = true, has_more = false;
+    bool is_empty = !std::exchange(header_failed_, false), has_more = false;
     parse_block(head, [&] {
         is_empty = false;
         const Word first = peek();
@@ -97,6 +100,9 @@ ProcessBox Parser::parse_body(const Word& head) {
     if (is_empty)
         reading_.reporter.error(at(head), fmt::format("a process is missing below \"{}\"", head.text),
                                 "write SKIP, indented by two blanks more, if it is to do nothing");
+    const bool is_meant = head.is_word("WHILE") || head.is_word("SEQ") || head.is_word("PAR");
+    if (is_empty && is_meant && !is_at_end() && peek().indentation == head.indentation && !peek().is(":"))
+        body = std::make_unique<Process>(parse_process()); // the line below is not indented, as it should be
     return body ? std::move(body) : std::make_unique<Process>(Process{head.at, Skip{}});
 }
 

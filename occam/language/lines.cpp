@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace placedpar::occam {
@@ -45,6 +46,10 @@ bool Lines::is_left_out() const { return !std::ranges::all_of(files_.back().cond
 
 /// Returns the next line that is not left out. Directives are executed; `words` gets one that the parser is to see.
 std::optional<Lines::TextLine> Lines::next_text(std::vector<Word>& words) {
+    if (held_) {
+        last_ = held_->start;
+        return std::exchange(held_, std::nullopt);
+    }
     while (auto line = take_text()) {
         const std::string_view name = directive_of(line->text);
         if (is_condition(name))
@@ -82,28 +87,32 @@ Line Lines::next() {
     return line;
 }
 
+/// Appends the lines that a line goes on in. One that is indented less does not belong to it.
 void Lines::continue_line(Line& line, bool in_string) {
     while (in_string || (!line.words.empty() && continues_line(line.words.back()))) {
-        std::vector<Word> directive;
+        std::vector<Word> directive, words;
+        const Place last = last_;
         const auto text = next_text(directive);
         if (!directive.empty())
             reading_.reporter.error(reading_.location(directive.front().at),
                                     "a directive stands in the middle of a statement");
+        else if (in_string && text) {
+            in_string = scanner_.continue_string(text->text, text->start, text->indentation, line.words);
+            continue;
+        }
         if (!text) {
             if (in_string)
                 reading_.reporter.error(reading_.location(line.words.back().at), "the string is not closed");
             return;
         }
-        const std::size_t known = line.words.size();
-        if (!directive.empty())
-            continue;
-        in_string = in_string ? scanner_.continue_string(text->text, text->start, text->indentation, line.words)
-                              : scanner_.scan(text->text, text->start, text->indentation, line.words);
-        if (line.words.size() > known && line.words[known].indentation < line.words.front().indentation)
-            reading_.reporter.error(reading_.location(line.words[known].at),
-                                    "this line goes on with the one above, but is indented less",
-                                    "indent it at least as far as the beginning",
-                                    {{"the statement begins here", reading_.location(line.words.front().at)}});
+        in_string = directive.empty() && scanner_.scan(text->text, text->start, text->indentation, words);
+        if (!words.empty() && words.front().indentation < line.words.front().indentation) {
+            held_ = text;
+            last_ = last;
+            return;
+        }
+        line.words.insert(line.words.end(), std::make_move_iterator(words.begin()),
+                          std::make_move_iterator(words.end()));
     }
 }
 
@@ -165,9 +174,8 @@ void Lines::execute_include(const std::vector<Word>& words) {
     const Location here = reading_.location(words.front().at);
     const auto index = add_file(reading_, found->file, here);
     reading_.open.push_back({std::move(found->key), here});
-    files_.push_back({.index = index,
-                      .rest = reading_.program.files[index]->text(),
-                      .indentation = words.front().indentation});
+    files_.push_back(
+        {.index = index, .rest = reading_.program.files[index]->text(), .indentation = words.front().indentation});
 }
 
 void Lines::execute_define(const std::vector<Word>& words, bool is_defined) {
@@ -178,7 +186,7 @@ void Lines::execute_define(const std::vector<Word>& words, bool is_defined) {
     if (!is_defined)
         reading_.defined.erase(key);
     else
-        reading_.defined[key] = words.size() < 3 ? std::string()
+        reading_.defined[key] = words.size() < 3                    ? std::string()
                                 : words[2].kind == WordKind::string ? words[2].bytes
                                                                     : std::string(words[2].text);
 }
@@ -194,8 +202,7 @@ void Lines::execute_condition(std::string_view name, const TextLine& line) {
     else
         words.push_back({.kind = WordKind::directive, .text = name, .at = line.start});
     if (name == "#IF")
-        conditions.push_back({.at = words.front().at,
-                              .is_true = outer_is_read && evaluate_condition(reading_, words)});
+        conditions.push_back({.at = words.front().at, .is_true = outer_is_read && evaluate_condition(reading_, words)});
     else if (conditions.empty())
         reading_.reporter.error(reading_.location(words.front().at), fmt::format("{} has no #IF above", name));
     else if (name == "#ENDIF")

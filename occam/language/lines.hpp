@@ -63,7 +63,8 @@ private:
     Reading& reading_;
     WordScanner scanner_;
     std::vector<File> files_;
-    Place last_; ///< start of the last line that was read
+    std::optional<TextLine> held_; ///< a line that does not go on with the one above
+    Place last_;                   ///< start of the last line that was read
     bool warned_of_tabs_ = false;
 };
 

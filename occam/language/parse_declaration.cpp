@@ -9,18 +9,18 @@ namespace placedpar::occam {
 
 bool Parser::is_declaration(bool or_expression) const {
     const Word& first = peek();
-    static constexpr std::array<std::string_view, 9> words = {"VAL",  "PROC",   "PROTOCOL", "PLACE",   "TIMER",
-                                                              "CHAN", "PORT",   "INLINE",   "FUNCTION"};
+    static constexpr std::array<std::string_view, 9> words = {"VAL",  "PROC", "PROTOCOL", "PLACE",   "TIMER",
+                                                              "CHAN", "PORT", "INLINE",   "FUNCTION"};
     if (first.kind == WordKind::directive)
         return true;
     if (first.kind == WordKind::keyword && std::ranges::find(words, first.text) != words.end())
         return true;
     if (first.is_word("DATA") && peek(1).is_word("TYPE"))
         return true;
-    if (first.is_word("INITIAL") && type_length(1) != 0)
+    if ((first.is_word("INITIAL") && type_length(1) != 0) || is_recursive_procedure())
         return true;
-    if (first.kind == WordKind::name && (peek(1).is_word("IS") || ((peek(1).is("!") || peek(1).is("?")) &&
-                                                                   peek(2).is_word("IS"))))
+    if (first.kind == WordKind::name &&
+        (peek(1).is_word("IS") || ((peek(1).is("!") || peek(1).is("?")) && peek(2).is_word("IS"))))
         return true;
     const std::size_t type = type_length(0);
     if (type == 0)
@@ -41,11 +41,13 @@ bool Parser::is_declaration(bool or_expression) const {
 }
 
 /// Returns whether a declaration or process of another language begins here, such as `BARRIER b:`.
-bool Parser::is_foreign_declaration() const {
-    static constexpr std::array<std::string_view, 15> words = {"MOBILE", "SHARED", "CLAIM", "FORK",      "FORKING",
-                                                               "BARRIER", "SYNC",  "REC",   "RECURSIVE", "ASM",
-                                                               "VAR",    "DEF",    "NOW",   "WAIT",      "EXTERNAL"};
-    return std::ranges::find(words, peek().text) != words.end();
+bool Parser::is_foreign_statement() const {
+    static constexpr std::array<std::string_view, 16> words = {
+        "GUY", "MOBILE",    "SHARED", "CLAIM", "FORK", "FORKING", "BARRIER", "SYNC",
+        "REC", "RECURSIVE", "ASM",    "VAR",   "DEF",  "NOW",     "WAIT",    "EXTERNAL"};
+    const Word& next = peek(1);
+    const bool is_variable = next.kind == WordKind::symbol && !(next.is("[") && peek(2).is("]"));
+    return peek().kind == WordKind::name && !is_variable && std::ranges::find(words, peek().text) != words.end();
 }
 
 void Parser::parse_declarations(std::vector<DeclarationBox>& declarations, bool or_expression) {
@@ -55,7 +57,7 @@ void Parser::parse_declarations(std::vector<DeclarationBox>& declarations, bool 
         const std::size_t line = lines_taken_;
         if (first.indentation < indentation)
             return;
-        if (first.indentation > indentation && !indentation_in_doubt_)
+        if (first.indentation > indentation && !std::exchange(indentation_in_doubt_, true))
             reading_.reporter.error(at(first), "this declaration is indented further than the one above");
         try {
             parse_declaration(declarations);
@@ -72,7 +74,7 @@ void Parser::parse_declaration(std::vector<DeclarationBox>& declarations) {
         return parse_use(declarations);
     if (first.is_word("VAL"))
         return parse_value(declarations);
-    if (first.is_word("PROC") || (first.is_word("INLINE") && peek(1).is_word("PROC")))
+    if (first.is_word("PROC") || (first.is_word("INLINE") && peek(1).is_word("PROC")) || is_recursive_procedure())
         return parse_procedure(declarations);
     if (first.is_word("PROTOCOL"))
         return parse_protocol(declarations);
@@ -172,8 +174,8 @@ bool Parser::parse_definition(std::vector<DeclarationBox>& declarations, const W
     }
     if (!peek().is_word("RETYPES") && !peek().is_word("RESHAPES"))
         return false;
-    Retyping retyping{.is_value = is_value, .reshapes = take().text == "RESHAPES", .type = std::move(type),
-                      .value = {}};
+    Retyping retyping{
+        .is_value = is_value, .reshapes = take().text == "RESHAPES", .type = std::move(type), .value = {}};
     retyping.value = parse_expression();
     add(declarations, name, std::move(retyping));
     end_declaration("RETYPES");
@@ -215,11 +217,11 @@ void Parser::parse_placement(std::vector<DeclarationBox>& declarations) {
     if (accept_word("AT"))
         placement.address = std::make_unique<Expression>(parse_expression());
     else {
-        expect_word("IN", "or AT behind the name");
-        placement.where =
-            peek().is_word("WORKSPACE") ? Placement::Where::workspace : Placement::Where::vector_space;
+        if (!accept_word("IN"))
+            refuse(peek(), fmt::format("AT or IN is expected behind the name: found {}", describe(peek())));
+        placement.where = peek().is_word("WORKSPACE") ? Placement::Where::workspace : Placement::Where::vector_space;
         if (!accept_word("WORKSPACE"))
-            expect_word("VECSPACE", "or WORKSPACE behind IN");
+            expect_word("VECSPACE", "behind IN, or WORKSPACE");
     }
     add(declarations, name, std::move(placement));
     end_declaration("a placement");
@@ -236,6 +238,8 @@ void Parser::parse_protocol(std::vector<DeclarationBox>& declarations) {
         return end_declaration("a protocol");
     }
     protocol.is_variant = true;
+    if (peek().kind != WordKind::end && !peek().is_word("CASE"))
+        refuse(peek(), fmt::format("IS or CASE is expected behind the name of a protocol: found {}", describe(peek())));
     if (accept_word("CASE")) {
         end_line("CASE");
         parse_tags(protocol, head);
@@ -287,11 +291,11 @@ void Parser::parse_record(DataType& type, const Word& head) {
     parse_block(head, [&] {
         const Word record = peek();
         type.is_packed |= accept_word("PACKED");
-        expect_word("RECORD", "or IS in a data type");
+        expect_word("RECORD", "in a data type");
         end_line("RECORD");
         parse_fields(type, record);
     });
-    if (type.fields.empty())
+    if (type.fields.empty() && !reading_.reporter.failed())
         reading_.reporter.error(at(head), "a RECORD has at least one field");
 }
 

@@ -15,16 +15,31 @@ struct OperatorWord {
     std::string_view word;
     Operator operation;
 };
-constexpr std::array<OperatorWord, 25> dyadic_operators = {
-    {{"+", Operator::add},           {"-", Operator::subtract},        {"*", Operator::multiply},
-     {"/", Operator::divide},        {"\\", Operator::remainder},      {"REM", Operator::remainder},
-     {"PLUS", Operator::plus},       {"MINUS", Operator::minus},       {"TIMES", Operator::times},
-     {"/\\", Operator::bit_and},     {"BITAND", Operator::bit_and},    {"\\/", Operator::bit_or},
-     {"BITOR", Operator::bit_or},    {"><", Operator::bit_xor},        {"<<", Operator::shift_left},
-     {">>", Operator::shift_right},  {"=", Operator::equal},           {"<>", Operator::unequal},
-     {"<", Operator::less},          {">", Operator::greater},         {"<=", Operator::less_or_equal},
-     {">=", Operator::greater_or_equal}, {"AFTER", Operator::after},   {"AND", Operator::logical_and},
-     {"OR", Operator::logical_or}}};
+constexpr std::array<OperatorWord, 25> dyadic_operators = {{{"+", Operator::add},
+                                                            {"-", Operator::subtract},
+                                                            {"*", Operator::multiply},
+                                                            {"/", Operator::divide},
+                                                            {"\\", Operator::remainder},
+                                                            {"REM", Operator::remainder},
+                                                            {"PLUS", Operator::plus},
+                                                            {"MINUS", Operator::minus},
+                                                            {"TIMES", Operator::times},
+                                                            {"/\\", Operator::bit_and},
+                                                            {"BITAND", Operator::bit_and},
+                                                            {"\\/", Operator::bit_or},
+                                                            {"BITOR", Operator::bit_or},
+                                                            {"><", Operator::bit_xor},
+                                                            {"<<", Operator::shift_left},
+                                                            {">>", Operator::shift_right},
+                                                            {"=", Operator::equal},
+                                                            {"<>", Operator::unequal},
+                                                            {"<", Operator::less},
+                                                            {">", Operator::greater},
+                                                            {"<=", Operator::less_or_equal},
+                                                            {">=", Operator::greater_or_equal},
+                                                            {"AFTER", Operator::after},
+                                                            {"AND", Operator::logical_and},
+                                                            {"OR", Operator::logical_or}}};
 constexpr std::array<OperatorWord, 6> monadic_operators = {{{"-", Operator::negate},
                                                             {"MINUS", Operator::minus_modulo},
                                                             {"~", Operator::bit_not},
@@ -41,9 +56,7 @@ std::optional<Operator> operator_of(const Word& word, const std::array<OperatorW
     return std::nullopt;
 }
 
-bool is_logical(Operator operation) {
-    return operation == Operator::logical_and || operation == Operator::logical_or;
-}
+bool is_logical(Operator operation) { return operation == Operator::logical_and || operation == Operator::logical_or; }
 
 } // namespace
 
@@ -121,7 +134,13 @@ Expression Parser::parse_conversion(std::shared_ptr<TypeText> type) {
     return made(word, std::move(conversion));
 }
 
-Expression Parser::parse_operand() { return parse_subscripts(parse_primary()); }
+/// Only names, segments, tables and strings have subscripts.
+Expression Parser::parse_operand() {
+    const bool is_in_parentheses = peek().is("(");
+    Expression operand = parse_primary();
+    const bool has_elements = !is_in_parentheses && !std::holds_alternative<Call>(operand.form);
+    return has_elements ? parse_subscripts(std::move(operand)) : std::move(operand);
+}
 
 Expression Parser::parse_primary() {
     const Word& word = peek();
@@ -167,7 +186,8 @@ Expression Parser::parse_number_literal() {
     }
     IntegerLiteral literal;
     const bool is_hexadecimal = word.text.starts_with('#');
-    const auto value = is_hexadecimal ? parse_number<std::uint64_t>(word.text.substr(1), 16) : parse_number<std::uint64_t>(word.text, 10);
+    const auto value = is_hexadecimal ? parse_number<std::uint64_t>(word.text.substr(1), 16)
+                                      : parse_number<std::uint64_t>(word.text, 10);
     if (!value)
         reading_.reporter.error(at(word), fmt::format("the number {} has more than 64 bits", word.text));
     literal.value = value.value_or(0);
@@ -202,8 +222,8 @@ Expression Parser::parse_string() {
 Expression Parser::parse_bound() {
     const Word word = take();
     const bool is_positive = word.text == "MOSTPOS";
-    return made(word, TypeBound{is_positive ? TypeBound::Which::most_positive : TypeBound::Which::most_negative,
-                                parse_type()});
+    return made(
+        word, TypeBound{is_positive ? TypeBound::Which::most_positive : TypeBound::Which::most_negative, parse_type()});
 }
 
 Expression Parser::parse_name_or_call() {
@@ -276,7 +296,6 @@ Expression Parser::parse_subscripts(Expression array) {
 
 /// Reads a table or a segment.
 Expression Parser::parse_brackets() {
-    const Nesting nesting(*this);
     const Word word = take();
     if (peek().is("]"))
         refuse(peek(), "a table has at least one element");
@@ -313,7 +332,6 @@ bool Parser::is_value_process() const {
 }
 
 Expression Parser::parse_parentheses() {
-    const Nesting nesting(*this);
     const Word word = take();
     if (is_value_process()) {
         ValueProcess value = parse_value_process();

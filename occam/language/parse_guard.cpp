@@ -55,7 +55,7 @@ Alternative Parser::parse_alternative() {
     alternative.at = peek().at;
     parse_declarations(alternative.declarations, true);
     const Word head = peek();
-    if (head.is_word("ALT") || head.is_word("PRI")) {
+    if (head.is_word("ALT") || (head.is_word("PRI") && peek(1).is_word("ALT"))) {
         alternative.guard = std::make_unique<Alternation>(parse_alternation(head.is_word("PRI")));
         return alternative;
     }

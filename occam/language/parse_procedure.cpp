@@ -23,9 +23,19 @@ void Parser::end_body(const Word& head, std::string_view what) {
     end_line("\":\"");
 }
 
+/// Returns whether `REC PROC` begins here, which is refused, but read.
+bool Parser::is_recursive_procedure() const {
+    return (peek().is_word("REC") || peek().is_word("RECURSIVE")) && peek(1).is_word("PROC");
+}
+
 void Parser::parse_procedure(std::vector<DeclarationBox>& declarations) {
     Procedure procedure;
     const Word head = peek();
+    if (is_recursive_procedure()) {
+        if (reading_.refused.emplace("REC").second)
+            reading_.reporter.error(at(head), fmt::format("{} is of occam-pi, which is not read here", head.text));
+        take();
+    }
     procedure.is_inline = accept_word("INLINE");
     take();
     Word name = peek();
@@ -58,8 +68,8 @@ std::vector<DeclarationBox> Parser::parse_parameters() {
 /// Reads a parameter. Without a type it has that of the parameter in front of it.
 void Parser::parse_parameter(std::vector<DeclarationBox>& parameters, Parameter& kind) {
     const Word& behind = peek(1);
-    const bool is_name_alone = peek().kind == WordKind::name &&
-                               (behind.is(",") || behind.is(")") || behind.is("!") || behind.is("?"));
+    const bool is_name_alone =
+        peek().kind == WordKind::name && (behind.is(",") || behind.is(")") || behind.is("!") || behind.is("?"));
     if (!is_name_alone) {
         kind = {};
         if (accept_word("VAL"))
@@ -100,9 +110,7 @@ void Parser::parse_function(std::vector<DeclarationBox>& declarations) {
         add(declarations, name, std::move(function));
         return end_declaration("a function");
     }
-    parse_block(head, [&] {
-        function.body = parse_value_process();
-    });
+    parse_block(head, [&] { function.body = parse_value_process(); });
     add(declarations, name, std::move(function));
     end_body(head, fmt::format("FUNCTION {}", name.text));
 }

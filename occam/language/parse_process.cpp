@@ -31,6 +31,8 @@ Process Parser::parse_scope() {
 
 Process Parser::parse_statement() {
     const Word first = peek();
+    if (is_foreign_statement())
+        refuse_unread(first, "a process");
     Process process{first.at, Skip{}};
     if (accept_word("SKIP"))
         end_line("SKIP");
@@ -45,7 +47,7 @@ Process Parser::parse_statement() {
         return parse_parallel(Parallel::Kind::placed);
     else if (first.is_word("PRI") && peek(1).is_word("PAR"))
         return parse_parallel(Parallel::Kind::priority);
-    else if (first.is_word("ALT") || first.is_word("PRI"))
+    else if (first.is_word("ALT") || (first.is_word("PRI") && peek(1).is_word("ALT")))
         process.form = parse_alternation(first.is_word("PRI"));
     else if (first.is_word("IF"))
         process.form = parse_if();
@@ -66,12 +68,10 @@ Process Parser::parse_statement() {
 
 /// Refuses a line that begins neither a process nor a declaration.
 void Parser::refuse_statement(const Word& word) {
-    static const std::vector<std::string> beginnings = {"SEQ",  "PAR",  "PRI",  "ALT",      "IF",   "CASE", "WHILE",
-                                                        "SKIP", "STOP", "VAL",  "PROC",     "CHAN", "INT",  "BYTE",
-                                                        "BOOL", "PROTOCOL", "TIMER", "PLACED"};
+    static const std::vector<std::string> beginnings = {"SEQ",   "PAR",  "PRI",  "ALT",      "IF",    "CASE",
+                                                        "WHILE", "SKIP", "STOP", "VAL",      "PROC",  "CHAN",
+                                                        "INT",   "BYTE", "BOOL", "PROTOCOL", "TIMER", "PLACED"};
     const bool is_name = word.kind == WordKind::name;
-    if (is_name && is_foreign_declaration())
-        refuse_unread(word, "a process");
     std::string upper(word.text);
     std::ranges::transform(upper, upper.begin(), [](char c) { return c >= 'a' && c <= 'z' ? char(c - 32) : c; });
     std::string hint = is_name ? did_you_mean(word.text, beginnings) : "";
@@ -79,6 +79,10 @@ void Parser::refuse_statement(const Word& word) {
         hint = fmt::format("the words of the language are in capitals: {}", upper);
     if (word.is_word("ELSE"))
         hint = "ELSE is an option of CASE; write TRUE in an IF";
+    if (hint.empty() && is_name && peek(1).kind == WordKind::end)
+        hint = fmt::format("the call of a PROC has parentheses: {} ()", word.text);
+    if (word.is_word("PRI"))
+        hint = "write PRI PAR or PRI ALT";
     refuse(word, fmt::format("a process or a declaration is expected: found {}", describe(word)), hint);
 }
 

@@ -56,8 +56,8 @@ void Parser::parse_base_type(TypeText& type) {
 void Parser::refuse_foreign_type() {
     static constexpr std::array<std::string_view, 5> words = {"MOBILE", "SHARED", "BARRIER", "VAR", "VALUE"};
     const bool is_foreign = std::ranges::find(words, peek().text) != words.end();
-    const bool stands_before_type = peek(1).kind == WordKind::name || peek(1).kind == WordKind::keyword ||
-                                    peek(1).is("[");
+    const bool stands_before_type =
+        peek(1).kind == WordKind::name || peek(1).kind == WordKind::keyword || peek(1).is("[");
     if (is_foreign && stands_before_type)
         refuse_unread(peek(), "a type");
 }

@@ -14,17 +14,24 @@ namespace {
 struct UnreadWord {
     std::string_view word, language;
 };
-constexpr std::string_view occam_pi = "occam-pi", occam_1 = "occam 1", assembler = "INMOS's compilers";
-constexpr std::array<UnreadWord, 21> unread_words = {{{"MOBILE", occam_pi},   {"SHARED", occam_pi},
-                                                      {"CLAIM", occam_pi},    {"FORK", occam_pi},
-                                                      {"FORKING", occam_pi},  {"BARRIER", occam_pi},
-                                                      {"SYNC", occam_pi},     {"REC", occam_pi},
-                                                      {"RECURSIVE", occam_pi}, {"CLONE", occam_pi},
-                                                      {"EXTENDS", occam_pi},  {"DEFINED", occam_pi},
-                                                      {"EXTENDED", occam_pi}, {"ASM", assembler},
-                                                      {"GUY", assembler},     {"VAR", occam_1},
-                                                      {"DEF", occam_1},       {"NOW", occam_1},
-                                                      {"WAIT", occam_1},      {"VALUE", occam_1},
+constexpr std::string_view occam_pi = "occam-pi", occam_1 = "occam 1", assembler = "code in assembler";
+constexpr std::array<UnreadWord, 18> unread_words = {{{"MOBILE", occam_pi},
+                                                      {"SHARED", occam_pi},
+                                                      {"CLAIM", occam_pi},
+                                                      {"FORK", occam_pi},
+                                                      {"FORKING", occam_pi},
+                                                      {"BARRIER", occam_pi},
+                                                      {"SYNC", occam_pi},
+                                                      {"REC", occam_pi},
+                                                      {"RECURSIVE", occam_pi},
+                                                      {"CLONE", occam_pi},
+                                                      {"ASM", assembler},
+                                                      {"GUY", assembler},
+                                                      {"VAR", occam_1},
+                                                      {"DEF", occam_1},
+                                                      {"NOW", occam_1},
+                                                      {"WAIT", occam_1},
+                                                      {"VALUE", occam_1},
                                                       {"EXTERNAL", occam_1}}};
 
 const UnreadWord* unread_word(std::string_view text) {
@@ -36,9 +43,9 @@ const UnreadWord* unread_word(std::string_view text) {
 
 Parser::Nesting::Nesting(Parser& parser) : reading(parser.reading_) {
     if (++reading.depth > deepest_nesting)
-        reading.reporter.give_up(parser.at(parser.peek()),
-                                 fmt::format("the nesting is too deep: at most {} levels are allowed",
-                                             deepest_nesting));
+        reading.reporter.give_up(
+            parser.at(parser.peek()),
+            fmt::format("the nesting is too deep: at most {} levels are allowed", deepest_nesting));
 }
 
 Parser::Parser(Reading& reading, std::uint32_t file) : reading_(reading), lines_(reading, file) { next_line(); }
@@ -75,12 +82,6 @@ bool Parser::accept_word(std::string_view word) {
     return found;
 }
 
-Location Parser::gap() const {
-    if (peek().kind != WordKind::end || position_ == 0)
-        return at(peek());
-    return at(peek());
-}
-
 void Parser::refuse(const Word& at_word, std::string message, std::string hint) {
     if (at_word.kind != WordKind::illegal) // the scanner has reported it
         reading_.reporter.error(at(at_word), std::move(message), std::move(hint));
@@ -93,7 +94,8 @@ void Parser::refuse_unread(const Word& word, std::string_view where) {
         refuse(word, fmt::format("{} is expected: found {}", where, describe(word)));
     if (!reading_.refused.emplace(word.text).second)
         throw LineRefused{};
-    refuse(word, fmt::format("{} is of {}, which is not read here", word.text, known->language));
+    refuse(word, fmt::format("{} {} {}, which is not read here", word.text,
+                             known->language == assembler ? "begins" : "is of", known->language));
 }
 
 void Parser::expect(std::string_view symbol, std::string_view where) {
@@ -133,6 +135,9 @@ std::vector<DeclarationBox> Parser::parse_file() {
                 reading_.reporter.error(at(first), "a declaration of a file is not indented");
                 indentation_in_doubt_ = true;
             }
+            const bool is_remainder = first.is(":") || first.indentation != 0;
+            if (is_remainder && reading_.reporter.failed()) // it may belong to what has been refused
+                throw LineRefused{};
             if (first.is(":"))
                 refuse(first, "this \":\" ends nothing", "the PROC or FUNCTION has ended above");
             if (!is_declaration(false))

@@ -49,7 +49,6 @@ private:
     [[noreturn]] void refuse(const Word& at, std::string message, std::string hint = "");
     [[noreturn]] void refuse_unread(const Word&, std::string_view where);
     Location at(const Word& word) const { return reading_.location(word.at); }
-    Location gap() const;
 
     // Layout (layout.cpp)
     using Component = std::function<void()>;
@@ -139,7 +138,7 @@ private:
     // Declarations (parse_declaration.cpp)
     /// Returns whether a declaration begins here. If an expression can also begin, `INT x` is one.
     bool is_declaration(bool or_expression) const;
-    bool is_foreign_declaration() const;
+    bool is_foreign_statement() const;
     void parse_declarations(std::vector<DeclarationBox>&, bool or_expression);
     void parse_declaration(std::vector<DeclarationBox>&);
     void parse_typed(std::vector<DeclarationBox>&);
@@ -160,6 +159,7 @@ private:
 
     // Procedures and functions (parse_procedure.cpp)
     void parse_procedure(std::vector<DeclarationBox>&);
+    bool is_recursive_procedure() const;
     void parse_function(std::vector<DeclarationBox>&);
     std::vector<DeclarationBox> parse_parameters();
     void parse_parameter(std::vector<DeclarationBox>&, Parameter& kind);
@@ -170,6 +170,7 @@ private:
     Line line_;
     std::size_t position_ = 0;
     std::size_t lines_taken_ = 0;
+    bool header_failed_ = false;        ///< parse_header() has refused the last line that it read
     bool indentation_in_doubt_ = false; ///< a line around this one is indented wrongly
     Word last_;                         ///< the word that was taken last
 };

@@ -11,9 +11,7 @@ bool are_one(const Declaration& a, const Declaration& b) {
     return first && second && first->type == second->type && !first->initial && !second->initial;
 }
 
-std::string direction(const std::optional<bool>& is_output) {
-    return is_output ? *is_output ? "!" : "?" : "";
-}
+std::string direction(const std::optional<bool>& is_output) { return is_output ? *is_output ? "!" : "?" : ""; }
 
 } // namespace
 
@@ -37,8 +35,8 @@ void Printer::put(const Declaration&, const std::string& names, const Variable& 
 }
 
 void Printer::put(const Declaration& each, const std::string&, const Abbreviation& abbreviation) {
-    line((abbreviation.is_value ? "VAL " : "") + (abbreviation.type ? type(*abbreviation.type) + " " : "") +
-         each.name + direction(abbreviation.written_output) + " IS " + expression(abbreviation.value) + ":");
+    line((abbreviation.is_value ? "VAL " : "") + (abbreviation.type ? type(*abbreviation.type) + " " : "") + each.name +
+         direction(abbreviation.written_output) + " IS " + expression(abbreviation.value) + ":");
 }
 
 void Printer::put(const Declaration& each, const std::string&, const Retyping& retyping) {
@@ -73,8 +71,8 @@ void Printer::put(const Declaration& each, const std::string&, const Function& f
     std::string head;
     for (const auto& result : function.results)
         head += (head.empty() ? "" : ", ") + type(*result);
-    head += (function.is_inline ? " INLINE FUNCTION " : " FUNCTION ") + each.name + " " +
-            parameters(function.parameters);
+    head +=
+        (function.is_inline ? " INLINE FUNCTION " : " FUNCTION ") + each.name + " " + parameters(function.parameters);
     if (!function.body.process)
         return line(head + " IS " + list(function.body.results) + ":");
     line(head);

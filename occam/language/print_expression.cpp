@@ -10,8 +10,8 @@ namespace {
 
 std::string name_of_operator(Operator operation) {
     static constexpr std::array<const char*, 27> names = {
-        "+", "-",  "*", "/", "\\", "PLUS", "MINUS", "TIMES", "/\\", "\\/", "><", "<<",    ">>",  "=",
-        "<>", "<", ">", "<=", ">=", "AFTER", "AND", "OR",    "-",   "MINUS", "~", "NOT", "SIZE"};
+        "+",  "-", "*", "/",  "\\", "PLUS",  "MINUS", "TIMES", "/\\", "\\/",   "><", "<<",  ">>",  "=",
+        "<>", "<", ">", "<=", ">=", "AFTER", "AND",   "OR",    "-",   "MINUS", "~",  "NOT", "SIZE"};
     return names[static_cast<std::size_t>(operation)];
 }
 
@@ -88,9 +88,7 @@ std::string Printer::written(const UnaryOperation& unary) {
 
 /// AND and OR stand in a chain, from left to right.
 std::string Printer::written(const BinaryOperation& binary) {
-    const auto is_logical = [](Operator each) {
-        return each == Operator::logical_and || each == Operator::logical_or;
-    };
+    const auto is_logical = [](Operator each) { return each == Operator::logical_and || each == Operator::logical_or; };
     const auto* left = std::get_if<BinaryOperation>(&binary.left->form);
     const bool is_chain = left && is_logical(left->operation) && is_logical(binary.operation);
     return (is_chain ? expression(*binary.left) : operand(*binary.left)) + " " + name_of_operator(binary.operation) +
@@ -111,12 +109,11 @@ std::string Printer::written(const Segment& segment) {
 }
 std::string Printer::written(const Call& call) { return call.name + " (" + list(call.arguments) + ")"; }
 
-/// A value process begins and ends lines of its own.
+/// A value process has lines of its own. They are marked, since their indentation depends on where the first begins.
 std::string Printer::written(const ValueProcess& value) {
-    Printer inner(program_, indentation_ + value_indentation);
+    Printer inner(program_);
     inner.value_process(value);
-    const std::string& lines = inner.text_;
-    return "(" + lines.substr(lines.find_first_not_of(' ')) + std::string(indentation_ + value_indentation, ' ') + ")";
+    return std::string("(") + lines_begin + inner.text_ + lines_end + ")";
 }
 std::string Printer::written(const TypeBound& bound) {
     if (bound.which == TypeBound::Which::bytes_in)

@@ -9,7 +9,19 @@ std::string without_indentation(const std::string& text) { return text.substr(te
 
 } // namespace
 
-void Printer::line(const std::string& text) { text_ += std::string(indentation_, ' ') + text + "\n"; }
+/// Appends a line. Lines of value processes in it are indented as far as the first of them begins.
+void Printer::line(const std::string& text) {
+    text_ += std::string(indentation_, ' ');
+    std::vector<std::size_t> indentations;
+    for (const char c : text)
+        if (c == lines_begin)
+            indentations.push_back(text_.size() - (text_.rfind('\n') + 1));
+        else if (c == lines_end)
+            indentations.pop_back();
+        else if (text_ += c; c == '\n')
+            text_ += std::string(indentations.back(), ' ');
+    text_ += '\n';
+}
 
 void Printer::below(const Process& each) {
     indentation_ += 2;

@@ -20,8 +20,8 @@ public:
     std::string take() { return std::move(text_); }
 
 private:
-    /// Blanks in front of VALOF behind a `(`, more than those of the statement.
-    static constexpr std::size_t value_indentation = 4;
+    /// Marks around the lines of a value process within a line.
+    static constexpr char lines_begin = '\x01', lines_end = '\x02';
 
     // Expressions (print_expression.cpp)
     std::string list(const std::vector<Expression>&);

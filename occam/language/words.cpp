@@ -10,22 +10,22 @@ namespace placedpar::occam {
 
 namespace {
 
-constexpr std::array<std::string_view, 60> keywords = {
-    "AFTER", "ALT",    "AND",      "ANY",     "AT",      "BITAND", "BITNOT",    "BITOR",   "BOOL",  "BYTE",
-    "CASE",  "CHAN",   "ELSE",     "FALSE",   "FOR",     "FROM",   "FUNCTION",  "IF",      "IN",    "INLINE",
-    "INT",   "INT16",  "INT32",    "INT64",   "IS",      "MINUS",  "MOSTNEG",   "MOSTPOS", "NOT",   "OF",
-    "OR",    "PAR",    "PLACE",    "PLACED",  "PLUS",    "PORT",   "PRI",       "PROC",    "PROCESSOR", "PROTOCOL",
-    "REAL32", "REAL64", "REM",     "RESULT",  "RETYPES", "ROUND",  "SEQ",       "SIZE",    "SKIP",  "STOP",
-    "TIMER", "TIMES",  "TRUE",     "TRUNC",   "VAL",     "VALOF",  "VECSPACE",  "WHILE",   "WORKSPACE", "GUY"};
+constexpr std::array<std::string_view, 59> keywords = {
+    "AFTER",  "ALT",    "AND",   "ANY",    "AT",      "BITAND", "BITNOT",   "BITOR",   "BOOL",      "BYTE",
+    "CASE",   "CHAN",   "ELSE",  "FALSE",  "FOR",     "FROM",   "FUNCTION", "IF",      "IN",        "INLINE",
+    "INT",    "INT16",  "INT32", "INT64",  "IS",      "MINUS",  "MOSTNEG",  "MOSTPOS", "NOT",       "OF",
+    "OR",     "PAR",    "PLACE", "PLACED", "PLUS",    "PORT",   "PRI",      "PROC",    "PROCESSOR", "PROTOCOL",
+    "REAL32", "REAL64", "REM",   "RESULT", "RETYPES", "ROUND",  "SEQ",      "SIZE",    "SKIP",      "STOP",
+    "TIMER",  "TIMES",  "TRUE",  "TRUNC",  "VAL",     "VALOF",  "VECSPACE", "WHILE",   "WORKSPACE"};
 
-constexpr std::array<std::string_view, 16> operator_words = {"AFTER", "AND",   "BITAND", "BITNOT", "BITOR", "FOR",
-                                                             "FROM",  "IS",    "MINUS",  "NOT",    "OR",    "PLUS",
-                                                             "REM",   "SIZE",  "TIMES",  "RETYPES"};
+constexpr std::array<std::string_view, 16> operator_words = {"AFTER", "AND",  "BITAND", "BITNOT", "BITOR", "FOR",
+                                                             "FROM",  "IS",   "MINUS",  "NOT",    "OR",    "PLUS",
+                                                             "REM",   "SIZE", "TIMES",  "RETYPES"};
 
 /// The symbols, the longer before those that they begin with.
-constexpr std::array<std::string_view, 33> symbols = {":=", "::", "<=", ">=", "<>", "<<", ">>", "><", "/\\", "\\/", "+",
-                                                      "-",  "*",  "/",  "\\", "=",  "<",  ">",  "~",  "(",   ")",   "[",
-                                                      "]",  ",",  ";",  ":",  "?",  "!",  "&",  "|",  "@",   "{",   "}"};
+constexpr std::array<std::string_view, 33> symbols = {
+    ":=", "::", "<=", ">=", "<>", "<<", ">>", "><", "/\\", "\\/", "+", "-", "*", "/", "\\", "=", "<",
+    ">",  "~",  "(",  ")",  "[",  "]",  ",",  ";",  ":",   "?",   "!", "&", "|", "@", "{",  "}"};
 
 bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -176,8 +176,9 @@ void WordScanner::take_digits_of(Word& word) {
     if (!is_in_name(at(position_)))
         return;
     if (word.kind != WordKind::illegal)
-        error(position_, at(position_) == '.' ? "a number with a point has digits on both sides of it"
-                                              : "a letter follows a number",
+        error(position_,
+              at(position_) == '.' ? "a number with a point has digits on both sides of it"
+                                   : "a letter follows a number",
               "a name begins with a letter");
     word.kind = WordKind::illegal;
     while (is_in_name(at(position_)))
@@ -210,10 +211,9 @@ void WordScanner::take_symbol(Word& word) {
 void WordScanner::refuse_byte(Word& word) {
     word.kind = WordKind::illegal;
     const auto byte = static_cast<unsigned char>(at(position_));
-    error(position_,
-          byte > 0x20 && byte < 0x7f
-              ? fmt::format("occam has no symbol \"{}\"", static_cast<char>(byte))
-              : fmt::format("the byte 0x{:02x} can stand in a string or in a comment only", unsigned{byte}));
+    error(position_, byte > 0x20 && byte < 0x7f
+                         ? fmt::format("occam has no symbol \"{}\"", static_cast<char>(byte))
+                         : fmt::format("the byte 0x{:02x} can stand in a string or in a comment only", unsigned{byte}));
     while (position_ < line_.size() && (static_cast<unsigned char>(line_[position_]) == byte || byte > 0x7f) &&
            (byte <= 0x7f || static_cast<unsigned char>(line_[position_]) > 0x7f))
         ++position_;
@@ -232,8 +232,8 @@ void WordScanner::take_character(Word& word) {
     }
     word.kind = WordKind::illegal;
     error(start, "a character stands between two quotes: 'a', '*n', '*''", "text stands between double quotes");
-    while (position_ < line_.size() && !is_in_name(at(position_)) && at(position_) != ' ')
-        ++position_;
+    if (const auto end = line_.find('\'', start + 1); end != std::string_view::npos)
+        position_ = std::max(position_, end + 1);
 }
 
 /// Reads an escape, which begins with `*`.
@@ -253,9 +253,8 @@ void WordScanner::take_escape(std::string& bytes, bool first_of_string) {
     } else {
         error(position_ - 1,
               c == 'l' || c == 'L' ? std::string("\"*l\", the length, can only be the first character of a string")
-                                   : fmt::format("there is no escape \"*{}\"", position_ < line_.size()
-                                                                                   ? std::string(1, c)
-                                                                                   : std::string()),
+                                   : fmt::format("there is no escape \"*{}\"",
+                                                 position_ < line_.size() ? std::string(1, c) : std::string()),
               "escapes are *c *n *t *s *' *\" ** and *#0D");
         bytes += '?';
         position_ += position_ < line_.size() ? 1 : 0;

@@ -84,7 +84,7 @@ private:
     std::size_t position_ = 0;
     std::uint32_t blanks_ = 0; ///< blanks in front of position_, if all in front of it were blanks
     std::uint32_t indentation_ = 0;
-    std::size_t counted_ = 0;  ///< bytes of the line that are in blanks_
+    std::size_t counted_ = 0; ///< bytes of the line that are in blanks_
 };
 
 } // namespace placedpar::occam
