@@ -1,3 +1,4 @@
+#include "occam/check/checker.hpp"
 #include "occam/check/usage.hpp"
 
 #include <algorithm>
@@ -14,10 +15,21 @@ std::string through_text(const Access& access) {
     return access.through ? ", through \"" + access.through->name + "\"" : "";
 }
 
+/// Returns whether an abbreviation stands for a part of another one.
+bool is_part_of(const Declaration& abbreviation, const Declaration* other) {
+    const Declaration* each = &abbreviation;
+    while (const auto* form = each ? std::get_if<Abbreviation>(&each->form) : nullptr) {
+        each = root_of(form->value);
+        if (each == other)
+            return true;
+    }
+    return false;
+}
+
 } // namespace
 
-/// Returns whether an access names the variable through an abbreviation, or through a later one, which was checked where
-/// it is declared.
+/// Returns whether an access names the variable through an abbreviation, or through a later one, which was checked
+/// where it is declared.
 bool UsageCheck::is_named_by(const Access& access, const Declaration& abbreviation) const {
     if (access.root == access.base)
         return false;
@@ -33,7 +45,9 @@ void UsageCheck::check_active(const Access& access) {
         if (active.access.base != access.base || is_harmless || is_named_by(access, *active.declaration))
             continue;
         const Overlap overlap = overlap_of(active.access, access, replicators_);
-        if (overlap == Overlap::none || (overlap == Overlap::possible && access.is_abbreviation))
+        // Whether two abbreviations are of one element is not refused before it is known.
+        const bool is_other = access.root != access.base && !is_part_of(*active.declaration, access.root);
+        if (overlap == Overlap::none || (overlap == Overlap::possible && (access.is_abbreviation || is_other)))
             continue;
         const std::string name = "\"" + access.root->name + "\"", other = "\"" + active.declaration->name + "\"";
         const std::string message = active.is_changeable
@@ -65,8 +79,7 @@ void UsageCheck::check_free(const Declaration& routine, const std::vector<Part>&
             return reporter_.error(program_.location(place),
                                    "\"" + free.base->name + "\" is a parameter here, and \"" + routine.name +
                                        "\" also uses it by its own name",
-                                   "pass another variable",
-                                   {{"used here", program_.location(free.at)}});
+                                   "pass another variable", {{"used here", program_.location(free.at)}});
     }
 }
 
@@ -94,19 +107,18 @@ void UsageCheck::check_parts(const std::vector<Part>& parts, bool only_certain, 
     for (std::size_t i = 0; i < parts.size(); ++i) {
         for (std::size_t j = 0; parts[i].changed && j < parts.size(); ++j) {
             const Access& changed = *parts[i].changed;
-            const Access* other = j > i && parts[j].changed && meet(changed, *parts[j].changed) ? &*parts[j].changed
-                                                                                                 : nullptr;
+            const Access* other =
+                j > i && parts[j].changed && meet(changed, *parts[j].changed) ? &*parts[j].changed : nullptr;
             for (const Access& read : parts[j].read)
                 other = j != i && !other && meet(changed, read) ? &read : other;
             if (!other)
                 continue;
             const std::string name = "\"" + changed.base->name + "\"";
-            return reporter_.error(program_.location(other->at),
-                                   name + (other->kind == AccessKind::write ? " is changed twice "
-                                                                            : " is changed and used ") +
-                                       what,
-                                   only_certain ? "pass another variable" : "use two assignments",
-                                   {{"changed here", program_.location(changed.at)}});
+            return reporter_.error(
+                program_.location(other->at),
+                name + (other->kind == AccessKind::write ? " is changed twice " : " is changed and used ") + what,
+                only_certain ? "pass another variable" : "use two assignments",
+                {{"changed here", program_.location(changed.at)}});
         }
     }
 }

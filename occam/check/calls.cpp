@@ -57,7 +57,8 @@ void Checker::arguments(const Place& place, const std::string& name, std::vector
     std::string hint;
     for (const Formal& formal : formals) {
         const std::string word = formal.passing == Parameter::Passing::value ? "VAL " : "";
-        hint += (hint.empty() ? "" : ", ") + word + name_of(*formal.type) + " " + formal.name;
+        hint +=
+            (hint.empty() ? "" : ", ") + word + name_of(*formal.type) + (formal.name.empty() ? "" : " " + formal.name);
     }
     report(place, name + " has " + std::to_string(formals.size()) + " parameters, not " + std::to_string(given.size()),
            "its parameters: (" + hint + ")", names_.find(name));

@@ -147,8 +147,7 @@ const ProtocolTag* Checker::tag_of(const ProtocolType& protocol, const std::stri
     std::vector<std::string> names;
     for (const ProtocolTag& tag : protocol.tags)
         names.push_back(tag.name);
-    const std::string of = protocol.declared ? " of " + protocol.declared->name : "";
-    report(place, unknown_name("tag" + of, name, names, "it is not declared there"), "", protocol.declared);
+    report(place, unknown_name("tag", name, names, "the protocol has no such tag"), "", protocol.declared);
     return nullptr;
 }
 

@@ -126,7 +126,7 @@ Folded integer_of(Real value, Basic to, Conversion::Rounding rounding) {
     const Real whole = rounding == Conversion::Rounding::round ? std::nearbyint(value) : std::trunc(value);
     const Real limit = std::ldexp(Real{1}, static_cast<int>(width_of(to)) - 1);
     if (!(whole >= -limit && whole < limit))
-        return {0, "does not fit"};
+        return {0, "does not fit its type"};
     return {static_cast<std::int64_t>(whole)};
 }
 
@@ -192,7 +192,7 @@ Folded convert(Basic from, Basic to, Conversion::Rounding rounding, std::int64_t
                            : integer_of(real_of<double>(bits), to, rounding);
     if (is_real(to))
         return to_real(bits, to, rounding);
-    return wrapped(to, static_cast<std::uint64_t>(bits)) == bits ? Folded{bits} : Folded{0, "does not fit"};
+    return wrapped(to, static_cast<std::uint64_t>(bits)) == bits ? Folded{bits} : Folded{0, "does not fit its type"};
 }
 
 Folded integer_value(std::uint64_t value, Basic basic, bool is_pattern, bool negative_allowed) {

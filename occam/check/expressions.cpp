@@ -276,7 +276,7 @@ const Type* Checker::field_of(Expression& expression, Subscript& subscript, cons
     const auto found = std::ranges::find(names, use ? use->name : "");
     if (found == names.end()) {
         report(subscript.index->at,
-               use ? unknown_name("field", use->name, names, "not of " + name_of(record))
+               use ? unknown_name("field", use->name, names, name_of(record) + " has no such field")
                    : "the subscript of a record is the name of a field",
                "");
         return mistaken();

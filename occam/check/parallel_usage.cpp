@@ -25,8 +25,7 @@ bool may_conflict(AccessKind kind) { return kind != AccessKind::read; }
 } // namespace
 
 void UsageCheck::report_parallel(const Access& first, const Access& second) {
-    const bool first_is_later =
-        std::pair(first.at.line, first.at.column) > std::pair(second.at.line, second.at.column);
+    const bool first_is_later = std::pair(first.at.line, first.at.column) > std::pair(second.at.line, second.at.column);
     const Access& later = first_is_later ? first : second;
     const Access& earlier = first_is_later ? second : first;
     const std::string name = "\"" + later.base->name + "\"";
@@ -158,8 +157,9 @@ void UsageCheck::check_parallel(const Parallel& parallel, const std::vector<Stre
     for (const Declaration* const base : order) {
         const auto& accesses = by_base[base];
         const bool is_shared = parallel.replicator || accesses.front().first != accesses.back().first;
-        const bool is_changed = std::ranges::any_of(
-            accesses, [](const std::pair<std::int64_t, const Access*>& each) { return may_conflict(each.second->kind); });
+        const bool is_changed = std::ranges::any_of(accesses, [](const std::pair<std::int64_t, const Access*>& each) {
+            return may_conflict(each.second->kind);
+        });
         if (is_shared && is_changed)
             check_base(parallel, accesses);
     }

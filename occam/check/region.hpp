@@ -27,9 +27,9 @@ struct PathStep {
 struct Access {
     AccessKind kind{};
     Place at;
-    const Declaration* root = nullptr; ///< as it is named at the place
-    const Declaration* base = nullptr; ///< the variable, channel or RETYPES that this is part of
-    std::vector<PathStep> steps = {};  ///< from the base
+    const Declaration* root = nullptr;    ///< as it is named at the place
+    const Declaration* base = nullptr;    ///< the variable, channel or RETYPES that this is part of
+    std::vector<PathStep> steps = {};     ///< from the base
     const Declaration* through = nullptr; ///< the routine whose body uses it; null if the place itself does
     bool is_abbreviation = false;         ///< the declaration of an abbreviation, which only names it
 };

@@ -213,8 +213,9 @@ void UsageCheck::abbreviate(const Declaration& declaration, const Expression& va
     } else {
         read_indices(value);
         const bool is_channel = !is_data(*value.type);
-        const AccessKind kind = !is_channel ? AccessKind::write
-                                : declaration.direction == Direction::output ? AccessKind::output : AccessKind::input;
+        const AccessKind kind = !is_channel                                  ? AccessKind::write
+                                : declaration.direction == Direction::output ? AccessKind::output
+                                                                             : AccessKind::input;
         if (std::optional<Access> access = access_of(value, kind); access && !is_channel) {
             access->is_abbreviation = true;
             check_active(*access);

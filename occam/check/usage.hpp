@@ -56,7 +56,7 @@ private:
     // The visit (usage.cpp)
     void visit(const Process&);
     void visit(const Process*);
-    template<class Box>
+    template <class Box>
     void visit_list(const std::vector<Box>&);
     void visit_form(const Process&, const Skip&) {}
     void visit_form(const Process&, const Stop&) {}
@@ -107,8 +107,7 @@ private:
     bool check_base(const Parallel&, const std::vector<std::pair<std::int64_t, const Access*>>&);
     bool check_intervals(std::vector<Interval>&);
     void report_parallel(const Access&, const Access&);
-    void intervals_of(const Parallel&, std::int64_t component, const Access&, IndexValues&,
-                      std::vector<Interval>&);
+    void intervals_of(const Parallel&, std::int64_t component, const Access&, IndexValues&, std::vector<Interval>&);
     void check_parts(const std::vector<Part>&, bool only_certain, const std::string& what);
 
     // Aliases (aliases.cpp)
