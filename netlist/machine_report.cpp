@@ -1,5 +1,6 @@
 #include "netlist/machine.hpp"
 #include "netlist/network/names.hpp"
+#include "runtime/byte_form.hpp"
 #include "runtime/hardware/link_adapter.hpp"
 #include "runtime/user_code.hpp"
 #include "text/diagnostic.hpp"
@@ -100,6 +101,8 @@ bool has_own_devices(const Network& network) {
                                     who, refused.what()));
     } catch (const UserError& refused) {
         throw UserError(fmt::format("{}: {}", who, refused.what()));
+    } catch (const NoMessage& received) {
+        throw UserError(fmt::format("{}: {}", who, received.what()));
     } catch (const hardware::BusError& error) { // the program does not handle a fault of the machine
         throw UserError(fmt::format("{}: {}", who, error.what()));
     } catch (...) {

@@ -125,6 +125,28 @@ void BootedNode::connect_host(hardware::Link& link, const LinkEnd& own, bool own
     });
 }
 
+/// Returns the other end of the wire, where processes output and input messages.
+transputer::MessageEnd& BootedNode::message_end(std::size_t connection) {
+    auto [found, added] = message_ends_.try_emplace(connection, node().name);
+    if (added) {
+        const LinkConnection& wire = network().connections[connection];
+        transputer::MessageEnd& there = found->second;
+        hardware::Link& link = *parts().links[connection];
+        lanes_.push_back(wire.a.node == index()
+                             ? std::make_unique<transputer::ByteLink>(link, device_.end(wire.a.link), there)
+                             : std::make_unique<transputer::ByteLink>(link, there, device_.end(wire.b.link)));
+    }
+    return found->second;
+}
+
+void BootedNode::carry(AnyChannel& channel, const RouteHop& hop) {
+    transputer::MessageEnd& end = message_end(hop.connection);
+    if (end_of(hop, network().connections).node == index())
+        end.carry_outputs(channel);
+    else
+        end.carry_inputs(channel);
+}
+
 /// Ends the work of all hosts: a transputer has set its error pin, which every host of the network sees.
 void BootedNode::tell_hosts() {
     for (const auto& each : parts().nodes) {

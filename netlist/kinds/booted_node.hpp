@@ -3,9 +3,12 @@
 #include "netlist/kinds/boot_host.hpp"
 #include "netlist/kinds/machine_node.hpp"
 #include "runtime/transputer/listing.hpp"
+#include "runtime/transputer/message_end.hpp"
 #include "runtime/transputer/node.hpp"
 #include "runtime/transputer/stepper.hpp"
 
+#include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -25,6 +28,7 @@ public:
 
     void has_link(hardware::Link&) override;
     void report(MachineUse&) const override;
+    void carry(AnyChannel&, const RouteHop&) override;
     FaultEffects suffer(const Fault& halts) override;
 
     transputer::Node& device() { return device_; }
@@ -35,10 +39,12 @@ private:
     std::string state() const;
     std::string state_of_program() const;
     void connect_host(hardware::Link&, const LinkEnd& own, bool own_is_a);
+    transputer::MessageEnd& message_end(std::size_t connection);
 
     transputer::Node& device_;
     hardware::Link* last_link_ = nullptr; ///< the last link that was told to end here
     std::vector<std::unique_ptr<transputer::ByteLink>> lanes_;
+    std::map<std::size_t, transputer::MessageEnd> message_ends_; ///< by connection: far ends with channels of processes
     std::unique_ptr<transputer::Listing> listing_;
     std::unique_ptr<transputer::Stepper> stepper_;
     std::unique_ptr<Host> host_;

@@ -66,6 +66,9 @@ public:
     /// Returns the carriers of the channels over this way. REQUIRES: the device has slots, and the connection is one of
     /// its ways (Medium::ways).
     virtual CarrierPair carriers(std::size_t connection);
+    /// Puts the channel of a process on the wire by which the node's own code receives or sends its messages. REQUIRES:
+    /// the node runs its own code; the channel is on this hop (NetworkChannel).
+    virtual void carry(AnyChannel&, const RouteHop&);
     /// Puts the channels that are broadcast on the device (ChannelPlacement::broadcast_on) on their carriers.
     virtual void broadcast(const std::function<AnyChannel&(std::size_t)>& /* channel */) {}
     /// Tells the device that it has this fault in this run. Called before the run.

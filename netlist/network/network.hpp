@@ -150,11 +150,12 @@ struct ProcessInstance {
     Location declared;
 };
 
-/// A process's port, or an edge channel. For an edge channel, `process` is nowhere and `port` is the channel's name.
+/// A process's port, an edge channel, or a program in the own code of a node. Without a process, `process` is nowhere,
+/// and `port` is the name of the edge channel; "" if there is none.
 struct ChannelEnd {
     std::size_t process = nowhere;
     std::string port;
-    std::size_t node = nowhere; ///< node on which the process is placed, or the edge
+    std::size_t node = nowhere; ///< node on which the process is placed, the edge, or the node with the program
 
     bool at_edge() const { return process == nowhere; }
 };
@@ -183,9 +184,16 @@ struct ChannelPlacement {
 
 struct NetworkChannel {
     std::string name;    ///< name of the `connection` by which it was connected, or "a.out -> b.in"
-    ChannelEnd from, to; ///< at most one end is at an edge
+    ChannelEnd from, to; ///< at most one end is without a process
     ChannelPlacement placement;
     Location connected;
+
+    /// Returns the end at a node that runs its own code, whose program moves the bytes of the messages; null if the
+    /// channel leads from a process to a process, or to an edge.
+    const ChannelEnd* end_at_code() const {
+        const bool leads_to_code = placement.kind == ChannelPlacement::Kind::link && (from.at_edge() || to.at_edge());
+        return !leads_to_code ? nullptr : from.at_edge() ? &from : &to;
+    }
 };
 
 /// Returns whether the channels belong to one port array and one bus: one message then goes to the adapters of both.

@@ -167,8 +167,10 @@ void CriticalPath::communicated(const AnyChannel& channel, Time) {
 }
 
 void CriticalPath::takes(const PlaceTaken& taken, Time) {
-    if (taken.channel)
+    if (taken.channel) {
         carried_by_[taken.channel] = taken.place;
+        carried_since_[taken.channel] = taken.since;
+    }
 }
 
 /// Returns the process whose program is running now; null while the kernel handles an event.
@@ -210,9 +212,12 @@ void CriticalPath::explain_wait(const Lane& lane, Time now) {
     Time together = now;
     if (const AnyChannel* channel = channel_of_message(process)) {
         const AnyChannel::User& user = outputs(process) ? channel->last_inputter() : channel->last_outputter();
-        partner = user.outermost ? user.outermost->name() : channel->name();
+        const std::string device = user.outermost ? "" : channel->partner_device();
+        partner = user.outermost ? user.outermost->name() : device.empty() ? channel->name() : device;
         if (const Point& cause = points_[*lane.cause]; lane.together)
             together = points_[*lane.together].at;
+        else if (!device.empty()) // its bytes flow from the time on at which both are at the channel
+            together = std::max(points_[lane.last].at, carried_since_[channel]);
         else if (cause.activity == Activity::carrying && cause.at == now)
             together = points_[cause.before].at;
     }

@@ -85,6 +85,7 @@ private:
     std::map<std::pair<const AnyChannel*, bool>, Number>
         came_; ///< last arrival at each channel end; true for the outputting end
     std::unordered_map<const AnyChannel*, std::string> carried_by_; ///< direction of the link that carries the channel
+    std::unordered_map<const AnyChannel*, Time> carried_since_;     ///< when its bytes last began to flow
     std::map<std::string, Time> waits_at_links_;
     Accounts accounts_;
     Number end_ = 0;

@@ -194,7 +194,7 @@ std::string Timeline::partner(const Lane& lane, const AnyChannel& channel, bool 
     const AnyChannel::User& user =
         lane.activity == Activity::outputting ? channel.last_inputter() : channel.last_outputter();
     if (!user.process)
-        return "";
+        return channel.partner_device();
     auto found = lanes_.find(user.ordinal);
     if (found != lanes_.end() && found->second.process == user.process)
         return tracks_.all()[found->second.track].name;

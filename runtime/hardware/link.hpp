@@ -97,11 +97,14 @@ public:
 
     // These functions are for ends that move bytes by counts. Each end states how many bytes it will give or take; the
     // counts may differ. The end with the smaller count is done first, and the other end continues with its remaining
-    // bytes. A fault may strike the bytes. The trace does not show them. Bytes on which both ends agree count as a
-    // part, whose words of memory are rounded up.
+    // bytes. A fault may strike the bytes. The trace does not show them unless they belong to a channel. Bytes on which
+    // both ends agree count as a part, whose words of memory are rounded up.
     /// Makes both ends move bytes by counts. Throws std::logic_error if a channel or an adapter uses the direction.
     /// REQUIRES: the run has not begun; the users outlive the direction.
     void move_by_counts(ByteUser& sender, ByteUser& receiver);
+    /// States that the bytes of the counts are messages of this channel: the trace then shows them, and faults name it.
+    /// REQUIRES: the run has not begun; the channel outlives the direction.
+    void carries_bytes_of(AnyChannel& channel) { channel_ = &channel; }
     /// Offers bytes. Throws std::logic_error for 0 bytes, and if sent() has not been called for an earlier give().
     void give(std::uint32_t bytes);
     /// Asks for bytes. Throws std::logic_error for 0 bytes, and if taken() has not been called for an earlier take().
@@ -113,7 +116,7 @@ public:
     std::uint32_t reset_giving();
     std::uint32_t reset_taking();
 
-    bool output_is_lost(const AnyChannel&) const override { return sender_ && gets_no_further(); }
+    bool output_is_lost(const AnyChannel&) const override { return has_sender() && gets_no_further(); }
     bool input_is_lost(const AnyChannel&) const override;
     bool output_must_be_reset(const AnyChannel&) const override;
     bool input_must_be_reset(const AnyChannel&) const override;
@@ -181,6 +184,7 @@ private:
     const LinkState& state() const { return course_.state(); }
     LinkState::Ends ends() const { return course_.touched().directions[number_].ends; }
     LinkState::Phase phase() const { return state().directions[number_].phase; }
+    bool has_sender() const { return counts_ ? counts_->gives : sender_ != nullptr; }
     bool gets_no_further() const;
     std::uint32_t bytes_started() const;
 

@@ -68,6 +68,8 @@ bool LinkDirection::agree_on_part(LinkState& state) {
     stream.bytes_left = bytes - std::uint32_t{has_begun};
     if (is_last_now && direction.first_byte == LinkState::FirstByte::asked_for)
         state.expect_last_byte(number_, times_);
+    if (is_last_now)
+        trace_standstill();
     return true;
 }
 
@@ -125,6 +127,18 @@ std::uint32_t LinkDirection::reset_taking() {
 
 void LinkDirection::step_performed_by_counts(LinkState& state, LinkStep step, const LinkState::Outcome& outcome) {
     switch (step) {
+    case LinkStep::byte_begins:
+        if (channel_)
+            trace_byte(state, outcome);
+        return;
+    case LinkStep::acknowledge_begins:
+        if (outcome.is_lost)
+            trace_standstill();
+        return;
+    case LinkStep::byte_is_noticed:
+        if (state.packets.streams[number_].bytes_left > 0)
+            trace_standstill();
+        return;
     case LinkStep::first_byte_arrives:
         if (state.directions[number_].first_byte == LinkState::FirstByte::waits)
             counts_->receiver.byte_waits();
