@@ -79,7 +79,7 @@ private:
         }
         if (a->direction == b->direction)
             return refuse_direction(draft, a->direction);
-        if (a->port != nullptr && b->port != nullptr && a->port->type != b->port->type)
+        if (a->port != nullptr && b->port != nullptr && !agree(*a->port, *b->port))
             refuse_protocols(draft, *a->port, *b->port);
         bool forwards = a->direction == Direction::output;
         const auto &from = forwards ? draft.a : draft.b, &to = forwards ? draft.b : draft.a;
@@ -97,6 +97,15 @@ private:
     void add_channel(NetworkChannel channel, std::size_t draft) {
         c_.network.channels.push_back(std::move(channel));
         c_.draft_channel.push_back(draft);
+    }
+
+    /// Returns whether the two ports carry the same messages. Ports of code agree with one another if their protocols
+    /// do, and with a C++ type if its byte form is that of their protocol.
+    static bool agree(const PortDescription& a, const PortDescription& b) {
+        if (a.type != b.type)
+            return std::ranges::find(a.byte_types, b.type) != a.byte_types.end() ||
+                   std::ranges::find(b.byte_types, a.type) != b.byte_types.end();
+        return a.make_channel || a.protocol == b.protocol;
     }
 
     void refuse_protocols(const DraftChannel& draft, const PortDescription& a, const PortDescription& b) {
@@ -173,7 +182,15 @@ private:
             return nowhere;
         const auto& connection = c_.network.connections[wire->second];
         std::size_t other = connection.a.node == end.node ? connection.b.node : connection.a.node;
-        return c_.network.nodes[other].runs_own_code ? other : nowhere;
+        return c_.network.nodes[other].runs_own_code && !has_image(other) ? other : nowhere;
+    }
+
+    /// Returns whether the processor executes processes that are code, whose channels are connected by name.
+    bool has_image(std::size_t node) const {
+        for (std::size_t i = 0; i < c_.draft.processes.size(); ++i)
+            if (c_.draft.processes[i].node == node && c_.kinds[i] != nullptr && c_.kinds[i]->is_code)
+                return true;
+        return false;
     }
 
     /// Refuses a channel to a processor's own code whose messages have no form in bytes.
@@ -279,7 +296,7 @@ private:
             auto used = subscripts_used(index, port.name);
             if (used.empty() && !port.optional && !is_placed(index, port.name))
                 refuse_unconnected(index, process.declared, port.name);
-            if (!check_numbering(process, port.name, used))
+            if (!check_numbering(process, port.name, used) || !check_elements(process, port, used.size()))
                 return;
         }
     }
@@ -313,6 +330,17 @@ private:
                 return false;
             }
         return true;
+    }
+
+    /// Returns false, after reporting, unless a port array of fixed size has all of its elements.
+    bool check_elements(const DraftProcess& process, const PortDescription& port, std::size_t used) {
+        if (port.elements == 0 || used == 0 || std::cmp_equal(port.elements, used))
+            return true;
+        c_.reporter.error(process.declared,
+                          fmt::format("the channels {}[...] of \"{}\" are {}, but {} connected", port.name, process.name,
+                                      port.elements, used == 1 ? "1 is" : fmt::format("{} are", used)),
+                          fmt::format("connect {0}.{1}[0] to {0}.{1}[{2}]", process.name, port.name, port.elements - 1));
+        return false;
     }
 
     /// Checks a process without an interface: each placed channel must be connected, or lead to an edge or to a

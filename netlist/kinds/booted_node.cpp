@@ -58,7 +58,7 @@ iserver::ServerOptions options_of(const HostServices& host, const Node& node) {
 struct BootedNode::Host {
     Host(const Network& network, const Node& node)
         : terminal(terminal_of(network.host)), server(options_of(network.host, node), *terminal),
-          end(*node.boot_bytes, answering(network.host), Time{1000 * node.integer("hosttime")}) {}
+          end(node.image ? std::vector<std::uint8_t>{} : *node.boot_bytes, answering(network.host), Time{1000 * node.integer("hosttime")}) {}
 
     Answering answering(const HostServices& services) {
         if (services.answers)
@@ -77,6 +77,8 @@ BootedNode::BootedNode(MachineParts& parts, std::size_t index)
                                                  static_cast<std::uint64_t>(node().integer("memory")),
                                                  timing_of(node()))) {
     device_.when_stopped([this] { tell_hosts(); });
+    if (node().image)
+        device_.start(*node().image);
     if (network().host.lists_code)
         listing_ = std::make_unique<transputer::Listing>(device_.core());
     if (network().host.steps && !node().boot_file.empty())
@@ -102,9 +104,9 @@ void BootedNode::has_link(hardware::Link& link) {
             std::make_unique<transputer::ByteLink>(link, partner->device_.end(other.link), device_.end(own.link)));
 }
 
-/// Connects the host that the netlist names a file for. The edges at other links are left open.
+/// Connects the host of a booted program or of an image. The edges at other links are left open.
 void BootedNode::connect_host(hardware::Link& link, const LinkEnd& own, bool own_is_a) {
-    if (node().boot_file.empty() || host_ || outside_)
+    if ((node().boot_file.empty() && !node().image) || host_ || outside_)
         return;
     auto& here = device_.end(own.link);
     const auto connect = [&](transputer::ByteEnd& host) {

@@ -23,15 +23,18 @@ cleared:
         ldc 0; sttimer
         HALT
         testerr
-        mint; ldnlp code; ldl 1; ldc length; in
+        INPUT
         mint; ldnlp workspace; gajw
         mint; ldnlp start; adc offset; gcall
 )";
 
-std::string loader_source(const Code& code, const CodeOptions& options, transputer::Word code_at, transputer::Word workspace) {
+/// Returns the source of the loader. If `is_there`, the code is in the memory already.
+std::string loader_source(const Code& code, const CodeOptions& options, transputer::Word code_at,
+                          transputer::Word workspace, bool is_there) {
     std::string source = fmt::format("code = {}\nlength = {}\nworkspace = {}\nstart = {}\noffset = {}\n", code_at / 4,
                                      code.bytes.size(), workspace / 4, (code_at + code.entry) / 4, code.entry % 4);
     std::string text = loader;
+    text.replace(text.find("INPUT"), 5, is_there ? "" : "mint; ldnlp code; ldl 1; ldc length; in");
     const bool halts = options.mode != ErrorMode::stop && options.run_time_checks;
     text.replace(text.find("HALT"), 4, halts ? "sethalterr" : "clrhalterr");
     if (code.entry % 4 == 0)
@@ -39,25 +42,36 @@ std::string loader_source(const Code& code, const CodeOptions& options, transput
     return source + text;
 }
 
-} // namespace
-
-std::vector<std::uint8_t> bootable(const Code& code, const CodeOptions& options) {
+/// Lays out the workspace, which may cover the loader, and the code behind it.
+transputer::Image laid_out(const Code& code, const CodeOptions& options, bool is_there) {
     constexpr transputer::Word words_of_loader = 8; // what its instructions use, and its variables
     const transputer::Word start = transputer::traits_of(options.model).memory_start;
     const auto needed = static_cast<transputer::Word>(4 * code.workspace_words);
     const auto above = static_cast<transputer::Word>(4 * code.first_workspace_words);
-    std::vector<std::uint8_t> packet;
-    transputer::Word code_at = 0;
+    transputer::Image image;
+    image.code = code.bytes;
     // The length of the loader depends on the numbers in it.
-    for (std::size_t length = 0;; length = packet.size()) {
-        code_at = start + std::max(needed, static_cast<transputer::Word>(length) + 4 * words_of_loader + 12);
-        code_at = (code_at + 3) / 4 * 4;
-        packet = transputer::assemble(loader_source(code, options, code_at, code_at - above)).bytes;
-        if (packet.size() == length)
+    for (std::size_t length = 0;; length = image.start.size()) {
+        image.offset = start + std::max(needed, static_cast<transputer::Word>(length) + 4 * words_of_loader + 12);
+        image.offset = (image.offset + 3) / 4 * 4;
+        image.start =
+            transputer::assemble(loader_source(code, options, image.offset, image.offset - above, is_there)).bytes;
+        if (image.start.size() == length)
             break;
     }
+    image.bytes = image.offset + (code.bytes.size() + 3) / 4 * 4 + code.vector_space_bytes;
+    return image;
+}
+
+} // namespace
+
+transputer::Image image_of(const Code& code, const CodeOptions& options) { return laid_out(code, options, true); }
+
+std::vector<std::uint8_t> bootable(const Code& code, const CodeOptions& options) {
+    const transputer::Image image = laid_out(code, options, false);
+    std::vector<std::uint8_t> packet = image.start;
     packet.insert(packet.begin(), static_cast<std::uint8_t>(packet.size()));
-    packet.insert(packet.end(), code.bytes.begin(), code.bytes.end());
+    packet.insert(packet.end(), image.code.begin(), image.code.end());
     return packet;
 }
 

@@ -258,14 +258,23 @@ void Node::obey(int link) {
         port.out->give(4);
         return;
     case Listening::for_code:
-        activity_ = Activity::booted;
         heard_link_.reset();
-        core_.copy_to_memory(traits_of(core_.model()).memory_start, heard);
-        core_.boot(static_cast<Word>(heard.size()), links + link);
-        kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
-        return;
+        return begin(heard, link);
     case Listening::answering: return;
     }
+}
+
+/// Executes code as after a boot by this link.
+void Node::begin(std::span<const std::uint8_t> code, int link) {
+    activity_ = Activity::booted;
+    core_.copy_to_memory(traits_of(core_.model()).memory_start, code);
+    core_.boot(static_cast<Word>(code.size()), links + link);
+    kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
+}
+
+void Node::start(const Image& image) {
+    core_.copy_to_memory(image.offset, image.code);
+    begin(image.start, 0);
 }
 
 // Halt and analyse

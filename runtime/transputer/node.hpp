@@ -4,6 +4,7 @@
 #include "runtime/hardware/link.hpp"
 #include "runtime/transputer/byte_lane.hpp"
 #include "runtime/transputer/core.hpp"
+#include "runtime/transputer/image.hpp"
 
 #include <array>
 #include <cstdint>
@@ -49,6 +50,10 @@ public:
     /// Executes one instruction at an event. Tests compare such a run with a usual one. REQUIRES: the run has not
     /// begun.
     void run_instruction_by_instruction() { most_ahead_ = Time{0}; }
+
+    /// Puts a program into the memory, and begins it at the present time. REQUIRES: it fits into the memory; the node
+    /// listens, and the run has not begun.
+    void start(const Image&);
 
     /// Stops the node at a time. It executes nothing more, and takes no commands of a boot. Its link engines finish the
     /// transfers that are under way. REQUIRES: the run has not begun.
@@ -134,6 +139,7 @@ private:
     Word wrapped(Word address) const;
     void hear(std::span<const std::uint8_t>);
     void obey(int link);
+    void begin(std::span<const std::uint8_t> code, int link);
 
     Kernel& kernel_;
     std::string name_;
