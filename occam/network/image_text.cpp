@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -102,6 +103,34 @@ private:
 
     std::string component(const ProcessInstance& process, const std::string& indentation) {
         const ProgramOfProcess program = program_of_(process);
+        bool has_terminal = false, reads = false;
+        for (const DeclarationBox& each : std::get<Procedure>(program.procedure->form).parameters)
+            if (leads_to_terminal(*each) && !is_connected(process, *each)) {
+                has_terminal = true;
+                reads |= each->name == "keyboard" && each->direction != Direction::unused;
+            }
+        if (!has_terminal)
+            return instance(process, program, indentation);
+        declare_server("netlist.fs", first_input);
+        declare_server("netlist.ts", 0);
+        return fmt::format("{0}CHAN OF BYTE netlist.keyboard, netlist.screen, netlist.error:\n"
+                           "{0}CHAN OF BOOL netlist.ended:\n"
+                           "{0}PAR\n"
+                           "{0}  #USE \"terminal.lib\"\n"
+                           "{0}  terminal (netlist.fs, netlist.ts, netlist.keyboard, netlist.screen, netlist.error, "
+                           "netlist.ended, {1})\n"
+                           "{0}  SEQ\n{2}"
+                           "{0}    netlist.ended ! TRUE\n",
+                           indentation, reads ? "TRUE" : "FALSE", instance(process, program, indentation + "    "));
+    }
+
+    static bool is_connected(const ProcessInstance& process, const Declaration& parameter) {
+        return std::ranges::find(process.ports, netlist_name(parameter.name), &PortBinding::port) !=
+               process.ports.end();
+    }
+
+    std::string instance(const ProcessInstance& process, const ProgramOfProcess& program,
+                         const std::string& indentation) {
         std::vector<std::string> arguments;
         for (const DeclarationBox& each : std::get<Procedure>(program.procedure->form).parameters)
             arguments.push_back(argument(process, *each));
@@ -121,7 +150,9 @@ private:
                 ends.push_back(channel(port.channel, type));
         if (is_array)
             return fmt::format("[{}]", fmt::join(ends, ", "));
-        return ends.empty() ? server_channel(process, parameter) : ends.front();
+        if (!ends.empty())
+            return ends.front();
+        return leads_to_terminal(parameter) ? "netlist." + parameter.name : server_channel(process, parameter);
     }
 
     void declare_protocol(const ProtocolType& protocol) {
@@ -161,18 +192,22 @@ private:
     std::string server_channel(const ProcessInstance& process, const Declaration& parameter) {
         const bool is_input = is_input_of_server(process, parameter);
         const std::string name = is_input ? "netlist.fs" : "netlist.ts";
-        declare_protocol(protocol_of(*parameter.type));
-        declarations_ += fmt::format("  {} {}:\n", name_of(*parameter.type), name);
-        place(name, *link_to_host(n_, node_) + (is_input ? first_input : 0));
+        declare_server(name, is_input ? first_input : 0);
         return name;
+    }
+
+    void declare_server(const std::string& name, int first_address) {
+        if (!servers_.insert(name).second)
+            return;
+        protocols_.try_emplace("SP", "PROTOCOL SP IS INT16::[]BYTE:\n");
+        declarations_ += fmt::format("  CHAN OF SP {}:\n", name);
+        place(name, *link_to_host(n_, node_) + first_address);
     }
 
     /// Returns whether a channel of the server's protocol is an input. The first of two is, if the procedure uses none.
     bool is_input_of_server(const ProcessInstance& process, const Declaration& parameter) const {
-        if (parameter.direction != Direction::unused)
-            return parameter.direction == Direction::input;
-        if (const auto& written = std::get<Parameter>(parameter.form).written_output)
-            return !*written;
+        if (const Direction direction = direction_of(parameter); direction != Direction::unused)
+            return direction == Direction::input;
         const ProgramOfProcess program = program_of_(process);
         for (const DeclarationBox& each : std::get<Procedure>(program.procedure->form).parameters)
             if (leads_to_server(*each))
@@ -185,6 +220,7 @@ private:
     const ProgramOf& program_of_;
     std::map<std::string, std::string> protocols_; ///< declarations by name
     std::map<std::size_t, bool> declared_;         ///< channels
+    std::set<std::string> servers_;                ///< channels to and from the host that are declared
     std::string declarations_;
 };
 

@@ -131,9 +131,7 @@ private:
 
     void add_port(const Declaration& parameter) {
         const bool to_server = leads_to_server(parameter);
-        Direction direction = parameter.direction;
-        if (direction == Direction::unused && std::get<Parameter>(parameter.form).written_output)
-            direction = *std::get<Parameter>(parameter.form).written_output ? Direction::output : Direction::input;
+        Direction direction = direction_of(parameter);
         if (direction == Direction::unused && to_server) // a procedure may use only one of the two
             direction = servers_++ == 0 ? Direction::input : Direction::output;
         else
@@ -147,14 +145,14 @@ private:
         const bool is_input = direction == Direction::input;
         PortDescription port{.name = netlist_name(parameter.name),
                              .direction = is_input ? placedpar::Direction::input : placedpar::Direction::output,
-                             .optional = to_server,
+                             .optional = to_server || leads_to_terminal(parameter),
                              .protocol = text_of(protocol),
                              .type = typeid(BytesOfItems),
                              .make_channel = {},
                              .about = fmt::format("{} {}", name_of(*parameter.type), parameter.name)};
         port.byte_types = byte_types_of(protocol);
         port.has_byte_form = true;
-        port.to_host = to_server;
+        port.to_host = port.optional;
         if (is_channel_array(*parameter.type))
             port.elements = parameter.type->count.value_or(0);
         kind_.ports.push_back(std::move(port));
@@ -185,6 +183,21 @@ bool leads_to_server(const Declaration& parameter) {
         return false;
     const ProtocolType& protocol = *parameter.type->protocol;
     return protocol.declared && protocol.declared->name == "SP" && text_of(protocol) == "SP IS INT16::[]BYTE";
+}
+
+bool leads_to_terminal(const Declaration& parameter) {
+    const bool has_name = parameter.name == "keyboard" || parameter.name == "screen" || parameter.name == "error";
+    return has_name && parameter.type->kind == Type::Kind::channel && text_of(*parameter.type->protocol) == "BYTE";
+}
+
+Direction direction_of(const Declaration& parameter) {
+    if (parameter.direction != Direction::unused)
+        return parameter.direction;
+    if (const auto& written = std::get<Parameter>(parameter.form).written_output)
+        return *written ? Direction::output : Direction::input;
+    if (!leads_to_terminal(parameter))
+        return Direction::unused;
+    return parameter.name == "keyboard" ? Direction::input : Direction::output;
 }
 
 std::string text_of(const ProtocolType& protocol) {

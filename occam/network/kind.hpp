@@ -18,6 +18,13 @@ const ProtocolType& protocol_of(const Type&);
 /// Returns whether a parameter is a channel of the server's protocol, SP.
 bool leads_to_server(const Declaration& parameter);
 
+/// Returns whether a parameter is a channel of a terminal: keyboard, screen or error, of BYTE.
+bool leads_to_terminal(const Declaration& parameter);
+
+/// Returns the direction of a channel parameter. If the procedure does not use it, the direction is that which the
+/// parameter states, or that of a terminal; `unused` if it is unknown.
+Direction direction_of(const Declaration& parameter);
+
 /// Describes a protocol with its items: "INT::[]BYTE", "P IS INT; BYTE". Two ports agree if their texts do.
 std::string text_of(const ProtocolType&);
 

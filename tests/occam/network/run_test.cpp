@@ -152,7 +152,7 @@ TEST_CASE("chains of relays, placed at random, compute what C++ computes") {
     };
     const std::vector<std::string> types = {"T414", "T425", "T800", "T805"};
     for (int round = 0; round < 12; ++round) {
-        const int relays = draw(1, 12), nodes = draw(1, 5), count = draw(0, 40);
+        const int nodes = draw(1, 5), relays = draw(nodes, 12), count = draw(0, 40);
         std::string text;
         for (int i = 0; i < nodes; ++i)
             text += fmt::format("{} (memory = 256K) n{};\n", types[static_cast<std::size_t>(draw(0, 3))], i);
@@ -172,13 +172,7 @@ TEST_CASE("chains of relays, placed at random, compute what C++ computes") {
             text += fmt::format("relay[{0}] (more = {1}{2}); place relay[{0}] on n{3};\nconnect relay[{0}].out to {4}.in;\n",
                                 i, more.back(), draw(0, 3) == 0 ? ", priority = HIGH" : "", node,
                                 i + 1 < relays ? fmt::format("relay[{}]", i + 1) : "sink");
-            if (i + 1 == relays && node < nodes - 2) { // too few relays for so many nodes
-                text.clear();
-                break;
-            }
         }
-        if (text.empty())
-            continue;
         CAPTURE(text);
         const test::FilesOfNetwork files(
             {{"source.occ", source}, {"relay.occ", relay}, {"sink.occ", sink}, {"chain.cfs", text}});
