@@ -39,7 +39,7 @@ std::vector<std::string> paths_of_inputs(const Network& network) {
 }
 
 bool has_bootable_file(const Network& network) {
-    return std::ranges::any_of(network.nodes, [](const Node& node) { return !node.boot_file.empty(); });
+    return std::ranges::any_of(network.nodes, [](const Node& node) { return !node.boot_file.empty() || node.image; });
 }
 
 namespace {

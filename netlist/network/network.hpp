@@ -272,7 +272,7 @@ using BootBytes = std::map<std::string, std::shared_ptr<const std::vector<std::u
 /// Returns the paths of all files that the netlist names: included files, then bootable files.
 std::vector<std::string> paths_of_inputs(const Network& network);
 
-/// Returns whether some node is booted with a file.
+/// Returns whether some node is booted with a file, or has an image.
 bool has_bootable_file(const Network& network);
 
 /// Returns the network as a machine executes it: without the processes that are code, and without the channels between

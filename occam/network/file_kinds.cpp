@@ -25,12 +25,19 @@ namespace {
 using FilePath = std::filesystem::path;
 using Folders = std::vector<FilePath>;
 
-/// A file that was read, with the kind that was made of it. It stays as it is, for others point to the kind.
-struct KindOfFile {
-    std::string path;
-    Folders folders;
+/// A file that was read, with all that it includes and uses.
+struct FileOfPrograms {
     std::unique_ptr<Program> program;
     SourceOptions options;
+    std::vector<Diagnostic> diagnostics;
+    bool failed = false;
+};
+
+/// A kind that was made of a file. It stays as it is, for others point to it.
+struct KindOfFile {
+    std::shared_ptr<const FileOfPrograms> file;
+    Folders folders;
+    std::string path;
     const Declaration* procedure = nullptr;
     ProcessKind kind;
 };
@@ -59,29 +66,36 @@ std::uint64_t hash_of(const Program& program) {
     return hash;
 }
 
-void pass_on(std::vector<Diagnostic> diagnostics, Reporter& to) {
-    for (Diagnostic& each : diagnostics)
-        if (each.severity == Severity::error)
-            to.error(each.location, std::move(each.message), std::move(each.hint), std::move(each.others));
-        else
-            to.warning(each.location, std::move(each.message), std::move(each.hint));
+/// Parses and checks a text. `is_of_user`: it is not one that joins the processes of a network, whose channels have one
+/// process at each end.
+FileOfPrograms parsed_and_checked(const std::shared_ptr<const SourceFile>& file, const Folders& folders,
+                                  bool is_of_user) {
+    Reporter reporter;
+    Parsed parsed = parse(file, parse_options(folders), reporter);
+    if (!reporter.failed()) {
+        parsed.program->has_channel_tables = !is_of_user;
+        parsed.options.usage_checks &= is_of_user;
+        parsed.options.alias_checks &= is_of_user;
+        check(*parsed.program, parsed.options, reporter);
+    }
+    const bool failed = reporter.failed();
+    return {std::move(parsed.program), parsed.options, reporter.take(), failed};
 }
 
-/// Parses and checks a text. Reports errors, and warnings if there are errors or `with_warnings`.
-std::optional<Parsed> checked(const std::shared_ptr<const SourceFile>& file, const Folders& folders,
-                              bool is_of_user, Reporter& reporter) {
-    Reporter own;
-    Parsed parsed = parse(file, parse_options(folders), own);
-    if (!own.failed()) {
-        parsed.program->has_channel_tables = !is_of_user;
-        parsed.options.usage_checks &= is_of_user; // channels of a network have one process at each end
-        parsed.options.alias_checks &= is_of_user;
-        check(*parsed.program, parsed.options, own);
+/// Reports the errors of a file, each with the place that names the file.
+void pass_errors_on(const FileOfPrograms& file, const std::string& note, const Location& named_at, Reporter& to) {
+    for (Diagnostic each : file.diagnostics) {
+        if (each.severity != Severity::error)
+            continue;
+        each.others.push_back({note, named_at});
+        to.error(each.location, std::move(each.message), std::move(each.hint), std::move(each.others));
     }
-    const bool failed = own.failed();
-    if (failed || is_of_user)
-        pass_on(own.take(), reporter);
-    return failed ? std::nullopt : std::optional(std::move(parsed));
+}
+
+void pass_warnings_on(const FileOfPrograms& file, Reporter& to) {
+    for (const Diagnostic& each : file.diagnostics)
+        if (each.severity == Severity::warning)
+            to.warning(each.location, each.message, each.hint);
 }
 
 std::vector<std::string> procedures_of(const Program& program) {
@@ -124,16 +138,23 @@ public:
         const auto path = path_of(program.substr(0, hash), named_at, folders, reporter);
         if (!path)
             return "";
-        const std::string name = path->string() + program.substr(hash);
-        const KindOfFile* const known = newest(name);
-        if (known && known->folders == folders && is_unchanged(*known->program))
-            return name;
-        KindOfFile made{.path = path->string(), .folders = folders, .program = {}, .options = {}, .kind = {}};
-        const std::string procedure = hash == program.size() ? "" : program.substr(hash + 1);
-        if (!make(made, procedure, named_at, reporter))
+        const auto file = read_file(path->string(), folders, reporter);
+        if (!file || file->failed) {
+            if (file)
+                pass_errors_on(*file, "the file is used here", named_at, reporter);
             return "";
-        made.kind.name = name;
-        newest_[name] = &all_.emplace_back(std::move(made));
+        }
+        const std::string name = path->string() + program.substr(hash);
+        if (const KindOfFile* const known = newest(name); known && known->file == file)
+            return name;
+        const std::string procedure = hash == program.size() ? "" : program.substr(hash + 1);
+        const Declaration* const found = procedure_named(*file->program, procedure, named_at, reporter);
+        auto kind = found ? kind_of(*file->program, *found, reporter) : std::nullopt;
+        if (!kind)
+            return "";
+        kind->name = name;
+        kind->text_hash = hash_of(*file->program);
+        newest_[name] = &all_.emplace_back(KindOfFile{file, folders, path->string(), found, std::move(*kind)});
         return name;
     }
 
@@ -146,7 +167,7 @@ public:
     std::vector<std::string> files_of(std::string_view name) const override {
         const std::lock_guard lock(mutex_);
         std::vector<std::string> paths;
-        for (const std::shared_ptr<const SourceFile>& file : newest(name)->program->files)
+        for (const std::shared_ptr<const SourceFile>& file : newest(name)->file->program->files)
             if (!is_built_in(*file))
                 paths.push_back(file->path());
         return paths;
@@ -192,47 +213,49 @@ private:
         return std::nullopt;
     }
 
-    static bool make(KindOfFile& made, const std::string& procedure, const Location& named_at, Reporter& reporter) {
-        const LoadedSource source = load_source(made.path);
-        if (has_errors(source.problems)) {
-            pass_on(source.problems, reporter);
-            return false;
-        }
-        auto parsed = checked(source.file, made.folders, true, reporter);
-        if (!parsed)
-            return false;
-        made.program = std::move(parsed->program);
-        made.options = parsed->options;
-        made.procedure = procedure_named(*made.program, procedure, named_at, reporter);
-        auto kind = made.procedure ? kind_of(*made.program, *made.procedure, reporter) : std::nullopt;
-        if (kind)
-            made.kind = std::move(*kind);
-        made.kind.text_hash = hash_of(*made.program);
-        return kind.has_value();
+    /// Reads a file, unless it and all that it includes are as they were before. Reports its warnings when it is read.
+    /// Returns null after reporting that it cannot be read.
+    std::shared_ptr<const FileOfPrograms> read_file(const std::string& path, const Folders& folders,
+                                                    Reporter& reporter) {
+        std::shared_ptr<const FileOfPrograms>& known = files_[{path, folders}];
+        if (known && is_unchanged(*known->program))
+            return known;
+        const LoadedSource source = load_source(path);
+        for (const Diagnostic& problem : source.problems)
+            reporter.error(problem.location, problem.message, problem.hint);
+        if (has_errors(source.problems))
+            return nullptr;
+        known = std::make_shared<const FileOfPrograms>(parsed_and_checked(source.file, folders, true));
+        pass_warnings_on(*known, reporter);
+        return known;
     }
 
     std::shared_ptr<const transputer::Image> compiled(const Network& network, std::size_t node,
                                                       Reporter& reporter) const {
-        CodeOptions options{.model = *transputer::model_named(network.nodes[node].type)};
+        CodeOptions options;
+        options.model = *transputer::model_named(network.nodes[node].type);
         Folders folders;
         const auto program_of = [&](const ProcessInstance& process) {
             const KindOfFile& kind = *newest(process.kind);
-            options.range_checks &= kind.options.range_checks && kind.options.run_time_checks;
-            options.run_time_checks &= kind.options.run_time_checks;
-            options.vector_space &= kind.options.vector_space;
+            const SourceOptions& asked = kind.file->options;
+            options.range_checks &= asked.range_checks && asked.run_time_checks;
+            options.run_time_checks &= asked.run_time_checks;
+            options.vector_space &= asked.vector_space;
             folders = kind.folders;
-            return ProgramOfProcess{kind.path, kind.program.get(), kind.procedure};
+            return ProgramOfProcess{kind.path, kind.file->program.get(), kind.procedure};
         };
         const std::string text = text_of_image(network, node, program_of);
-        const auto file = std::make_shared<const SourceFile>(fmt::format("<{}>", network.nodes[node].name), text);
-        const auto parsed = checked(file, folders, false, reporter);
-        if (!parsed)
+        const auto main = std::make_shared<const SourceFile>(fmt::format("<{}>", network.nodes[node].name), text);
+        const FileOfPrograms file = parsed_and_checked(main, folders, false);
+        pass_errors_on(file, "the processor is declared here", network.nodes[node].declared, reporter);
+        if (file.failed)
             return nullptr;
-        const Code code = compile(*parsed->program, *main_procedure(*parsed->program), options);
+        const Code code = compile(*file.program, *main_procedure(*file.program), options);
         return std::make_shared<const transputer::Image>(image_of(code, options));
     }
 
     mutable std::mutex mutex_;
+    std::map<std::pair<std::string, Folders>, std::shared_ptr<const FileOfPrograms>> files_;
     std::list<KindOfFile> all_; ///< also those of files that have changed since
     std::map<std::string, const KindOfFile*, std::less<>> newest_;
 };

