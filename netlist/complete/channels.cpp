@@ -339,7 +339,9 @@ private:
         c_.reporter.error(process.declared,
                           fmt::format("the channels {}[...] of \"{}\" are {}, but {} connected", port.name, process.name,
                                       port.elements, used == 1 ? "1 is" : fmt::format("{} are", used)),
-                          fmt::format("connect {0}.{1}[0] to {0}.{1}[{2}]", process.name, port.name, port.elements - 1));
+                          used > static_cast<std::size_t>(port.elements)
+                              ? ""
+                              : fmt::format("connect {}.{}[{}] to ...;", process.name, port.name, used));
         return false;
     }
 

@@ -24,7 +24,11 @@ const ProcessKind* kind_of_file(FileKinds& files, const test::FilesOfNetwork& fo
 TEST_CASE("a kind has the ports and parameters of the last PROC, or of a named one") {
     const std::map<std::string, std::string> all = {{"all.occ", R"(
 #INCLUDE "hostio.inc"
-PROTOCOL P CASE stop; go; INT; [4]BYTE:
+PROTOCOL P
+  CASE
+    stop
+    go; INT; [4]BYTE
+:
 PROC first (CHAN OF INT c)
   c ! 1
 :

@@ -20,9 +20,9 @@ TEST_CASE("each netlist with occam that is refused has its message") {
         const ReadResult read = read_netlist(file, catalogue);
         CHECK_FALSE(read.network);
         std::string messages = render(read);
-        for (const std::string folder : {file.parent_path().string() + "/", file.parent_path().string()})
-            for (auto at = messages.find(folder); at != std::string::npos; at = messages.find(folder))
-                messages.erase(at, folder.size());
+        const std::string folder = file.parent_path().string();
+        for (auto at = messages.find(folder); at != std::string::npos; at = messages.find(folder))
+            messages.replace(at, folder.size() + (messages[at + folder.size()] == '/'), "");
         const auto expected = std::filesystem::path(file).replace_extension(".txt");
         if (std::getenv("PLACEDPAR_ACCEPT") != nullptr)
             std::ofstream(expected, std::ios::binary) << messages;
