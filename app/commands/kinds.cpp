@@ -124,10 +124,11 @@ std::vector<std::string> names_of_kinds() {
 
 Action declare_kinds(Options& command, const std::string&) {
     auto options = std::make_shared<KindsOptions>();
-    command.add("NAME", options->name,
-                "a kind, a problem, a step of the search (selection) or a policy (tournament): prints its "
-                "description. A group (csp, problems, policies): prints a list. A file in occam: prints the kind of its "
-                "last PROC");
+    command.add(
+        "NAME", options->name,
+        "a kind, a problem, a step of the search (selection) or a policy (tournament): prints its "
+        "description. A group (csp, problems, policies): prints a list. A file in occam: prints the kind of its "
+        "last PROC");
     command.add_flag("--json", options->json, "prints all descriptions as JSON");
     return [options] { return kinds(*options); };
 }

@@ -337,8 +337,8 @@ private:
         if (port.elements == 0 || used == 0 || std::cmp_equal(port.elements, used))
             return true;
         c_.reporter.error(process.declared,
-                          fmt::format("the channels {}[...] of \"{}\" are {}, but {} connected", port.name, process.name,
-                                      port.elements, used == 1 ? "1 is" : fmt::format("{} are", used)),
+                          fmt::format("the channels {}[...] of \"{}\" are {}, but {} connected", port.name,
+                                      process.name, port.elements, used == 1 ? "1 is" : fmt::format("{} are", used)),
                           used > static_cast<std::size_t>(port.elements)
                               ? ""
                               : fmt::format("connect {}.{}[{}] to ...;", process.name, port.name, used));

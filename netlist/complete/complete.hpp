@@ -36,7 +36,8 @@ struct Completion {
     std::string free_link(std::size_t node) const;
 };
 
-/// images.cpp: places processes that are code on a transputer of their own if the network has no others and places none.
+/// images.cpp: places processes that are code on a transputer of their own if the network has no others and places
+/// none.
 void place_code(Completion& completion);
 /// hosts.cpp: turns each edge with processes into a workstation.
 void complete_hosts(Completion& completion);

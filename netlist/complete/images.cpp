@@ -72,11 +72,11 @@ void check_code_type(Completion& c, const DraftProcess& process, const Node& nod
     const std::vector<SecondPlace> reason{
         {fmt::format("\"{}\", whose kind is made of a file, is placed here", process.name), process.placed}};
     if (!transputer::model_named(node.type))
-        c.reporter.error(
-            node.declared,
-            fmt::format("\"{}\" is {}, whose code cannot be executed: T414, T425, T400, T800 and T805 can", node.name,
-                        node.kind->name == "processor" ? "a " + node.type : std::string(node.kind->noun)),
-            "", reason);
+        c.reporter.error(node.declared,
+                         fmt::format("\"{}\" is {}, whose code cannot be executed: T414, T425, T400, T800 and T805 can",
+                                     node.name,
+                                     node.kind->name == "processor" ? "a " + node.type : std::string(node.kind->noun)),
+                         "", reason);
     else if (const std::int64_t bytes = node.integer("memory"); bytes < 2048 || bytes > 0xffff'ff00 || bytes % 256 != 0)
         c.reporter.error(node.declared,
                          fmt::format("\"{}\" has {} bytes of memory, but code can be executed with 2K to "
@@ -141,10 +141,10 @@ private:
             return;
         const std::vector<RouteHop>& route = channel.placement.route;
         if (channel.from.at_edge() || channel.to.at_edge())
-            return c_.reporter.error(channel.connected,
-                                     fmt::format("the channel \"{}\" leads from code to an edge, where no process is",
-                                                 channel.name),
-                                     "connect the channel with one of a process");
+            return c_.reporter.error(
+                channel.connected,
+                fmt::format("the channel \"{}\" leads from code to an edge, where no process is", channel.name),
+                "connect the channel with one of a process");
         const LinkConnection& first = n_.connections[route.front().connection];
         if (route.size() > 1)
             refuse_way(channel);
@@ -195,7 +195,8 @@ private:
     bool uses_host_now(std::size_t process) const {
         const ProcessInstance& instance = n_.processes[process];
         return std::ranges::any_of(c_.kinds[process]->ports, [&](const PortDescription& port) {
-            return port.to_host && std::ranges::find(instance.ports, port.name, &PortBinding::port) == instance.ports.end();
+            return port.to_host &&
+                   std::ranges::find(instance.ports, port.name, &PortBinding::port) == instance.ports.end();
         });
     }
 
@@ -206,10 +207,11 @@ private:
             if (process.node != node || !process.is_code || !uses_host_now(i))
                 continue;
             if (!link_to_host(n_, node))
-                return c_.reporter.error(process.declared,
-                                         fmt::format("\"{}\" has channels to a host, but no host is connected to \"{}\"",
-                                                     process.name, n_.nodes[node].name),
-                                         host_hint(node));
+                return c_.reporter.error(
+                    process.declared,
+                    fmt::format("\"{}\" has channels to a host, but no host is connected to \"{}\"", process.name,
+                                n_.nodes[node].name),
+                    host_hint(node));
             if (first)
                 return c_.reporter.error(
                     process.declared,

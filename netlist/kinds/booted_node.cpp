@@ -58,7 +58,8 @@ iserver::ServerOptions options_of(const HostServices& host, const Node& node) {
 struct BootedNode::Host {
     Host(const Network& network, const Node& node)
         : terminal(terminal_of(network.host)), server(options_of(network.host, node), *terminal),
-          end(node.image ? std::vector<std::uint8_t>{} : *node.boot_bytes, answering(network.host), Time{1000 * node.integer("hosttime")}) {}
+          end(node.image ? std::vector<std::uint8_t>{} : *node.boot_bytes, answering(network.host),
+              Time{1000 * node.integer("hosttime")}) {}
 
     Answering answering(const HostServices& services) {
         if (services.answers)

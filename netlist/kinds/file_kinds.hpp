@@ -13,8 +13,8 @@
 
 namespace placedpar {
 
-/// Makes process kinds of files in a language of programs, and images of the processes on a node. A netlist names a file
-/// as the program of a process. Several threads may use one object.
+/// Makes process kinds of files in a language of programs, and images of the processes on a node. A netlist names a
+/// file as the program of a process. Several threads may use one object.
 class FileKinds {
 public:
     virtual ~FileKinds() = default;

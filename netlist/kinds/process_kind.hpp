@@ -30,7 +30,8 @@ struct PortDescription {
     std::string about;          ///< one line
     std::string formerly = "";  ///< the port's name in older netlists; "" if the name has never changed
     bool has_byte_form = false; ///< messages can travel to and from programs in a transputer's own code (HasByteForm)
-    /// Lists the C++ types whose byte form is that of the messages. Only ports of code have them (ProcessKind::is_code).
+    /// Lists the C++ types whose byte form is that of the messages. Only ports of code have them
+    /// (ProcessKind::is_code).
     std::vector<std::type_index> byte_types = {};
     std::int64_t elements = 0; ///< size of the port array; 0: the netlist decides
     bool to_host = false;      ///< leads to the host of the node if it is not connected; only of ports of code

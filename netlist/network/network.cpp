@@ -63,7 +63,9 @@ Network with_code_inside(Network network) {
         for (ChannelEnd* const end : {&channel.from, &channel.to})
             if (!end->at_edge() && (end->process = processes[end->process]) == nowhere)
                 end->port.clear();
-    const auto is_outside = [](const NetworkChannel& channel) { return !channel.from.at_edge() || !channel.to.at_edge(); };
+    const auto is_outside = [](const NetworkChannel& channel) {
+        return !channel.from.at_edge() || !channel.to.at_edge();
+    };
     const std::vector<std::size_t> channels = positions_after(network.channels, is_outside);
     std::erase_if(network.channels, [&](const NetworkChannel& channel) { return !is_outside(channel); });
     std::erase_if(network.processes, [&](const ProcessInstance& process) { return !stays(process); });

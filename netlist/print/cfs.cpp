@@ -108,8 +108,8 @@ private:
     std::string program(const ProcessInstance& process) const {
         return order_ == ParameterOrder::as_given || process.program_hash == 0
                    ? print_constant(process.kind)
-                   : fmt::format("{:016x}{}", process.program_hash, process.kind.substr(
-                         std::min(process.kind.find('#'), process.kind.size())));
+                   : fmt::format("{:016x}{}", process.program_hash,
+                                 process.kind.substr(std::min(process.kind.find('#'), process.kind.size())));
     }
 
     void print_places() {

@@ -176,9 +176,8 @@ public:
     std::shared_ptr<const transputer::Image> image(const Network& network, std::size_t node,
                                                    Reporter& reporter) override {
         const std::lock_guard lock(mutex_);
-        const auto first = std::ranges::find_if(network.processes, [&](const ProcessInstance& process) {
-            return process.is_code && process.node == node;
-        });
+        const auto first = std::ranges::find_if(
+            network.processes, [&](const ProcessInstance& process) { return process.is_code && process.node == node; });
         try {
             return compiled(network, node, reporter);
         } catch (const RefusedInput& refused) {

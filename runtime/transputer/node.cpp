@@ -257,9 +257,7 @@ void Node::obey(int link) {
         port.read_from = wrapped(word_of(std::span(heard).subspan<0, 4>()));
         port.out->give(4);
         return;
-    case Listening::for_code:
-        heard_link_.reset();
-        return begin(heard, link);
+    case Listening::for_code: heard_link_.reset(); return begin(heard, link);
     case Listening::answering: return;
     }
 }

@@ -111,7 +111,8 @@ std::string hands_on(const std::string& protocol, const std::string& variables, 
 }
 
 double equal_behind_occam(const std::string& name, const Catalogue& catalogue, const std::string& occam) {
-    const test::FilesOfNetwork files({{"on.occ", occam}, {"on.cfs", fmt::format(R"(
+    const test::FilesOfNetwork files({{"on.occ", occam},
+                                      {"on.cfs", fmt::format(R"(
 T800 (memory = 1M) left, middle, right;
 connect left.link[0] to middle.link[3];
 connect right.link[1] to middle.link[2];
@@ -121,7 +122,7 @@ place a on left; place relay on middle; place b on right;
 connect a.out to relay.in;
 connect relay.out to b.in;
 )",
-                                                                               name)}});
+                                                             name)}});
     return test::run_network(files.path("on.cfs"), catalogue).report.measured("b", "equal");
 }
 
@@ -169,9 +170,10 @@ TEST_CASE("chains of relays, placed at random, compute what C++ computes") {
             if (node + 1 < nodes && (draw(0, 1) == 1 || left <= nodes - 1 - node))
                 ++node;
             more.push_back(draw(-100, 70000));
-            text += fmt::format("relay[{0}] (more = {1}{2}); place relay[{0}] on n{3};\nconnect relay[{0}].out to {4}.in;\n",
-                                i, more.back(), draw(0, 3) == 0 ? ", priority = HIGH" : "", node,
-                                i + 1 < relays ? fmt::format("relay[{}]", i + 1) : "sink");
+            text += fmt::format(
+                "relay[{0}] (more = {1}{2}); place relay[{0}] on n{3};\nconnect relay[{0}].out to {4}.in;\n", i,
+                more.back(), draw(0, 3) == 0 ? ", priority = HIGH" : "", node,
+                i + 1 < relays ? fmt::format("relay[{}]", i + 1) : "sink");
         }
         CAPTURE(text);
         const test::FilesOfNetwork files(
@@ -234,8 +236,7 @@ PROC show (CHAN OF SP fs, ts, VAL INT i, VAL BYTE b, VAL BOOL yes, VAL INT64 l, 
     so.exit (fs, ts, sps.success)
 :
 )";
-    const test::FilesOfNetwork files(
-        {{"show.occ", parameters}, {"show.cfs", R"(
+    const test::FilesOfNetwork files({{"show.occ", parameters}, {"show.cfs", R"(
 process show;
 use "show.occ" for show;
 show (i = 0 - 2147483648, b = 255, yes = 1, l = 0 - 5, r = 1.5, d = -0.1, a_text = " it's *5 \"x\"");
