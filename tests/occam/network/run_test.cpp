@@ -248,6 +248,23 @@ show (i = 0 - 2147483648, b = 255, yes = 1, l = 0 - 5, r = 1.5, d = -0.1, a_text
           "7 255 no -5 1.5 -0.10000000000000001 it's *5 \"x\"");
 }
 
+TEST_CASE("a process with keyboard, screen and error has the terminal of its host") {
+    const test::FilesOfNetwork files({{"hello.occ", R"(
+PROC hello (VAL INT times, CHAN BYTE keyboard?, screen!, error!)
+  VAL text IS "hello*n":
+  SEQ i = 0 FOR times
+    SEQ j = 0 FOR SIZE text
+      screen ! text[j]
+:
+)"},
+                                      {"hello.cfs", "process hello; use \"hello.occ\" for hello; hello (times = 2);\n"}});
+    const auto run = test::run_network(files.path("hello.cfs"), test::occam_catalogue());
+    std::string screen = run.screen;
+    std::erase(screen, '\r');
+    CHECK(screen == "hello\nhello\n");
+    CHECK(run.report.programs.front().state == "exited with success");
+}
+
 TEST_CASE("arrays of channels are port arrays, also at both ends of a channel") {
     constexpr const char* deal = R"(
 PROC deal (VAL INT count, [3]CHAN OF INT out)
