@@ -4,8 +4,10 @@
 #include "netlist/kinds/bootable_file.hpp"
 #include "netlist/kinds/device_kind.hpp"
 #include "netlist/kinds/fault_kinds.hpp"
+#include "netlist/kinds/file_kinds.hpp"
 #include "netlist/kinds/memory_access.hpp"
 #include "netlist/kinds/outside_host.hpp"
+#include "runtime/kernel.hpp"
 #include "text/output_file.hpp"
 
 #include <fmt/format.h>
@@ -23,6 +25,14 @@ transputer::CoreTiming timing_of(const Node& node) {
             .memory_cycles = static_cast<int>(static_cast<std::int64_t>(access_time(node))),
             .switch_cycles = static_cast<int>(node.integer("switching")),
             .wraps = node.integer("wraps") != 0};
+}
+
+/// Returns whether a host serves some program of the network.
+bool serves_a_program(const Network& network) {
+    for (std::size_t i = 0; i < network.nodes.size(); ++i)
+        if ((network.nodes[i].image || !network.nodes[i].boot_file.empty()) && link_to_host(network, i))
+            return true;
+    return false;
 }
 
 std::shared_ptr<iserver::Terminal> terminal_of(const HostServices& host) {
@@ -77,9 +87,20 @@ BootedNode::BootedNode(MachineParts& parts, std::size_t index)
       device_(simulation().add<transputer::Node>(node().name, *transputer::model_named(node().type),
                                                  static_cast<std::uint64_t>(node().integer("memory")),
                                                  timing_of(node()))) {
-    device_.when_stopped([this] { tell_hosts(); });
-    if (node().image)
-        device_.start(*node().image);
+    device_.when_stopped([this] {
+        tell_hosts();
+        notice_end();
+    });
+    watch_code();
+    if (!node().image)
+        return;
+    device_.start(*node().image);
+    if (network().processes.empty() && !serves_a_program(network()))
+        await_end();
+}
+
+/// Counts the instructions, or lets the user execute them one by one.
+void BootedNode::watch_code() {
     if (network().host.lists_code)
         listing_ = std::make_unique<transputer::Listing>(device_.core());
     if (network().host.steps && !node().boot_file.empty())
@@ -89,6 +110,30 @@ BootedNode::BootedNode(MachineParts& parts, std::size_t index)
 }
 
 BootedNode::~BootedNode() = default;
+
+/// Lets a process wait until the image has ended. Otherwise the run would end at once, since the work of a run is that
+/// of its processes.
+void BootedNode::await_end() {
+    device_.when_idle([this] { notice_end(); });
+    simulation().process("the code of " + node().name, [this] {
+        if (has_ended())
+            return;
+        awaits_end_ = &Kernel::here().running();
+        awaits_end_->wait_for(Activity::inputting, nullptr, {});
+    });
+}
+
+bool BootedNode::has_ended() const {
+    const transputer::Node::Activity activity = device_.activity();
+    return activity != transputer::Node::Activity::booted || device_.has_ended(*node().image);
+}
+
+void BootedNode::notice_end() {
+    if (!awaits_end_ || !has_ended())
+        return;
+    Process& waiting = *std::exchange(awaits_end_, nullptr);
+    waiting.kernel().make_ready(waiting);
+}
 
 void BootedNode::has_link(hardware::Link& link) {
     const auto known = std::ranges::find(parts().links, &link);

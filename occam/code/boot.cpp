@@ -59,6 +59,8 @@ transputer::Image laid_out(const Code& code, const CodeOptions& options, bool is
         if (image.start.size() == length)
             break;
     }
+    image.end = image.offset + code.end;
+    image.workspace = image.offset - above;
     image.bytes = image.offset + (code.bytes.size() + 3) / 4 * 4 + code.vector_space_bytes;
     return image;
 }

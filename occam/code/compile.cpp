@@ -13,6 +13,8 @@ namespace {
 /// The words of an array `[]INT memory` that a main procedure gets.
 constexpr std::int64_t words_of_free_memory = 64 * 1024;
 
+constexpr const char* end_of_program = "the end of the program";
+
 bool is_array_of_integers(const Type& type) {
     return type.kind == Type::Kind::array && !type.count && type.element->is(Basic::integer);
 }
@@ -41,11 +43,13 @@ Code Generator::generate(const Declaration& main) {
             add_main_argument(words, *each, memory);
         call_with(routine, std::move(words));
         op(Operation::stopp);
+        emitter_.name(end_of_program);
     });
     std::vector<const CodeBuffer*> buffers;
     for (const CodeBuffer& each : buffers_)
         buffers.push_back(&each);
     Code code = emitter_.finish(buffers, entry);
+    code.end = std::ranges::find(code.names, end_of_program, &CodeName::name)->offset;
     code.workspace_words = static_cast<std::uint64_t>(level.main.words() + level.main.below);
     code.first_workspace_words = static_cast<std::uint64_t>(level.main.words());
     code.vector_space_bytes = static_cast<std::uint64_t>(memory * 4);

@@ -13,6 +13,8 @@ struct Image {
     Word offset = 0; ///< of the code, from the start of memory
     /// Instructions that begin the program. They are executed as those are that a link has brought at a boot.
     std::vector<std::uint8_t> start;
+    /// The first process ends with `stopp` in front of `end`, with this workspace. Both count from the start of memory.
+    Word end = 0, workspace = 0;
     std::uint64_t bytes = 0; ///< of memory that the program needs, from the start of memory
 };
 

@@ -142,6 +142,8 @@ void Node::be_idle() {
     is_idle_ = true;
     if (core_.next_timer() != Time::max())
         kernel_.future().schedule(*this, core_.next_timer(), EventQueue::turn);
+    else
+        when_idle_();
 }
 
 Time Node::time_busy() const {
@@ -273,6 +275,11 @@ void Node::begin(std::span<const std::uint8_t> code, int link) {
 void Node::start(const Image& image) {
     core_.copy_to_memory(image.offset, image.code);
     begin(image.start, 0);
+}
+
+/// A process that stops leaves the address of its next instruction below its workspace.
+bool Node::has_ended(const Image& image) const {
+    return core_.memory().word(image.workspace - 4) == most_negative + image.end;
 }
 
 // Halt and analyse

@@ -55,6 +55,11 @@ public:
     /// listens, and the run has not begun.
     void start(const Image&);
 
+    /// Returns whether the first process of the program that start() began has ended.
+    bool has_ended(const Image&) const;
+    /// Sets a function to call when only a link could wake the node.
+    void when_idle(std::function<void()> f) { when_idle_ = std::move(f); }
+
     /// Stops the node at a time. It executes nothing more, and takes no commands of a boot. Its link engines finish the
     /// transfers that are under way. REQUIRES: the run has not begun.
     void halt_at(Time moment) { halts_at_ = std::min(halts_at_, moment); }
@@ -161,7 +166,7 @@ private:
     std::optional<int> heard_link_; ///< the link whose command is being obeyed
     Listening listening_ = Listening::for_command;
     std::vector<std::uint8_t> heard_;
-    std::function<void()> when_stopped_ = [] {};
+    std::function<void()> when_stopped_ = [] {}, when_idle_ = [] {};
 };
 
 } // namespace placedpar::transputer

@@ -265,6 +265,35 @@ PROC hello (VAL INT times, CHAN BYTE keyboard?, screen!, error!)
     CHECK(run.report.programs.front().state == "exited with success");
 }
 
+TEST_CASE("a run without a host lasts until the programs end, or are in a deadlock") {
+    const std::string netlist = "T800 (memory = 64K) a, b; connect a.link[0] to b.link[0];\n"
+                                "process source, relay, end; use \"source.occ\" for source;\n"
+                                "use \"relay.occ\" for relay; use \"end.occ\" for end;\n"
+                                "source (count = 9); relay (more = 1); end (count = COUNT);\n"
+                                "place source on a; place relay on b; place end on b;\n"
+                                "connect source.out to relay.in; connect relay.out to end.in;\n";
+    constexpr const char* end = "PROC end (VAL INT count, CHAN OF INT in)\n  INT x:\n  SEQ i = 0 FOR count\n    in ? x\n:\n";
+    const auto run = [&](const std::string& count) {
+        std::string text = netlist;
+        text.replace(text.find("COUNT"), 5, count);
+        const test::FilesOfNetwork files(
+            {{"source.occ", source}, {"relay.occ", relay}, {"end.occ", end}, {"a.cfs", text}});
+        return test::run_network(files.path("a.cfs"), test::occam_catalogue()).report;
+    };
+    const RunReport whole = run("10");
+    CHECK(whole.result.ending == Ending::completed);
+    CHECK(whole.result.time > Time{0});
+    for (const char* count : {"9", "11"}) {
+        const RunReport stuck = run(count);
+        CHECK(stuck.result.ending == Ending::stuck);
+        REQUIRE(stuck.result.deadlock);
+        std::vector<std::string> paths;
+        for (const StuckProcess& process : stuck.result.deadlock->processes)
+            paths.push_back(process.path);
+        CHECK(paths == std::vector<std::string>{"the code of b"});
+    }
+}
+
 TEST_CASE("arrays of channels are port arrays, also at both ends of a channel") {
     constexpr const char* deal = R"(
 PROC deal (VAL INT count, [3]CHAN OF INT out)
