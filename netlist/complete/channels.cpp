@@ -1,5 +1,6 @@
 #include "netlist/complete/complete.hpp"
 #include "netlist/network/names.hpp"
+#include "text/counted.hpp"
 
 #include <fmt/format.h>
 
@@ -240,6 +241,8 @@ private:
             check_interface(index, *process.interface);
         else if (c_.kinds[index] != nullptr)
             check_kind(index, *c_.kinds[index]);
+        if (c_.kinds[index] != nullptr)
+            check_elements(index, *c_.kinds[index]);
         auto& bindings = bindings_[index];
         std::stable_sort(bindings.begin(), bindings.end(), [&](const PortBinding& x, const PortBinding& y) {
             auto key = [&](const PortBinding& b) { return std::pair(order(index, b.port), subscripts_of(b.port)); };
@@ -296,7 +299,7 @@ private:
             auto used = subscripts_used(index, port.name);
             if (used.empty() && !port.optional && !is_placed(index, port.name))
                 refuse_unconnected(index, process.declared, port.name);
-            if (!check_numbering(process, port.name, used) || !check_elements(process, port, used.size()))
+            if (!check_numbering(process, port.name, used))
                 return;
         }
     }
@@ -332,17 +335,21 @@ private:
         return true;
     }
 
-    /// Returns false, after reporting, unless a port array of fixed size has all of its elements.
-    bool check_elements(const DraftProcess& process, const PortDescription& port, std::size_t used) {
-        if (port.elements == 0 || used == 0 || std::cmp_equal(port.elements, used))
-            return true;
-        c_.reporter.error(process.declared,
-                          fmt::format("the channels {}[...] of \"{}\" are {}, but {} connected", port.name,
-                                      process.name, port.elements, used == 1 ? "1 is" : fmt::format("{} are", used)),
-                          used > static_cast<std::size_t>(port.elements)
-                              ? ""
-                              : fmt::format("connect {}.{}[{}] to ...;", process.name, port.name, used));
-        return false;
+    /// Refuses a port of fixed size of which fewer or more channels are connected.
+    void check_elements(std::size_t index, const ProcessKind& kind) {
+        const DraftProcess& process = c_.draft.processes[index];
+        for (const PortDescription& port : kind.ports) {
+            const std::size_t used = port.elements == 0 ? 0 : subscripts_used(index, port.name).size();
+            if (used == 0 || std::cmp_equal(port.elements, used))
+                continue;
+            c_.reporter.error(process.declared,
+                              fmt::format("the kind \"{}\" of \"{}\" has {} {}, but {} connected", kind.name,
+                                          process.name, counted(static_cast<std::size_t>(port.elements), "channel"),
+                                          port.name, used == 1 ? "1 is" : fmt::format("{} are", used)),
+                              std::cmp_less(used, port.elements)
+                                  ? fmt::format("connect {}.{}[{}] to ...;", process.name, port.name, used)
+                                  : "");
+        }
     }
 
     /// Checks a process without an interface: each placed channel must be connected, or lead to an edge or to a

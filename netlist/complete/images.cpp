@@ -144,7 +144,8 @@ private:
             return c_.reporter.error(
                 channel.connected,
                 fmt::format("the channel \"{}\" leads from code to an edge, where no process is", channel.name),
-                "connect the channel with one of a process");
+                leads_to_host(channel) ? "leave it out: a channel to the host needs no connection"
+                                       : "connect the channel with one of a process");
         const LinkConnection& first = n_.connections[route.front().connection];
         if (route.size() > 1)
             refuse_way(channel);
@@ -155,6 +156,13 @@ private:
                                           first.over_bus ? "a bus" : "a switch that is set during the run"));
         else if (channel.placement.in_packets)
             refuse_shared(channel);
+    }
+
+    /// Returns whether the process's end of an edge channel is a channel to a host.
+    bool leads_to_host(const NetworkChannel& channel) const {
+        const ChannelEnd& end = channel.from.at_edge() ? channel.to : channel.from;
+        const PortDescription* port = c_.kinds[end.process]->port(base_name(end.port));
+        return port && port->to_host;
     }
 
     void refuse_way(const NetworkChannel& channel) {

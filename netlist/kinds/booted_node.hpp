@@ -52,7 +52,7 @@ private:
     std::unique_ptr<transputer::Listing> listing_;
     std::unique_ptr<transputer::Stepper> stepper_;
     std::unique_ptr<Host> host_;
-    Process* awaits_end_ = nullptr; ///< keeps the run going until the image has ended; null if others do
+    Process* awaits_end_ = nullptr;        ///< keeps the run going until the image has ended; null if others do
     std::unique_ptr<OutsideHost> outside_; ///< instead of `host_`, if another program serves the link
 };
 

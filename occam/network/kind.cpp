@@ -153,8 +153,7 @@ private:
         port.byte_types = byte_types_of(protocol);
         port.has_byte_form = true;
         port.to_host = port.optional;
-        if (is_channel_array(*parameter.type))
-            port.elements = parameter.type->count.value_or(0);
+        port.elements = is_channel_array(*parameter.type) ? parameter.type->count.value_or(0) : 1;
         kind_.ports.push_back(std::move(port));
     }
 

@@ -249,7 +249,8 @@ show (i = 0 - 2147483648, b = 255, yes = 1, l = 0 - 5, r = 1.5, d = -0.1, a_text
 }
 
 TEST_CASE("a process with keyboard, screen and error has the terminal of its host") {
-    const test::FilesOfNetwork files({{"hello.occ", R"(
+    const test::FilesOfNetwork files(
+        {{"hello.occ", R"(
 PROC hello (VAL INT times, CHAN BYTE keyboard?, screen!, error!)
   VAL text IS "hello*n":
   SEQ i = 0 FOR times
@@ -257,7 +258,7 @@ PROC hello (VAL INT times, CHAN BYTE keyboard?, screen!, error!)
       screen ! text[j]
 :
 )"},
-                                      {"hello.cfs", "process hello; use \"hello.occ\" for hello; hello (times = 2);\n"}});
+         {"hello.cfs", "process hello; use \"hello.occ\" for hello; hello (times = 2);\n"}});
     const auto run = test::run_network(files.path("hello.cfs"), test::occam_catalogue());
     std::string screen = run.screen;
     std::erase(screen, '\r');
@@ -272,7 +273,8 @@ TEST_CASE("a run without a host lasts until the programs end, or are in a deadlo
                                 "source (count = 9); relay (more = 1); end (count = COUNT);\n"
                                 "place source on a; place relay on b; place end on b;\n"
                                 "connect source.out to relay.in; connect relay.out to end.in;\n";
-    constexpr const char* end = "PROC end (VAL INT count, CHAN OF INT in)\n  INT x:\n  SEQ i = 0 FOR count\n    in ? x\n:\n";
+    constexpr const char* end =
+        "PROC end (VAL INT count, CHAN OF INT in)\n  INT x:\n  SEQ i = 0 FOR count\n    in ? x\n:\n";
     const auto run = [&](const std::string& count) {
         std::string text = netlist;
         text.replace(text.find("COUNT"), 5, count);
