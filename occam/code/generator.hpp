@@ -326,6 +326,7 @@ private:
     void call(const Declaration&, const std::vector<Expression>& arguments, const std::vector<Storage>& results);
     void add_argument(Arguments&, const Declaration& parameter, const Expression&);
     void add_value(Arguments&, const Expression&);
+    Storage channel_table(const TableLiteral&, const Type&);
     void add_pointer(Arguments&, Storage, const Type& parameter);
     void call_with(Routine&, Arguments);
     bool returns_in_register(const Function&) const;
