@@ -168,7 +168,7 @@ std::optional<Network> ParsedNetlist::Syntax::network(const Catalogue& catalogue
     if (reporter.failed())
         return std::nullopt;
     elaborator.run(set);
-    auto network = complete(elaborator.take(), catalogue, reporter, options.boot_bytes);
+    auto network = complete(elaborator.take(), catalogue, reporter, options.compiled);
     if (reporter.failed())
         return std::nullopt;
     network.source_path = file->path();

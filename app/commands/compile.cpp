@@ -21,12 +21,19 @@ struct CompileOptions {
 };
 
 ExitCode compile_file(const CompileOptions& options) {
-    require_apart(std::array{std::filesystem::path(options.out)}, options.file);
-    require_writable(options.out);
-    const std::vector<std::uint8_t> bytes =
+    const std::filesystem::path out = options.out;
+    const std::filesystem::path lines = out == "-" ? "" : std::filesystem::path(out).replace_extension(".lines");
+    require_apart(std::array{out, lines}, options.file);
+    require_writable(out);
+    if (!lines.empty())
+        require_writable(lines);
+    const CompiledOccam made =
         compile_occam(options.file, options.folders, options.occam, *transputer::model_named(options.processor));
-    write_whole(options.out, std::string(bytes.begin(), bytes.end()));
-    print_out(fmt::format("{}: {} bytes for a {}\n", options.out, bytes.size(), options.processor));
+    write_whole(out, std::string(made.file.begin(), made.file.end()));
+    if (!lines.empty())
+        write_whole(lines, made.lines);
+    print_out(fmt::format("{}: {} bytes for a {}{}\n", options.out, made.file.size(), options.processor,
+                          lines.empty() ? "" : "; the places of its code are in " + lines.string()));
     return ExitCode::success;
 }
 

@@ -158,14 +158,24 @@ terminal_for(const BootedOptions& options, std::function<bool()> interrupted, bo
     };
 }
 
+namespace {
+
+CompiledProgram compiled_program(const NetlistOptions& netlist, const BootedOptions& options) {
+    CompiledOccam made =
+        compile_occam(netlist.file, netlist.read.include, options.occam, *transputer::model_named(options.processor));
+    return {std::make_shared<const std::vector<std::uint8_t>>(std::move(made.file)),
+            std::make_shared<const SourceFile>("lines of " + netlist.file, std::move(made.lines))};
+}
+
+} // namespace
+
 Network load_network(const Options& typed, const NetlistOptions& netlist, const BootedOptions& options) {
     const bool occam = is_occam(netlist.file);
     const bool bootable =
         occam || (netlist.file != "-" && (looks_bootable(netlist.file) || is_empty_program(netlist.file)));
     ReadOptions read = read_options_of(netlist.read);
     if (occam)
-        read.boot_bytes[netlist.file] = std::make_shared<const std::vector<std::uint8_t>>(compile_occam(
-            netlist.file, netlist.read.include, options.occam, *transputer::model_named(options.processor)));
+        read.compiled[netlist.file] = compiled_program(netlist, options);
     else if (bootable)
         read_bootable(netlist.file); // a refusal names the file alone
     const ParsedNetlist parsed = bootable

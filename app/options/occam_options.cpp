@@ -2,6 +2,7 @@
 
 #include "app/options/common_options.hpp"
 #include "occam/check/check.hpp"
+#include "occam/code/place_table.hpp"
 #include "occam/library/library.hpp"
 #include "text/load_source.hpp"
 #include "text/output_file.hpp"
@@ -122,8 +123,8 @@ std::string check_occam(const std::filesystem::path& path, std::span<const std::
     return program.main ? program.main->name : "";
 }
 
-std::vector<std::uint8_t> compile_occam(const std::filesystem::path& path, std::span<const std::string> folders,
-                                        const OccamOptions& typed, transputer::Model model) {
+CompiledOccam compile_occam(const std::filesystem::path& path, std::span<const std::string> folders,
+                            const OccamOptions& typed, transputer::Model model) {
     CheckedProgram program = checked(loaded(path), folders, typed);
     if (!program.main)
         throw UserError(fmt::format("{}: the file has no PROC that could be run", path.string()));
@@ -136,7 +137,9 @@ std::vector<std::uint8_t> compile_occam(const std::filesystem::path& path, std::
                                      .range_checks = program.options.range_checks && program.options.run_time_checks,
                                      .run_time_checks = program.options.run_time_checks,
                                      .vector_space = program.options.vector_space};
-    return bootable(compile(*program.program, *program.main, options), options);
+    const occam::Code code = compile(*program.program, *program.main, options);
+    const std::uint32_t code_at = where_code_is(code, options) - transputer::traits_of(model).memory_start;
+    return {bootable(code, options), place_table(code, *program.program, code_at)};
 }
 
 } // namespace placedpar

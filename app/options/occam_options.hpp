@@ -25,9 +25,13 @@ bool is_occam(const std::filesystem::path&);
 /// error, and returns the name of the main procedure; "" if there is none. Throws RefusedInput.
 std::string check_occam(const std::filesystem::path&, std::span<const std::string> folders, const OccamOptions&);
 
-/// Compiles a program for a transputer. Returns a bootable file. Prints warnings to standard error. Throws
+struct CompiledOccam {
+    std::vector<std::uint8_t> file; ///< a bootable file
+    std::string lines;              ///< a table of its code, for a file NAME.lines beside it
+};
+/// Compiles a program for a transputer. Prints warnings to standard error. Throws
 /// RefusedInput; throws UserError for an unknown check.
-std::vector<std::uint8_t> compile_occam(const std::filesystem::path&, std::span<const std::string> folders,
-                                        const OccamOptions&, transputer::Model);
+CompiledOccam compile_occam(const std::filesystem::path&, std::span<const std::string> folders, const OccamOptions&,
+                            transputer::Model);
 
 } // namespace placedpar

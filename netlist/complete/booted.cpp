@@ -71,8 +71,8 @@ void check_boot(Completion& c, std::size_t index) {
         c.reporter.error(node.boot_stated,
                          fmt::format("\"{}\" is booted with a file, but no host is connected to it", node.name),
                          fmt::format("connect {}.link[0] to host;", node.name));
-    if (const auto known = c.boot_bytes.find(node.boot_file); known != c.boot_bytes.end()) {
-        node.boot_bytes = known->second;
+    if (const auto known = c.compiled.find(node.boot_file); known != c.compiled.end()) {
+        node.boot_bytes = known->second.bytes;
         return;
     }
     try {
@@ -82,8 +82,11 @@ void check_boot(Completion& c, std::size_t index) {
     }
 }
 
-/// Reads the table of code and processes that a compiler has written beside a bootable file; null if there is none.
+/// Returns the table of code and processes of a compiled program, or reads that which a compiler has written beside a
+/// bootable file; null if there is none.
 std::shared_ptr<const SourceFile> table_beside(Completion& c, const Node& booted) {
+    if (const auto known = c.compiled.find(booted.boot_file); known != c.compiled.end())
+        return known->second.lines;
     const std::filesystem::path path = std::filesystem::path(booted.boot_file).replace_extension(".lines");
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error))

@@ -16,8 +16,8 @@ std::string Completion::free_link(std::size_t node) const {
     return "";
 }
 
-Network complete(Draft draft, const Catalogue& catalogue, Reporter& reporter, const BootBytes& boot_bytes) {
-    Completion completion{std::move(draft), catalogue, reporter, boot_bytes, {}, {}, {}, {}, {}, {}};
+Network complete(Draft draft, const Catalogue& catalogue, Reporter& reporter, const CompiledPrograms& compiled) {
+    Completion completion{std::move(draft), catalogue, reporter, compiled, {}, {}, {}, {}, {}, {}};
     completion.network.set = std::move(completion.draft.set);
     completion.network.nodes = std::move(completion.draft.nodes);
     place_code(completion);

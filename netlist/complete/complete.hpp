@@ -15,14 +15,14 @@ namespace placedpar {
 /// Checks a draft as a whole and makes a Network of it: wires are followed through switches, processes get their kinds
 /// and parameters, and channels get their directions and carriers. Errors are reported; after an error the result must
 /// not be used.
-Network complete(Draft draft, const Catalogue& catalogue, Reporter& reporter, const BootBytes& boot_bytes);
+Network complete(Draft draft, const Catalogue& catalogue, Reporter& reporter, const CompiledPrograms& compiled);
 
 /// Holds the data that the parts of complete() share. The parts are declared below in the order in which they run.
 struct Completion {
     Draft draft;
     const Catalogue& catalogue;
     Reporter& reporter;
-    const BootBytes& boot_bytes;
+    const CompiledPrograms& compiled;
     Network network; ///< at first only the draft's nodes; each part of complete() adds to it
     std::map<std::pair<std::size_t, int>, std::size_t> connection_at; ///< key: node and link
     std::map<std::size_t, std::size_t> connection_named;              ///< key: index in draft.connections

@@ -247,6 +247,8 @@ std::string BootedNode::state_of_program() const {
 
 const transputer::CodeLines& BootedNode::lines() const {
     static const transputer::CodeLines none;
+    if (node().image && node().image->lines)
+        return *node().image->lines;
     return node().code_lines ? *node().code_lines : none;
 }
 

@@ -273,8 +273,13 @@ struct Network {
     std::size_t count_wires() const;
 };
 
-/// Bytes that boot nodes, by the path of the file that the netlist names. Other files are read.
-using BootBytes = std::map<std::string, std::shared_ptr<const std::vector<std::uint8_t>>>;
+/// A program that boots a node and was compiled.
+struct CompiledProgram {
+    std::shared_ptr<const std::vector<std::uint8_t>> bytes; ///< as a bootable file has them
+    std::shared_ptr<const SourceFile> lines;                ///< the table of its code; null if there is none
+};
+/// Programs by the path of the file that the netlist names. Other files are read.
+using CompiledPrograms = std::map<std::string, CompiledProgram, std::less<>>;
 
 /// Returns the paths of all files that the netlist names: included files, then bootable files.
 std::vector<std::string> paths_of_inputs(const Network& network);

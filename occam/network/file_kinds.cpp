@@ -2,9 +2,11 @@
 
 #include "occam/check/check.hpp"
 #include "occam/code/compile.hpp"
+#include "occam/code/place_table.hpp"
 #include "occam/library/library.hpp"
 #include "occam/network/image_text.hpp"
 #include "occam/network/kind.hpp"
+#include "runtime/transputer/code_lines.hpp"
 #include "text/load_source.hpp"
 #include "text/nearest.hpp"
 #include "text/user_error.hpp"
@@ -250,7 +252,12 @@ private:
         if (file.failed)
             return nullptr;
         const Code code = compile(*file.program, *main_procedure(*file.program), options);
-        return std::make_shared<const transputer::Image>(image_of(code, options));
+        transputer::Image image = image_of(code, options);
+        const std::uint32_t memory_start = transputer::traits_of(options.model).memory_start;
+        image.lines =
+            std::make_shared<const transputer::CodeLines>(place_table(code, *file.program, image.offset - memory_start),
+                                                          "", transputer::most_negative + memory_start);
+        return std::make_shared<const transputer::Image>(std::move(image));
     }
 
     mutable std::mutex mutex_;

@@ -3,9 +3,12 @@
 #include "runtime/transputer/model.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace placedpar::transputer {
+
+class CodeLines; // runtime/transputer/code_lines.hpp
 
 /// A program that is in the memory of a transputer when the run begins.
 struct Image {
@@ -15,7 +18,8 @@ struct Image {
     std::vector<std::uint8_t> start;
     /// The first process ends with `stopp` in front of `end`, with this workspace. Both count from the start of memory.
     Word end = 0, workspace = 0;
-    std::uint64_t bytes = 0; ///< of memory that the program needs, from the start of memory
+    std::uint64_t bytes = 0;                          ///< of memory that the program needs, from the start of memory
+    std::shared_ptr<const CodeLines> lines = nullptr; ///< places and names of the code; null if they are unknown
 };
 
 } // namespace placedpar::transputer
