@@ -219,6 +219,17 @@ FaultEffects BootedNode::suffer(const Fault& halts) {
     };
 }
 
+namespace {
+
+/// Says where in the source, if that is known, and why a core has stopped.
+std::string stop_of(const transputer::Core& core, const transputer::CodeLines& lines) {
+    const bool is_behind = core.stopped() == transputer::Stopped::by_error || core.stopped() == transputer::Stopped::by_break;
+    const std::string place = lines.file_place(core.registers().instruction - (is_behind ? 1 : 0));
+    return (place.empty() ? "stopped: " : fmt::format("stopped at {}: ", place)) + core.why_stopped();
+}
+
+} // namespace
+
 std::string BootedNode::state() const {
     const std::string limit =
         host_ && host_->server.exceeded_write_limit() ? "; it reached the limit of --host-limit" : "";
@@ -231,7 +242,7 @@ std::string BootedNode::state_of_program() const {
     if (device_.activity() == transputer::Node::Activity::listening)
         return "was never booted";
     if (device_.activity() == transputer::Node::Activity::stopped)
-        return "stopped: " + device_.core().why_stopped();
+        return stop_of(device_.core(), lines());
     if (host_ && !host_->end.refusal().empty())
         return "sent bytes that are not a request: " + host_->end.refusal();
     if (host_ && host_->end.state() == iserver::ServerState::waits_for_input)

@@ -60,7 +60,7 @@ class Programs(unittest.TestCase):
             file = pathlib.Path(folder) / "ring.btl"
             done = placedpar("compile", program, "-o", file)
             self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertRegex(done.stdout, r"ring\.btl: \d+ bytes for a T800\n")
+            self.assertRegex(done.stdout, r"ring\.btl: \d+ bytes for a T800; the places of its code are in .*ring\.lines\n")
             self.assertEqual(self.run_program(file), self.run_program(program))
 
     def run_text(self, text, *options, command="run"):
@@ -68,6 +68,40 @@ class Programs(unittest.TestCase):
             file = pathlib.Path(folder) / "test.occ"
             file.write_text(text, encoding="ascii")
             return placedpar(command, file, *options)
+
+    def test_reports_name_places_of_the_program(self):
+        deadlock = self.run_text("""PROC stuck ()
+  CHAN OF INT a, b:
+  PAR
+    INT x:
+    SEQ
+      a ? x
+      b ! x
+    INT y:
+    SEQ
+      b ? y
+      a ! y
+:
+""")
+        self.assertEqual(deadlock.returncode, 2, deadlock.stdout + deadlock.stderr)
+        self.assertRegex(deadlock.stderr + deadlock.stdout, r"inputs .*test\.occ:6:")
+        self.assertRegex(deadlock.stderr + deadlock.stdout, r"inputs .*test\.occ:10:")
+        error = self.run_text("""PROC wrong ()
+  [4]INT a:
+  INT i:
+  SEQ
+    i := 4
+    a[i] := 1
+:
+""")
+        self.assertEqual(error.returncode, 1, error.stdout + error.stderr)
+        self.assertRegex(error.stdout + error.stderr, r"stopped at .*test\.occ:6:\d+: ")
+        listing = self.run_text("""PROC short ()
+  INT i:
+  i := 4
+:
+""", "--listing")
+        self.assertRegex(listing.stdout, r"test\.occ:3:")
 
     def test_a_program_for_a_terminal_gets_keyboard_and_screen(self):
         done = self.run_text("""PROC echo (CHAN BYTE keyboard?, screen!, error!)
