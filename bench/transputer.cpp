@@ -192,7 +192,7 @@ void measure_alone(const char* what, const char* source, double seconds) {
     Core core(Model::t800, 65'536, {}, links);
     load(core, source);
     Stopwatch watch;
-    core.run(static_cast<HalfCycles>(seconds * 40e6), false);
+    core.run(static_cast<HalfCycles>(seconds * 40e6));
     if (core.stopped() != Stopped::nothing) {
         fmt::print("{}: {}\n", what, core.why_stopped());
         std::exit(1);
@@ -255,7 +255,7 @@ void measure_ring(int processors, double seconds) {
     Stopwatch watch;
     simulation.run();
     Fingerprint fingerprint;
-    for (const Node* const node : nodes)
+    for (Node* const node : nodes)
         fingerprint.mix(node->core().instructions());
     report_speed(fmt::format("{} processors in a ring", processors).c_str(), seconds * processors, watch.seconds(),
                  fingerprint.value());

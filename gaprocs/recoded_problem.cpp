@@ -19,8 +19,8 @@ RecodedProblem::RecodedProblem(const SearchProblem& problem, Recoding recoding)
         throw UserError(fmt::format("the fields have {} bits in all, but the problem's string has {}",
                                     recoding_.problem_length(), problem_->bits()));
     if (auto fields = problem_->fields(); !fields.empty() && fields != recoding_.problem_bits)
-        throw UserError(fmt::format("the problem's fields have {} bits, not {}", fmt::join(fields, " "),
-                                    fmt::join(recoding_.problem_bits, " ")));
+        throw UserError(fmt::format("the fields of this problem have {} bits, but the recoding states {} bits",
+                                    fmt::join(fields, " "), fmt::join(recoding_.problem_bits, " ")));
 }
 
 std::shared_ptr<const SearchProblem> RecodedProblem::coded_plainly(Coding coding) const {

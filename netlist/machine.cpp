@@ -116,8 +116,10 @@ hardware::RouterLane Machine::lane(std::size_t index, bool from_a_to_b) const {
 void Machine::place_channels() {
     routes_.resize(network_.channels.size());
     for (std::size_t i = 0; i < network_.channels.size(); ++i)
-        if (const ChannelPlacement& at = network_.channels[i].placement;
-            at.kind == ChannelPlacement::Kind::link && at.broadcast_on == nowhere)
+        if (const NetworkChannel& channel = network_.channels[i]; channel.end_at_code())
+            ask(channel.end_at_code()->node, &MachineNode::carry, software_.channel(i),
+                channel.placement.route.front());
+        else if (channel.placement.kind == ChannelPlacement::Kind::link && channel.placement.broadcast_on == nowhere)
             carry(i);
     auto channel = [this](std::size_t index) -> AnyChannel& { return software_.channel(index); };
     for (std::size_t i = 0; i < parts_.nodes.size(); ++i)
@@ -152,6 +154,12 @@ void Machine::start_processes() {
     for (std::size_t i = 0; i < network_.processes.size(); ++i)
         if (network_.nodes[network_.processes[i].node].kind->is_set_by_link())
             software_.processes()[i]->serve_machine(); // the process is the switch's logic and never ends
+}
+
+void Machine::shuffle(std::uint64_t seed) {
+    simulation_.shuffle(seed);
+    for (const auto& node : parts_.nodes)
+        node->shuffle(seed);
 }
 
 } // namespace placedpar

@@ -31,8 +31,9 @@ public:
     /// Records the actions of the processes, so that the run can be repeated with other seeds. REQUIRES: run() has not
     /// been called; the RecordedRun is empty, is not moved, and outlives this object.
     void record(RecordedRun&);
-    /// REQUIRES: run() has not been called. See Kernel::shuffle.
-    void shuffle(std::uint64_t seed) { simulation_.shuffle(seed); }
+    /// Shuffles the ready processes, those of emulated transputers too. REQUIRES: run() has not been called. See
+    /// Kernel::shuffle and transputer::Core::shuffle.
+    void shuffle(std::uint64_t seed);
     /// REQUIRES: run() has not been called; the sink outlives this object.
     void trace_to(TraceSink& sink) { simulation_.trace_to(sink); }
 

@@ -1,5 +1,6 @@
 #include "netlist/machine.hpp"
 #include "netlist/network/names.hpp"
+#include "runtime/byte_form.hpp"
 #include "runtime/hardware/link_adapter.hpp"
 #include "runtime/user_code.hpp"
 #include "text/diagnostic.hpp"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -100,6 +102,8 @@ bool has_own_devices(const Network& network) {
                                     who, refused.what()));
     } catch (const UserError& refused) {
         throw UserError(fmt::format("{}: {}", who, refused.what()));
+    } catch (const NoMessage& received) {
+        throw UserError(fmt::format("{}: {}", who, received.what()));
     } catch (const hardware::BusError& error) { // the program does not handle a fault of the machine
         throw UserError(fmt::format("{}: {}", who, error.what()));
     } catch (...) {
@@ -131,6 +135,7 @@ bool has_own_devices(const Network& network) {
 
 RunReport Machine::run(Time limit) {
     RunReport report;
+    std::vector<ProgramWait> waits;
     auto count_work = [&] {
         for (std::size_t i = 0; i < parts_.nodes.size(); ++i)
             ask(i, &MachineNode::report, report);
@@ -146,8 +151,13 @@ RunReport Machine::run(Time limit) {
         rethrow_for_the_kernel();
     }
     forget_waits_that_end(report);
-    if (report.result.deadlock)
+    if (report.result.deadlock) {
+        if (report.result.ending == Ending::stuck)
+            for (std::size_t i = 0; i < parts_.nodes.size(); ++i)
+                std::ranges::move(ask(i, &MachineNode::program_waits), std::back_inserter(waits));
         add_places(*report.result.deadlock, network_);
+        add_program_waits(*report.result.deadlock, waits);
+    }
     const std::uint64_t events = report.result.fingerprint;
     report.result.fingerprint = fingerprint_with(events, software_.measurements());
     report.measurements = software_.measurements();

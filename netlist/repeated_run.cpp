@@ -14,8 +14,10 @@ bool RecordedRun::can_be_repeated() const {
 }
 
 bool is_determinate(const Network& network, const Catalogue& catalogue) {
-    auto is_broadcast = [](const NetworkChannel& channel) { return channel.placement.broadcast_on != nowhere; };
-    if (std::ranges::any_of(network.channels, is_broadcast) || !network.faults.empty())
+    auto needs_machine = [](const NetworkChannel& channel) {
+        return channel.placement.broadcast_on != nowhere || channel.end_at_code();
+    };
+    if (std::ranges::any_of(network.channels, needs_machine) || !network.faults.empty())
         return false;
     for (std::size_t i = 0; i < network.processes.size(); ++i) {
         const ProcessInstance& process = network.processes[i];

@@ -27,7 +27,8 @@ struct RecordedRun {
 
 /// Returns whether runs of the network can be repeated from histories. All processes must be determinate
 /// (ProcessKind::is_determinate). No channel may be broadcast on a bus, since the bus compares the messages of a
-/// broadcast. The machine may have no faults, since programs may see faults as exceptions.
+/// broadcast. No channel may lead to a program in a transputer's own code. The machine may have no faults, since
+/// programs may see faults as exceptions.
 bool is_determinate(const Network&, const Catalogue&);
 
 /// Repeats a recorded run with another seed without simulating the machine. The processes compute with the numbers of

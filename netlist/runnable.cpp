@@ -40,7 +40,7 @@ MissingByName deserted_edges(const Network& network) {
     MissingByName edges;
     for (const NetworkChannel& channel : network.channels)
         for (const auto& [inner, outer] : {std::pair(channel.from, channel.to), std::pair(channel.to, channel.from)})
-            if (outer.at_edge())
+            if (outer.at_edge() && !channel.end_at_code())
                 edges[network.nodes[outer.node].name].add(network.processes[inner.process].name + "." + inner.port,
                                                           channel.connected);
     return edges;

@@ -24,8 +24,8 @@ Software::Software(const Network& network, const Catalogue& catalogue, std::uint
     : network_(network), catalogue_(catalogue), seed_(seed) {
     require_runnable(network, catalogue);
     for (const NetworkChannel& channel : network.channels) {
-        const ProcessInstance& sender = network.processes[channel.from.process];
-        channels_.push_back(port_of(sender, channel.from.port, catalogue).make_channel(channel.name));
+        const ChannelEnd& end = channel.from.at_edge() ? channel.to : channel.from;
+        channels_.push_back(port_of(network.processes[end.process], end.port, catalogue).make_channel(channel.name));
     }
 }
 
@@ -37,8 +37,10 @@ void Software::start(Simulation& simulation, const std::vector<Executive*>& exec
 
 void Software::expect_partners() {
     for (std::size_t i = 0; i < channels_.size(); ++i) {
-        channels_[i]->expect_outputter(*processes_[network_.channels[i].from.process]);
-        channels_[i]->expect_inputter(*processes_[network_.channels[i].to.process]);
+        if (const ChannelEnd& from = network_.channels[i].from; !from.at_edge())
+            channels_[i]->expect_outputter(*processes_[from.process]);
+        if (const ChannelEnd& to = network_.channels[i].to; !to.at_edge())
+            channels_[i]->expect_inputter(*processes_[to.process]);
     }
 }
 

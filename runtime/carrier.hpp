@@ -39,6 +39,8 @@ public:
     /// Returns the channels that keep an outputting process waiting although its partner inputs. They are other
     /// channels of the same broadcast: the message has not been output on them, or their receiver does not input it.
     virtual std::vector<const AnyChannel*> held_up_by(const AnyChannel&) const { return {}; }
+    /// Returns the name of a device that uses one end of the channel in place of a process; "" if processes use both.
+    virtual std::string partner_device() const { return ""; }
 
     // The next functions are for carriers whose messages can be given up (runtime/recovery.hpp).
     /// Returns the reason why messages cannot be given up, or "" if they can. The text follows the channel's name, as

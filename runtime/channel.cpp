@@ -155,4 +155,16 @@ void AnyChannel::hand_over() {
     message_ = slot_ = nullptr;
 }
 
+MessageBytes AnyChannel::message_in_bytes() const {
+    MessageBytes bytes;
+    byte_form()->write(message_, bytes);
+    return bytes;
+}
+
+void AnyChannel::hand_over(std::span<const std::uint8_t> bytes) {
+    byte_form()->read(bytes, slot_);
+    note_communication(inputter_.process->kernel());
+    slot_ = nullptr;
+}
+
 } // namespace placedpar

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "runtime/byte_form.hpp"
 #include "runtime/carrier.hpp"
 #include "runtime/executive.hpp"
 #include "runtime/kernel.hpp"
@@ -11,6 +12,7 @@
 #include <concepts>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <typeindex>
@@ -140,6 +142,9 @@ public:
         return carrier_ ? carrier_->held_up_by(*this) : std::vector<const AnyChannel*>{};
     }
 
+    /// Returns the name of the device that uses one end in place of a process (Carrier::partner_device).
+    std::string partner_device() const { return carrier_ ? carrier_->partner_device() : ""; }
+
     /// Describes the current message of a channel between routers: the user's channel to which the packet belongs, and
     /// whether the packet is an acknowledge. `channel` is null for a message that is not a packet.
     struct PacketPayload {
@@ -152,6 +157,15 @@ public:
     // The next functions are for carriers.
     /// Hands the outputter's message to the inputter. REQUIRES: both processes are in the channel.
     void hand_over();
+    /// Returns how messages of the protocol are written as bytes; null if they have no form in bytes.
+    virtual const AnyByteForm* byte_form() const = 0;
+    /// Returns the outputter's message as bytes. REQUIRES: byte_form() is not null; a process is in output.
+    MessageBytes message_in_bytes() const;
+    /// Notes that a device has taken the outputter's message. REQUIRES: a process is in output.
+    void note_taken_by_device() { note_communication(outputter_.process->kernel()); }
+    /// Hands a device's message to the inputter. Throws NoMessage. REQUIRES: the parts of the bytes are complete
+    /// (ByteForm::next_part); a process is in input.
+    void hand_over(std::span<const std::uint8_t> bytes);
     /// Returns whether the messages that wait in both channels are equal. Returns nothing if messages of this protocol
     /// cannot be compared (SameMessage). REQUIRES: a process is outputting on each of the two channels.
     std::optional<bool> has_message_of(const AnyChannel& other) const {
@@ -454,6 +468,19 @@ private:
         static_cast<std::optional<T>*>(slot)->emplace(std::move(*static_cast<T*>(message)));
     }
     void move_message(void* from, void* to) override { copy(from, to); }
+    const AnyByteForm* byte_form() const override {
+        if constexpr (HasByteForm<T>) {
+            static constexpr AnyByteForm form{
+                [](const void* message, MessageBytes& to) { ByteForm<T>::write(*static_cast<const T*>(message), to); },
+                &ByteForm<T>::next_part,
+                [](std::span<const std::uint8_t> bytes, void* slot) {
+                    static_cast<std::optional<T>*>(slot)->emplace(ByteForm<T>::read(bytes));
+                }};
+            return &form;
+        } else {
+            return nullptr;
+        }
+    }
     std::optional<bool> are_same(const void* message, const void* other) const override {
         return SameMessage<T>::of(*static_cast<const T*>(message), *static_cast<const T*>(other));
     }

@@ -28,8 +28,10 @@ const Process* who_is(const AnyChannel::User& user, const Processes& living) {
     return lives ? user.process : user.outermost;
 }
 
-std::string path_of(const AnyChannel::User& user, const Processes& living) {
+std::string path_of(const AnyChannel& channel, const AnyChannel::User& user, const Processes& living) {
     const Process* process = who_is(user, living);
+    if (const std::string device = process ? "" : channel.partner_device(); !device.empty())
+        return device;
     if (!process)
         return "none yet";
     return process->path() + (process->ended() ? " (has ended)" : "");
@@ -142,8 +144,8 @@ std::vector<StuckChannel> describe_channels(const Processes& stuck, const Proces
     for (const Process* process : stuck)
         for (const AnyChannel* channel : channels_of_wait(*process))
             if (known.insert(channel->name()).second)
-                result.push_back({channel->name(), path_of(channel->last_outputter(), living),
-                                  path_of(channel->last_inputter(), living),
+                result.push_back({channel->name(), path_of(*channel, channel->last_outputter(), living),
+                                  path_of(*channel, channel->last_inputter(), living),
                                   process->activity() == Activity::outputting ? "outputter" : "inputter"});
     return result;
 }
@@ -190,7 +192,8 @@ std::vector<std::string> describe_unreset(const Processes& stuck, const Processe
             const auto &left = channel->last_outputter(), &waits = channel->last_inputter();
             texts.push_back(fmt::format(
                 "{}: waits until {} gives up its message and resets its end, too, because {} gave it up in the middle",
-                channel->name(), path_of(input ? waits : left, living), path_of(input ? left : waits, living)));
+                channel->name(), path_of(*channel, input ? waits : left, living),
+                path_of(*channel, input ? left : waits, living)));
         }
     return texts;
 }

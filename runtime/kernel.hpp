@@ -162,13 +162,11 @@ public:
     Ending run(Time limit, Observer);
     /// Runs ready processes in an order drawn from the seed, and not in the order in which they became ready. This is
     /// another possible execution of the program. It can show that the program depends on the order. The scheduling of
-    /// executives does not change; emulated transputers shuffle their own queues.
+    /// executives does not change.
     void shuffle(std::uint64_t seed) {
         shuffle_.emplace(seed, "ready queue");
-        shuffle_seed_ = seed;
         hot_.rare_conditions.set(RareConditions::shuffled);
     }
-    std::optional<std::uint64_t> shuffle_seed() const { return shuffle_seed_; }
     /// Ends the run before the next process or event. May be called from a signal handler or another thread.
     void interrupt() { hot_.rare_conditions.set(RareConditions::interrupted); }
 
@@ -263,7 +261,6 @@ private:
     End end_;
     std::uint64_t ranks_ = 0;             ///< number of ranks that were given out
     std::optional<RandomStream> shuffle_; ///< set if RareConditions::shuffled is set
-    std::optional<std::uint64_t> shuffle_seed_;
 };
 
 } // namespace placedpar

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace placedpar {
 
@@ -23,6 +24,23 @@ struct PlaceLeft {
     std::uint64_t bytes = 0;            ///< bytes that a link carried without a break
     const Process* moves_for = nullptr; ///< process that had the bus to itself, if any
     Time since{};                       ///< time at which `moves_for` got the bus to itself
+};
+
+/// A channel for which a process of a booted program waits.
+struct AwaitedByProgram {
+    std::string channel; ///< "root.#80000100", or a direction of a link
+    std::string partner; ///< the process that used the other end last, or that direction of a link; "" if unknown
+};
+
+/// A process of a program that an emulated transputer executes changes its activity. The activity is computing (it has
+/// the processor), ready, a wait, stopped, or ended.
+struct ProgramTurn {
+    const std::string& process; ///< "root.phil[2]", or with the address of its workspace "root.#80000144"
+    const std::string& place;   ///< the transputer
+    Activity activity;
+    const std::vector<AwaitedByProgram>& awaited; ///< of a wait
+    bool awaits_timer;                            ///< the wait has a time limit, too
+    const std::string& partner; ///< for `ready`: the process that has ended the wait by a message, if any
 };
 
 /// Receives the log of a run. A notice states the activity of a process or a place from this time on, until the next
@@ -48,6 +66,8 @@ public:
     ///   moving            The process moves words over a bus, or waits for the bus.
     ///   ended             This is the last notice about the process.
     virtual void turns(const Process&, Activity, Time) = 0;
+    /// States what a process of a booted program does. A name can begin again after it has ended.
+    virtual void program_turns(const ProgramTurn&, Time) {}
     /// States that a message was transferred from the channel's outputter to its inputter.
     virtual void communicated(const AnyChannel&, Time) = 0;
     virtual void takes(const PlaceTaken&, Time now) = 0;

@@ -49,8 +49,8 @@ struct RunOptions {
     std::optional<std::uint64_t> shuffle = {};
     std::size_t seeds = 1; ///< number of seeds, from the first on
     bool watch = false, yes = false;
-    bool listing = false, step = false; ///< of transputers that execute their own code
-    std::string offer;                  ///< where the host's link is offered to another program; "": nowhere
+    bool listing = false, step = false, analyse = false; ///< of transputers that execute their own code
+    std::string offer; ///< where the host's link is offered to another program; "": nowhere
 
     std::array<std::filesystem::path, 5> outputs() const {
         return {json, recorded.trace, recorded.page, log, convergence};
@@ -231,6 +231,7 @@ ExitCode run(const RunOptions& options, const Options& command, const std::strin
     Network network = load_network(command, options.netlist, options.booted);
     InterruptedBySignals interruption;
     network.host.lists_code = options.listing;
+    network.host.analyses = options.analyse;
     network.host.steps = options.step ? &std::cin : nullptr;
     network.host.terminal = terminal_for(
         options.booted, [&interruption] { return interruption.requested(); }, !options.step);
@@ -246,8 +247,9 @@ ExitCode run(const RunOptions& options, const Options& command, const std::strin
     print_out(options.seeds == 1 ? print_report(runs.front().report, network, logs.front().log)
                                  : print_runs(network, runs, logs, options.seeds));
     for (const ProgramUse& program : runs.front().report.programs)
-        if (!program.listing.empty())
-            print_out(fmt::format("\n{}\n{}", program.name, program.listing));
+        for (const std::string* text : {&program.listing, &program.analysis})
+            if (!text->empty())
+                print_out(fmt::format("\n{}\n{}", program.name, *text));
     write_files(network, runs, logs, options, manifest);
     recorders.finish({network, runs.front().report, manifest, logs.front().log});
     return exit_code_of(runs, options.seeds);
@@ -294,6 +296,8 @@ Action declare_run(Options& command, const std::string& typed) {
     add_booted(command, options->booted);
     command.add_flag("--listing", options->listing,
                      "prints the code that booted transputers executed, with its cycles");
+    command.add_flag("--analyse", options->analyse,
+                     "prints the state of booted transputers at the end: registers, queues, processes that wait");
     command.add_flag(
         "--step", options->step,
         "executes a booted program step by step, by commands of standard input: s, c, b, r, w, q, m, l, quit");

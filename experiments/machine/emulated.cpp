@@ -56,7 +56,7 @@ public:
     }
     void run(Time limit = std::chrono::seconds{1}) {
         while (now() < limit && core_.stopped() == transputer::Stopped::nothing)
-            if (core_.run(core_.half_cycle_at(limit), false) == Core::Pause::idle) {
+            if (core_.run(core_.half_cycle_at(limit)) == Core::Pause::idle) {
                 if (core_.next_timer() == Time::max())
                     return;
                 core_.pass_idle_time(std::max(core_.next_timer(), now()));

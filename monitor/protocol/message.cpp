@@ -61,7 +61,7 @@ std::string machine_name(FieldReader& fields) {
     std::string name = fields.text("machine");
     auto good = [](unsigned char c) { return std::isalnum(c) || c == '.' || c == '_' || c == '-'; };
     if (name.empty() || name.size() > 64 || !std::ranges::all_of(name, good))
-        throw BadMessage("machine", fmt::format("\"{}\" is not the name of a machine", name),
+        throw BadMessage("machine", fmt::format("\"{}\" cannot be the name of a machine", name),
                          "1 to 64 letters, digits, '.', '_' and '-'");
     return name;
 }

@@ -1,11 +1,16 @@
 #include "netlist/complete/complete.hpp"
 #include "netlist/kinds/bootable_file.hpp"
 #include "netlist/kinds/device_kind.hpp"
-#include "runtime/transputer/model.hpp"
+#include "runtime/transputer/code_lines.hpp"
+#include "text/load_source.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <memory>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace placedpar {
@@ -77,10 +82,37 @@ void check_boot(Completion& c, std::size_t index) {
     }
 }
 
+/// Reads the table of code and processes that a compiler has written beside a bootable file; null if there is none.
+std::shared_ptr<const SourceFile> table_beside(Completion& c, const Node& booted) {
+    const std::filesystem::path path = std::filesystem::path(booted.boot_file).replace_extension(".lines");
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error))
+        return nullptr;
+    const LoadedSource source = load_source(path);
+    for (const Diagnostic& each : source.problems)
+        c.reporter.error(each.location, each.message);
+    return source.problems.empty() ? source.file : nullptr;
+}
+
+/// Gives a node its part of a table. `section`: the name of the node in the table.
+void give_lines(Completion& c, const std::shared_ptr<const SourceFile>& table, Node& node, std::string_view section) {
+    const auto model = transputer::model_named(node.type);
+    if (!table || !model || node.code_lines)
+        return;
+    try {
+        node.code_lines = std::make_shared<const transputer::CodeLines>(
+            table->text(), section, transputer::most_negative + transputer::traits_of(*model).memory_start);
+    } catch (const transputer::CodeLinesError& refused) {
+        c.reporter.error({table, refused.line, refused.column}, refused.what());
+    }
+}
+
 /// Marks the processors that code can reach from a booted one: they have no processes, and boot over their links.
 void reach(Completion& c, std::size_t from) {
     std::vector<std::size_t> reached{from};
     c.network.nodes[from].runs_own_code = true;
+    const auto table = table_beside(c, c.network.nodes[from]);
+    give_lines(c, table, c.network.nodes[from], "");
     while (!reached.empty()) {
         const std::size_t here = reached.back();
         reached.pop_back();
@@ -90,6 +122,7 @@ void reach(Completion& c, std::size_t from) {
                 continue;
             check_type(c, node, c.network.nodes[from]);
             node.runs_own_code = true;
+            give_lines(c, table, node, node.name);
             reached.push_back(each);
         }
     }

@@ -45,6 +45,7 @@ public:
         broadcasts_.check();
         for (auto& channel : c_.network.channels)
             channel.placement.in_packets = travels_in_packets(channel.placement.route);
+        check_channels_to_code();
     }
 
 private:
@@ -97,8 +98,8 @@ private:
         throw StatementRefused{};
     }
 
-    /// Places an edge channel on the connection. Refuses a connection that does not join the channel's process to the
-    /// edge.
+    /// Places a channel to an edge, or to a processor's own code, on the connection. Refuses a connection that does not
+    /// join the channel's process to it.
     void carry_to_edge(NetworkChannel& channel, std::size_t index, const Location& at) {
         const auto& connection = c_.network.connections[index];
         auto& outer = channel.from.at_edge() ? channel.from : channel.to;
@@ -110,8 +111,27 @@ private:
         bool forwards = connection.a.node == from && connection.b.node == to;
         if (!forwards && !(connection.b.node == from && connection.a.node == to))
             refuse_wire(channel, connection, at);
-        channel.placement = {ChannelPlacement::Kind::edge, {{index, forwards}}};
+        auto kind =
+            c_.network.nodes[outer.node].runs_own_code ? ChannelPlacement::Kind::link : ChannelPlacement::Kind::edge;
+        channel.placement = {kind, {{index, forwards}}};
         ++load(channel.placement.route.front());
+    }
+
+    /// Refuses two channels to a processor's own code on one direction of a wire: its program moves only bytes.
+    void check_channels_to_code() {
+        std::map<std::pair<std::size_t, bool>, const NetworkChannel*> first;
+        for (const auto& channel : c_.network.channels)
+            if (const ChannelEnd* end = channel.end_at_code(); end && !channel.placement.route.empty()) {
+                const RouteHop& hop = channel.placement.route.front();
+                auto [known, is_new] = first.try_emplace({hop.connection, hop.from_a_to_b}, &channel);
+                if (!is_new)
+                    c_.reporter.error(channel.connected,
+                                      fmt::format("the channels \"{}\" and \"{}\" use the same direction of a wire to "
+                                                  "\"{}\", which executes its own code",
+                                                  known->second->name, channel.name, node_name(end->node)),
+                                      "place one of them on another link to this processor",
+                                      {{"the first one is placed here", known->second->connected}});
+            }
     }
 
     [[noreturn]] void refuse_wire(const NetworkChannel& channel, const LinkConnection& connection, const Location& at) {

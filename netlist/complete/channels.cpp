@@ -131,20 +131,23 @@ private:
             bindings_[end.process].push_back({end.port, direction, c_.network.channels.size()});
     }
 
-    /// Adds the channel of a port that is connected to no edge channel, but placed on a link to an edge. The INMOS tool
-    /// accepts this form, too.
-    void add_placed(std::size_t index, const PortDeclaration& port, const std::string& name,
-                    const DraftPlacement& placement) {
+    /// Adds the channel of a port that is not connected, but placed on a link to an edge or to a processor that
+    /// executes its own code. The INMOS tool accepts this form for edges, too.
+    void add_placed(std::size_t index, Direction direction, const std::string& name, const DraftPlacement& placement) {
         const auto& process = c_.draft.processes[index];
-        std::size_t edge = edge_behind(placement.where);
-        if (edge == nowhere)
+        std::size_t beyond = edge_behind(placement.where);
+        if (beyond == nowhere)
+            beyond = code_behind(placement.where);
+        if (beyond == nowhere)
             return refuse_placed(process, name, placement);
-        ChannelEnd inner{index, name, process.node}, outer{nowhere, "", edge};
+        if (c_.network.nodes[beyond].runs_own_code && !can_lead_to_code(index, name, placement, beyond))
+            return;
+        ChannelEnd inner{index, name, process.node}, outer{nowhere, "", beyond};
         auto inner_name = process.name + "." + name;
-        const auto& edge_name = c_.network.nodes[edge].name;
-        bool out = port.direction == Direction::output;
-        bind({index, nowhere, name, placement.at}, port.direction);
-        add_channel({.name = out ? inner_name + " -> " + edge_name : edge_name + " -> " + inner_name,
+        const auto& outer_name = c_.network.nodes[beyond].name;
+        bool out = direction == Direction::output;
+        bind({index, nowhere, name, placement.at}, direction);
+        add_channel({.name = out ? inner_name + " -> " + outer_name : outer_name + " -> " + inner_name,
                      .from = out ? inner : outer,
                      .to = out ? outer : inner,
                      .placement = {},
@@ -161,10 +164,68 @@ private:
         return connection.a.at_edge() ? connection.a.node : connection.b.at_edge() ? connection.b.node : nowhere;
     }
 
+    /// Returns the processor to which the link leads, if it executes its own code; otherwise nowhere.
+    std::size_t code_behind(const LinkEnd& end) const {
+        auto wire = c_.connection_at.find({end.node, end.link});
+        if (wire == c_.connection_at.end())
+            return nowhere;
+        const auto& connection = c_.network.connections[wire->second];
+        std::size_t other = connection.a.node == end.node ? connection.b.node : connection.a.node;
+        return c_.network.nodes[other].runs_own_code ? other : nowhere;
+    }
+
+    /// Returns whether the channel can lead to the processor, which executes its own code; otherwise reports why not.
+    bool can_lead_to_code(std::size_t index, const std::string& name, const DraftPlacement& placement,
+                          std::size_t node) {
+        const DraftProcess& process = c_.draft.processes[index];
+        const ProcessKind* kind = c_.kinds[index];
+        const PortDescription* port = kind == nullptr ? nullptr : kind->port(base_name(name));
+        const Node& here = c_.network.nodes[placement.where.node];
+        const bool at_run_time =
+            c_.network.connections[c_.connection_at.at({placement.where.node, placement.where.link})].at_run_time;
+        if (at_run_time || here.kind->executes == Execution::none) {
+            c_.reporter.error(placement.at,
+                              fmt::format("the channel \"{}.{}\" leads to \"{}\", which executes its own code, {}",
+                                          process.name, name, c_.network.nodes[node].name,
+                                          at_run_time ? "by a switch that is set during the run"
+                                                      : fmt::format("from \"{}\", {}", here.name, here.kind->noun)),
+                              "such a channel needs a wire between two processors, or from a workstation");
+            return false;
+        }
+        if (port == nullptr || port->has_byte_form)
+            return true;
+        c_.reporter.error(placement.at,
+                          fmt::format("the channel \"{}.{}\" of the kind \"{}\" carries {}, which has no form in "
+                                      "bytes, but \"{}\" executes its own code and moves bytes",
+                                      process.name, name, kind->name, port->protocol, c_.network.nodes[node].name),
+                          "numbers, truth values, arrays and counted arrays of them, variants of all these, and the "
+                          "packets of the csp kinds can travel as bytes");
+        return false;
+    }
+
     void refuse_placed(const DraftProcess& process, const std::string& port, const DraftPlacement& placement) {
+        if (c_.network.nodes[placement.where.node].runs_own_code)
+            return refuse_placed_at_code(process, port, placement);
         c_.reporter.error(placement.at,
                           fmt::format("the channel \"{}.{}\" is placed but not connected", process.name, port),
                           fmt::format("connect {}.{} to ...;", process.name, port));
+    }
+
+    /// Refuses a channel that is placed on the link of a processor that executes its own code. Names the link at the
+    /// other end of the wire, if it is on the process's processor.
+    void refuse_placed_at_code(const DraftProcess& process, const std::string& port, const DraftPlacement& placement) {
+        const std::string channel = process.name + "." + port;
+        auto wire = c_.connection_at.find({placement.where.node, placement.where.link});
+        std::string hint = "place the channel on a link of the processor with the process";
+        if (wire != c_.connection_at.end())
+            for (const LinkEnd& end : {c_.network.connections[wire->second].a, c_.network.connections[wire->second].b})
+                if (end.node == process.node)
+                    hint = fmt::format("place {} on {};", channel, link_name(c_.network.nodes, end));
+        c_.reporter.error(placement.at,
+                          fmt::format("the channel \"{}\" is placed on a link of \"{}\", which executes its own code: "
+                                      "place it on the link at the process's end of the wire",
+                                      channel, c_.network.nodes[placement.where.node].name),
+                          hint);
     }
 
     void finish_process(std::size_t index) {
@@ -200,7 +261,7 @@ private:
                 if (bound.contains(name))
                     continue;
                 if (auto placed = c_.draft.placements.find({index, name}); placed != c_.draft.placements.end())
-                    add_placed(index, port, name, placed->second.front());
+                    add_placed(index, port.direction, name, placed->second.front());
                 else if (!is_optional(index, port.name))
                     refuse_unconnected(index, port.at, name);
             }
@@ -221,17 +282,17 @@ private:
                           fmt::format("connect {}.{} to ...;", process.name, port));
     }
 
-    /// Checks a process without an interface: each port that its kind requires must be connected.
+    /// Checks a process without an interface: each port that its kind requires must be connected or placed.
     void check_kind(std::size_t index, const ProcessKind& kind) {
         const auto& process = c_.draft.processes[index];
+        check_placed(index, kind);
         for (const auto& port : kind.ports) {
             auto used = subscripts_used(index, port.name);
-            if (used.empty() && !port.optional)
+            if (used.empty() && !port.optional && !is_placed(index, port.name))
                 refuse_unconnected(index, process.declared, port.name);
             if (!check_numbering(process, port.name, used))
                 return;
         }
-        check_placed(index);
     }
 
     /// Returns the subscripts of the port's connected ends in ascending order.
@@ -265,13 +326,29 @@ private:
         return true;
     }
 
-    /// Checks a process without an interface: each placed channel must be connected.
-    void check_placed(std::size_t index) {
+    /// Checks a process without an interface: each placed channel must be connected, or lead to an edge or to a
+    /// processor's own code.
+    void check_placed(std::size_t index, const ProcessKind& kind) {
         const auto& placements = c_.draft.placements;
         for (auto placed = placements.lower_bound({index, ""});
-             placed != placements.end() && placed->first.first == index; ++placed)
-            if (const auto& port = placed->first.second; !is_bound(index, port))
+             placed != placements.end() && placed->first.first == index; ++placed) {
+            const auto& port = placed->first.second;
+            if (is_bound(index, port))
+                continue;
+            if (const auto* known = kind.port(base_name(port)))
+                add_placed(index, known->direction, port, placed->second.front());
+            else
                 refuse_placed(c_.draft.processes[index], port, placed->second.front());
+        }
+    }
+
+    bool is_placed(std::size_t index, const std::string& port) const {
+        const auto& placements = c_.draft.placements;
+        for (auto placed = placements.lower_bound({index, port});
+             placed != placements.end() && placed->first.first == index; ++placed)
+            if (base_name(placed->first.second) == port)
+                return true;
+        return false;
     }
 
     bool is_bound(std::size_t index, const std::string& port) const {

@@ -31,7 +31,7 @@ RouteSearch::RouteSearch(const std::vector<Node>& nodes, const std::vector<LinkC
     for (std::size_t node = 0; node < nodes.size(); ++node)
         if (nodes[node].kind->passes_channels_on) {
             auto quota = static_cast<std::size_t>(nodes[node].integer("linkquota"));
-            leads_through_[node] = quota >= 2;
+            leads_through_[node] = quota >= 2 && !nodes[node].runs_own_code;
             routecost_[node] = nodes[node].integer("routecost");
             for (std::size_t i = quota; i < leaving_[node].size(); ++i) {
                 const RouteHop& hop = leaving_[node][i].hop;

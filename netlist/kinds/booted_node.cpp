@@ -6,6 +6,8 @@
 #include "netlist/kinds/fault_kinds.hpp"
 #include "netlist/kinds/memory_access.hpp"
 #include "netlist/kinds/outside_host.hpp"
+#include "runtime/transputer/code_text.hpp"
+#include "runtime/transputer/core_text.hpp"
 #include "text/output_file.hpp"
 
 #include <fmt/format.h>
@@ -77,11 +79,12 @@ BootedNode::BootedNode(MachineParts& parts, std::size_t index)
                                                  static_cast<std::uint64_t>(node().integer("memory")),
                                                  timing_of(node()))) {
     device_.when_stopped([this] { tell_hosts(); });
+    device_.name_by(lines());
     if (network().host.lists_code)
         listing_ = std::make_unique<transputer::Listing>(device_.core());
     if (network().host.steps && !node().boot_file.empty())
         stepper_ = std::make_unique<transputer::Stepper>(
-            device_.core(), *network().host.steps, [](std::string_view text) { print_out(std::string(text)); },
+            device_.core(), lines(), *network().host.steps, [](std::string_view text) { print_out(std::string(text)); },
             [this] { simulation().interrupt(); });
 }
 
@@ -125,6 +128,28 @@ void BootedNode::connect_host(hardware::Link& link, const LinkEnd& own, bool own
     });
 }
 
+/// Returns the other end of the wire, where processes output and input messages.
+transputer::MessageEnd& BootedNode::message_end(std::size_t connection) {
+    auto [found, added] = message_ends_.try_emplace(connection, node().name);
+    if (added) {
+        const LinkConnection& wire = network().connections[connection];
+        transputer::MessageEnd& there = found->second;
+        hardware::Link& link = *parts().links[connection];
+        lanes_.push_back(wire.a.node == index()
+                             ? std::make_unique<transputer::ByteLink>(link, device_.end(wire.a.link), there)
+                             : std::make_unique<transputer::ByteLink>(link, there, device_.end(wire.b.link)));
+    }
+    return found->second;
+}
+
+void BootedNode::carry(AnyChannel& channel, const RouteHop& hop) {
+    transputer::MessageEnd& end = message_end(hop.connection);
+    if (end_of(hop, network().connections).node == index())
+        end.carry_outputs(channel);
+    else
+        end.carry_inputs(channel);
+}
+
 /// Ends the work of all hosts: a transputer has set its error pin, which every host of the network sees.
 void BootedNode::tell_hosts() {
     for (const auto& each : parts().nodes) {
@@ -135,6 +160,8 @@ void BootedNode::tell_hosts() {
             booted->outside_->abandon();
     }
 }
+
+void BootedNode::shuffle(std::uint64_t seed) { device_.core().shuffle(RandomStream(seed, node().name)); }
 
 FaultEffects BootedNode::suffer(const Fault& halts) {
     device_.halt_at(begin_of(halts));
@@ -170,6 +197,53 @@ std::string BootedNode::state_of_program() const {
     return device_.is_idle() ? "waits" : "runs";
 }
 
+const transputer::CodeLines& BootedNode::lines() const {
+    static const transputer::CodeLines none;
+    return node().code_lines ? *node().code_lines : none;
+}
+
+ProgramWait BootedNode::describe(const transputer::WaitingProcess& process) const {
+    using transputer::Wait;
+    constexpr Activity activities[] = {Activity::inputting, Activity::outputting, Activity::alternating,
+                                       Activity::delayed};
+    const transputer::Instruction& waits = transputer::description_of(
+        transputer::instruction_before(device_.core(), process.instruction).instruction.operation);
+    const std::string place = lines().place(process.instruction - 1);
+    ProgramWait result{{device_.name_of_process(process.workspace),
+                        activities[static_cast<std::size_t>(process.wait)],
+                        {},
+                        place.empty()
+                            ? fmt::format("{} after {}", transputer::print_address(process.instruction), waits.name)
+                            : place},
+                       {},
+                       {}};
+    for (const transputer::Word channel : process.channels) {
+        result.process.channels.push_back(device_.name_of_channel(channel));
+        result.awaited.push_back({device_.name_of_channel(channel), process.wait != Wait::output});
+    }
+    if (process.time)
+        result.process.channels.push_back(fmt::format("timer, after {}", static_cast<std::int32_t>(*process.time)));
+    return result;
+}
+
+std::vector<ProgramWait> BootedNode::program_waits() const {
+    constexpr std::size_t most_copied_in_all = std::size_t{1} << 30;
+    if (device_.activity() != transputer::Node::Activity::booted)
+        return {};
+    const std::vector<transputer::WaitingProcess> waiting = transputer::waiting_processes(device_.core());
+    const std::size_t bytes = device_.core().memory().size();
+    const bool looks_ahead = bytes <= transputer::most_copied_bytes && bytes * waiting.size() <= most_copied_in_all;
+    std::vector<ProgramWait> result;
+    for (const transputer::WaitingProcess& each : waiting) {
+        result.push_back(describe(each));
+        if (!looks_ahead)
+            continue;
+        for (const transputer::ChannelEnd& end : transputer::ends_ahead(device_.core(), each))
+            result.back().ahead.push_back({device_.name_of_channel(end.channel), end.is_output});
+    }
+    return result;
+}
+
 void BootedNode::report(MachineUse& use) const {
     const bool exited_badly =
         host_ && host_->end.state() == iserver::ServerState::exited && host_->end.exit_status() == 1;
@@ -178,7 +252,8 @@ void BootedNode::report(MachineUse& use) const {
                             .instructions = device_.core().instructions(),
                             .requests = host_ ? host_->end.requests() : 0,
                             .state = state(),
-                            .listing = listing_ ? print_listing(*listing_) : "",
+                            .listing = listing_ ? print_listing(*listing_, lines()) : "",
+                            .analysis = network().host.analyses ? print_analysis(device_.core(), lines()) : "",
                             .failed = exited_badly || stopped,
                             .booted_at = host_ ? host_->end.booted_at() : Time{}});
     use.processors.push_back({node().name, node().type, device_.time_busy(), device_.memory_taken_by_links()});

@@ -2,10 +2,15 @@
 
 #include "netlist/kinds/boot_host.hpp"
 #include "netlist/kinds/machine_node.hpp"
+#include "runtime/transputer/code_lines.hpp"
 #include "runtime/transputer/listing.hpp"
+#include "runtime/transputer/message_end.hpp"
 #include "runtime/transputer/node.hpp"
 #include "runtime/transputer/stepper.hpp"
+#include "runtime/transputer/waiting.hpp"
 
+#include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -25,6 +30,9 @@ public:
 
     void has_link(hardware::Link&) override;
     void report(MachineUse&) const override;
+    std::vector<ProgramWait> program_waits() const override;
+    void carry(AnyChannel&, const RouteHop&) override;
+    void shuffle(std::uint64_t seed) override;
     FaultEffects suffer(const Fault& halts) override;
 
     transputer::Node& device() { return device_; }
@@ -34,11 +42,15 @@ private:
     void tell_hosts();
     std::string state() const;
     std::string state_of_program() const;
+    const transputer::CodeLines& lines() const;
+    ProgramWait describe(const transputer::WaitingProcess&) const;
     void connect_host(hardware::Link&, const LinkEnd& own, bool own_is_a);
+    transputer::MessageEnd& message_end(std::size_t connection);
 
     transputer::Node& device_;
     hardware::Link* last_link_ = nullptr; ///< the last link that was told to end here
     std::vector<std::unique_ptr<transputer::ByteLink>> lanes_;
+    std::map<std::size_t, transputer::MessageEnd> message_ends_; ///< by connection: far ends with channels of processes
     std::unique_ptr<transputer::Listing> listing_;
     std::unique_ptr<transputer::Stepper> stepper_;
     std::unique_ptr<Host> host_;

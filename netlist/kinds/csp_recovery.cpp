@@ -75,7 +75,10 @@ void consume_or_fail(ProcessEnvironment& environment) {
 }
 
 /// Returns why a message on the channel cannot be given up; "" if it can.
-std::string why_not_given_up(const Network& network, const ChannelPlacement& at) {
+std::string why_not_given_up(const Network& network, const NetworkChannel& channel) {
+    const ChannelPlacement& at = channel.placement;
+    if (channel.end_at_code())
+        return "leads to a transputer that executes its own code";
     if (at.in_packets)
         return "travels in packets, which routers carry to their end";
     if (at.broadcast_on != nowhere)
@@ -91,7 +94,7 @@ std::vector<Complaint> require_can_give_up(const Network& network, std::size_t p
     std::vector<Complaint> complaints;
     for (const PortBinding& port : network.processes[process].ports) {
         const NetworkChannel& channel = network.channels[port.channel];
-        if (std::string reason = why_not_given_up(network, channel.placement); !reason.empty())
+        if (std::string reason = why_not_given_up(network, channel); !reason.empty())
             complaints.push_back(
                 {.process = process,
                  .about = port.port,

@@ -52,7 +52,8 @@ PortDescription port(std::string name, Direction direction, std::string protocol
             .protocol = std::move(protocol),
             .type = typeid(T),
             .make_channel = [](std::string channel) { return std::make_unique<Channel<T>>(std::move(channel)); },
-            .about = std::move(about)};
+            .about = std::move(about),
+            .has_byte_form = HasByteForm<T>};
 }
 
 template <class T>

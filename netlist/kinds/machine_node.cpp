@@ -13,6 +13,10 @@ CarrierPair MachineNode::carriers(std::size_t) {
     throw std::logic_error(fmt::format("\"{}\", {}, carries no channels", node().name, node().kind->noun));
 }
 
+void MachineNode::carry(AnyChannel&, const RouteHop&) {
+    throw std::logic_error(fmt::format("\"{}\", {}, ends no channels", node().name, node().kind->noun));
+}
+
 hardware::SharedEngine& MachineNode::engine(int link, bool outputs) {
     hardware::SharedEngine fresh{link_name(network().nodes, {node_, link})};
     return engines_.try_emplace({link, outputs}, std::move(fresh)).first->second;

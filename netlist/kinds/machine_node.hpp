@@ -2,6 +2,7 @@
 
 #include "netlist/kinds/fault_kinds.hpp"
 #include "netlist/kinds/machine_use.hpp"
+#include "netlist/kinds/program_waits.hpp"
 #include "netlist/network/network.hpp"
 #include "runtime/hardware/link.hpp"
 #include "runtime/hardware/switched_lane.hpp"
@@ -66,12 +67,19 @@ public:
     /// Returns the carriers of the channels over this way. REQUIRES: the device has slots, and the connection is one of
     /// its ways (Medium::ways).
     virtual CarrierPair carriers(std::size_t connection);
+    /// Puts the channel of a process on the wire by which the node's own code receives or sends its messages. REQUIRES:
+    /// the node runs its own code; the channel is on this hop (NetworkChannel).
+    virtual void carry(AnyChannel&, const RouteHop&);
     /// Puts the channels that are broadcast on the device (ChannelPlacement::broadcast_on) on their carriers.
     virtual void broadcast(const std::function<AnyChannel&(std::size_t)>& /* channel */) {}
+    /// Makes the device run the ready processes of its own code in a random order. Called before the run.
+    virtual void shuffle(std::uint64_t /* seed */) {}
     /// Tells the device that it has this fault in this run. Called before the run.
     virtual FaultEffects suffer(const Fault&) { return {}; }
     /// Adds the device's part of the report. Called when the work of the run is over.
     virtual void report(MachineUse&) const {}
+    /// Returns the processes of the device's own program that wait. Called after a run that ended in a deadlock.
+    virtual std::vector<ProgramWait> program_waits() const { return {}; }
 
     /// Returns the engine of a link whose partner changes during the run.
     hardware::SharedEngine& engine(int link, bool outputs);

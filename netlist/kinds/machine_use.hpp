@@ -107,6 +107,7 @@ struct ProgramUse {
     std::uint64_t requests = 0; ///< requests to its host
     std::string state;          ///< "exited with success", "was never booted"
     std::string listing = "";   ///< the code that was executed; "" if it was not counted
+    std::string analysis = "";  ///< the state of the transputer at the end; "" if it was not asked for
     bool failed = false;        ///< the program exited with failure, or the transputer stopped
     Time booted_at{};           ///< when the host had sent the bootable file
 };

@@ -1,9 +1,12 @@
 #pragma once
 
 #include "netlist/kinds/description.hpp"
+#include "runtime/byte_form.hpp"
 #include "runtime/protocol.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace placedpar {
 
@@ -13,6 +16,21 @@ struct Packet {
     std::uint32_t bytes = 4;
     WireForm wire_form() const { return WireForm(bytes); }
     bool operator==(const Packet&) const = default;
+};
+
+/// A packet in bytes is its number, an INT of four bytes, and zeros up to its length. A packet from a program in a
+/// transputer's own code is an INT.
+template <>
+struct ByteForm<Packet> {
+    static void write(const Packet& packet, MessageBytes& to) {
+        const std::size_t begin = to.size();
+        ByteForm<std::int32_t>::write(static_cast<std::int32_t>(packet.number), to);
+        to.resize(begin + packet.bytes);
+    }
+    static std::uint32_t next_part(std::span<const std::uint8_t> so_far) {
+        return ByteForm<std::int32_t>::next_part(so_far);
+    }
+    static Packet read(std::span<const std::uint8_t> bytes) { return {ByteForm<std::int32_t>::read(bytes)}; }
 };
 
 namespace description {

@@ -26,8 +26,9 @@ struct PortDescription {
     std::string protocol; ///< the protocol's name, for people
     std::type_index type; ///< the C++ type that the channel carries; both ends must agree
     std::function<std::unique_ptr<AnyChannel>(std::string name)> make_channel;
-    std::string about;         ///< one line
-    std::string formerly = ""; ///< the port's name in older netlists; "" if the name has never changed
+    std::string about;          ///< one line
+    std::string formerly = "";  ///< the port's name in older netlists; "" if the name has never changed
+    bool has_byte_form = false; ///< messages can travel to and from programs in a transputer's own code (HasByteForm)
 };
 
 /// Describes a quantity that a process of this kind measures and reports at the end of a run.

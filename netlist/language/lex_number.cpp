@@ -48,9 +48,9 @@ Token Lexer::read_octal(std::string_view digits, Token token) {
     auto significant = digits.substr(std::min(digits.find_first_not_of('0'), digits.size() - 1));
     auto at = token.at;
     at.column += illegal;
-    reporter_.error(
-        at, fmt::format("{} is not an octal digit", digits[illegal]),
-        fmt::format("a number with a leading 0 is octal; the decimal number is {}", significant.substr(0, 60)));
+    reporter_.error(at, fmt::format("{} is not an octal digit", digits[illegal]),
+                    fmt::format("a leading 0 makes a number octal (base 8); write {} for the decimal number",
+                                significant.substr(0, 60)));
     apply_suffix(token);
     return token;
 }

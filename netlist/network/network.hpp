@@ -19,6 +19,10 @@
 #include <string_view>
 #include <vector>
 
+namespace placedpar::transputer {
+class CodeLines; // runtime/transputer/code_lines.hpp
+} // namespace placedpar::transputer
+
 namespace placedpar {
 
 struct DeviceKind; // netlist/kinds/device_kind.hpp: what a device of some kind is and can do
@@ -47,6 +51,8 @@ struct Node {
     std::string boot_file = ""; ///< path of the bootable file that a host sends to the node; "" if none
     std::shared_ptr<const std::vector<std::uint8_t>> boot_bytes = nullptr; ///< contents of this file
     Location boot_stated = {};                                             ///< place of the `use` that names the file
+    std::shared_ptr<const transputer::CodeLines> code_lines =
+        nullptr;                ///< what NAME.lines beside the file says; or null
     bool runs_own_code = false; ///< the node is emulated: it executes what it is booted with, and runs no processes
 
     /// REQUIRES: the kind has an integer attribute of this name; throws std::logic_error otherwise.
@@ -150,11 +156,12 @@ struct ProcessInstance {
     Location declared;
 };
 
-/// A process's port, or an edge channel. For an edge channel, `process` is nowhere and `port` is the channel's name.
+/// A process's port, an edge channel, or a program in the own code of a node. Without a process, `process` is nowhere,
+/// and `port` is the name of the edge channel; "" if there is none.
 struct ChannelEnd {
     std::size_t process = nowhere;
     std::string port;
-    std::size_t node = nowhere; ///< node on which the process is placed, or the edge
+    std::size_t node = nowhere; ///< node on which the process is placed, the edge, or the node with the program
 
     bool at_edge() const { return process == nowhere; }
 };
@@ -183,9 +190,16 @@ struct ChannelPlacement {
 
 struct NetworkChannel {
     std::string name;    ///< name of the `connection` by which it was connected, or "a.out -> b.in"
-    ChannelEnd from, to; ///< at most one end is at an edge
+    ChannelEnd from, to; ///< at most one end is without a process
     ChannelPlacement placement;
     Location connected;
+
+    /// Returns the end at a node that runs its own code, whose program moves the bytes of the messages; null if the
+    /// channel leads from a process to a process, or to an edge.
+    const ChannelEnd* end_at_code() const {
+        const bool leads_to_code = placement.kind == ChannelPlacement::Kind::link && (from.at_edge() || to.at_edge());
+        return !leads_to_code ? nullptr : from.at_edge() ? &from : &to;
+    }
 };
 
 /// Returns whether the channels belong to one port array and one bus: one message then goes to the adapters of both.
@@ -223,6 +237,7 @@ struct HostServices {
     std::map<std::string, std::string> environment = {};
     std::uint64_t write_limit_bytes = 64U << 20;
     bool lists_code = false;       ///< counts the instructions that booted nodes execute
+    bool analyses = false;         ///< shows the state of booted nodes at the end
     std::istream* steps = nullptr; ///< commands that execute the code of the node with a host step by step; null: none
     /// Makes the terminal of a host. Empty: the screen shows nothing, and no key is pressed.
     std::function<std::shared_ptr<iserver::Terminal>()> terminal = {};

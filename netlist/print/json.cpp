@@ -157,6 +157,8 @@ private:
     }
 
     json::object end_object(const ChannelEnd& end) const {
+        if (end.at_edge() && n_.nodes[end.node].runs_own_code)
+            return {{"node", n_.nodes[end.node].name}};
         if (end.at_edge())
             return {{"edge", n_.nodes[end.node].name}, {"port", end.port}};
         return {{"process", n_.processes[end.process].name}, {"port", end.port}};

@@ -75,6 +75,13 @@ std::string legend(const Network& network) {
     return out + fmt::format("/* c[{}]: nothing passes, where a guard is closed */\n", network.channels.size());
 }
 
+/// Refuses processors that execute their own code, which has no model.
+void refuse_code(const Network& network) {
+    for (const Node& node : network.nodes)
+        if (node.runs_own_code)
+            throw UserError(fmt::format("\"{}\" executes its own code, of which there is no Promela model", node.name));
+}
+
 /// Refuses broadcasts. A model without their waits might have no deadlock although the machine deadlocks.
 void refuse_broadcasts(const Network& network) {
     for (const NetworkChannel& channel : network.channels)
@@ -90,6 +97,7 @@ std::string print_promela(const Network& network, const Catalogue& catalogue) {
     if (network.processes.size() > most_processes)
         throw UserError(fmt::format("{} processes are too many for Spin, which allows at most {}",
                                     network.processes.size(), most_processes));
+    refuse_code(network);
     refuse_broadcasts(network);
     std::string out = legend(network) + fmt::format("chan c[{}] = [0] of {{ byte }};\n", network.channels.size() + 1);
     std::string start;

@@ -113,6 +113,15 @@ void CriticalPath::turns(const Process& process, Activity activity, Time now) {
     tell(process, activity, now);
 }
 
+/// Accounts for a process of a booted program. Its message takes no time once both processes are at the channel.
+void CriticalPath::program_turns(const ProgramTurn& turn, Time now) {
+    ProgramLane& lane = programs_[turn.process];
+    if (is_waiting(lane.does) && turn.activity == Activity::ready)
+        accounts_.explain(turn.process, turn.partner.empty() ? lane.partner : turn.partner, now, now);
+    accounts_.turn(turn.process, lane.does, turn.activity, now);
+    lane = {turn.activity, turn.awaited.empty() ? "" : turn.awaited.front().partner};
+}
+
 /// Adds a process. A component of a PAR begins at its parent's last event.
 void CriticalPath::begin(const Process& process, Time now) {
     Lane* parent = lane_of(process.parent());
@@ -167,8 +176,10 @@ void CriticalPath::communicated(const AnyChannel& channel, Time) {
 }
 
 void CriticalPath::takes(const PlaceTaken& taken, Time) {
-    if (taken.channel)
+    if (taken.channel) {
         carried_by_[taken.channel] = taken.place;
+        carried_since_[taken.channel] = taken.since;
+    }
 }
 
 /// Returns the process whose program is running now; null while the kernel handles an event.
@@ -210,9 +221,12 @@ void CriticalPath::explain_wait(const Lane& lane, Time now) {
     Time together = now;
     if (const AnyChannel* channel = channel_of_message(process)) {
         const AnyChannel::User& user = outputs(process) ? channel->last_inputter() : channel->last_outputter();
-        partner = user.outermost ? user.outermost->name() : channel->name();
+        const std::string device = user.outermost ? "" : channel->partner_device();
+        partner = user.outermost ? user.outermost->name() : device.empty() ? channel->name() : device;
         if (const Point& cause = points_[*lane.cause]; lane.together)
             together = points_[*lane.together].at;
+        else if (!device.empty()) // its bytes flow from the time on at which both are at the channel
+            together = std::max(points_[lane.last].at, carried_since_[channel]);
         else if (cause.activity == Activity::carrying && cause.at == now)
             together = points_[cause.before].at;
     }

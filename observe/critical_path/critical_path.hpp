@@ -19,7 +19,8 @@ namespace placedpar {
 
 /// Records the critical path of a run while it happens. Each event is stored with its cause. The cause of a message is
 /// the arrival of the later of its two processes at the channel. The cause of a turn on a processor is the end of the
-/// preceding turn; the cause of the end of a PAR is the end of its last component. The causes lead from the end of the
+/// preceding turn; the cause of the end of a PAR is the end of its last component. Processes of booted programs have
+/// accounts, but no points on the path, which leads over their host and links. The causes lead from the end of the
 /// run to its beginning without a gap, since each activity begins when its cause ends.
 class CriticalPath final : public ActivityLog<CriticalPath> {
 public:
@@ -37,6 +38,7 @@ public:
     const std::map<std::string, Time>& waits_at_links() const { return waits_at_links_; }
 
     void turns(const Process&, Activity, Time) override;
+    void program_turns(const ProgramTurn&, Time) override;
     void communicated(const AnyChannel&, Time) override;
     void takes(const PlaceTaken&, Time) override;
     void leaves(const PlaceLeft&, Time) override;
@@ -85,7 +87,14 @@ private:
     std::map<std::pair<const AnyChannel*, bool>, Number>
         came_; ///< last arrival at each channel end; true for the outputting end
     std::unordered_map<const AnyChannel*, std::string> carried_by_; ///< direction of the link that carries the channel
+    std::unordered_map<const AnyChannel*, Time> carried_since_;     ///< when its bytes last began to flow
     std::map<std::string, Time> waits_at_links_;
+    /// What a process of a booted program does.
+    struct ProgramLane {
+        Activity does = Activity::ended;
+        std::string partner = {}; ///< of its wait
+    };
+    std::map<std::string, ProgramLane> programs_;
     Accounts accounts_;
     Number end_ = 0;
     Time over_{};

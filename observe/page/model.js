@@ -35,7 +35,7 @@ const path = pathOf(run.path);
 const processNamed = new Map(data.processes.map(process => [process.name, process]));
 const componentsOf = d3.nest().key(track => track.outermost).object(tracks.filter(isOfProcess));
 
-function isOfProcess(track) { return track.kind === "process" || track.kind === "machine process"; }
+function isOfProcess(track) { return track.kind === "process" || track.kind === "machine process" || track.kind === "program"; }
 
 function stateOf(slice) {
   if (runningWork.has(slice.doing)) return "running";

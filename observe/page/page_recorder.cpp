@@ -28,6 +28,7 @@ const char* name_of(Track::Kind kind) {
     switch (kind) {
     case Track::Kind::processor: return "processor";
     case Track::Kind::process: return "process";
+    case Track::Kind::program: return "program";
     case Track::Kind::machine_process: return "machine process";
     case Track::Kind::link: return "link";
     case Track::Kind::bus: return "bus";

@@ -29,7 +29,7 @@ function sharesText(track, from, to) {
 }
 
 function showChosen(name, moment, from, to) {
-  const track = name && trackNamed.get(name), process = processNamed.get(name) || { kind: "a process of the machine", place: "", line: "", node: "" };
+  const track = name && trackNamed.get(name), process = processNamed.get(name) || { kind: track && track.kind === "program" ? "a process of the booted program" : "a process of the machine", place: "", line: "", node: "" };
   const panel = d3.select("#chosen");
   if (!track) return panel.html(`<h2>A process</h2><p class="faint">Click a process, in the drawing or on its timeline: here it says what it does at the moment of the slider, for whom it waits, and where the netlist declares it.</p>`);
   const waits = waitsOf(track, moment);

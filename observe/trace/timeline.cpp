@@ -43,7 +43,10 @@ std::string Timeline::why_empty() const {
 void Timeline::finish(const RunResult& result) {
     for (auto& [ordinal, lane] : lanes_)
         finish(lane, result);
+    for (auto& [name, lane] : programs_)
+        close(lane, *end_, !why_.empty() || result.ending != Ending::completed);
     lanes_.clear();
+    programs_.clear();
     messages_.clear();
     writer_.finish(std::min(window_.from, *end_), *end_, why_.empty() ? name_of(result.ending) : why_);
 }
@@ -62,6 +65,37 @@ bool Timeline::taking(Time now) {
 void Timeline::turns(const Process& process, Activity activity, Time now) {
     if (taking(now))
         tell(process, activity, now);
+}
+
+/// Ends the present slice of a process of a booted program, and begins the next.
+void Timeline::program_turns(const ProgramTurn& turn, Time now) {
+    if (!taking(now))
+        return;
+    auto found = programs_.find(turn.process);
+    if (found == programs_.end()) {
+        const std::size_t track = tracks_.of(turn);
+        if (track == Tracks::none)
+            return;
+        found = programs_.emplace(turn.process, ProgramLane{track}).first;
+    }
+    ProgramLane& lane = found->second;
+    if (!turn.partner.empty())
+        for (Awaited& each : lane.awaited)
+            each.partner = turn.partner;
+    const std::size_t processor = tracks_.of_place(turn.place);
+    if (lane.activity == Activity::computing && !uses_[processor].stopped)
+        uses_[processor].stopped = now;
+    if (turn.activity == Activity::computing)
+        use(processor, turn.process, now);
+    close(lane, now, false);
+    lane = {lane.track, turn.activity, now, {}, turn.awaits_timer};
+    for (const AwaitedByProgram& each : turn.awaited)
+        lane.awaited.push_back({each.channel, each.partner});
+}
+
+void Timeline::close(ProgramLane& lane, Time end, bool open) {
+    if (lane.activity != Activity::ended && (end > window_.from || open))
+        write({lane.track, lane.activity, lane.since, end, open, {}, 0, lane.awaited, lane.awaits_timer});
 }
 
 void Timeline::begin(const Process& process, Time now) {
@@ -194,7 +228,7 @@ std::string Timeline::partner(const Lane& lane, const AnyChannel& channel, bool 
     const AnyChannel::User& user =
         lane.activity == Activity::outputting ? channel.last_inputter() : channel.last_outputter();
     if (!user.process)
-        return "";
+        return channel.partner_device();
     auto found = lanes_.find(user.ordinal);
     if (found != lanes_.end() && found->second.process == user.process)
         return tracks_.all()[found->second.track].name;

@@ -43,6 +43,7 @@ public:
     void finish(const RunResult&);
 
     void turns(const Process&, Activity, Time) override;
+    void program_turns(const ProgramTurn&, Time) override;
     void communicated(const AnyChannel&, Time) override;
     void takes(const PlaceTaken&, Time now) override;
     void leaves(const PlaceLeft&, Time now) override;
@@ -77,6 +78,14 @@ private:
         std::optional<Time> stopped = {};
         std::uint64_t bytes = 0;
     };
+    /// State of a process of a booted program.
+    struct ProgramLane {
+        std::size_t track;
+        Activity activity = Activity::ended;
+        Time since{};
+        std::vector<Awaited> awaited = {};
+        bool awaits_timer = false;
+    };
     struct Message {
         std::string channel;
         Time at;
@@ -102,6 +111,7 @@ private:
     void use(std::size_t track, const std::string& subject, Time now);
     void close_use(std::size_t track, Time now);
     void finish(Lane&, const RunResult&);
+    void close(ProgramLane&, Time end, bool open);
     void place(const MessageEnd&, std::size_t track, Time);
     void give_up(Lane&);
     bool write(Slice);
@@ -109,8 +119,9 @@ private:
     Tracks& tracks_;
     TraceWindow window_;
     TraceWriter& writer_;
-    std::map<std::uint32_t, Lane> lanes_; ///< key: ordinal of a process that exists
-    std::map<std::size_t, Use> uses_;     ///< for each track: the present use, or the last use if the track is idle
+    std::map<std::uint32_t, Lane> lanes_;         ///< key: ordinal of a process that exists
+    std::map<std::string, ProgramLane> programs_; ///< key: name of the process
+    std::map<std::size_t, Use> uses_; ///< for each track: the present use, or the last use if the track is idle
     std::map<std::uint64_t, Message> messages_; ///< messages with an end that is not known yet
     std::uint64_t message_count_ = 0;
     std::size_t entries_ = 0;

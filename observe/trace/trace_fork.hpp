@@ -16,6 +16,7 @@ public:
     void turns(const Process& process, Activity activity, Time now) override {
         tell(&TraceSink::turns, process, activity, now);
     }
+    void program_turns(const ProgramTurn& turn, Time now) override { tell(&TraceSink::program_turns, turn, now); }
     void communicated(const AnyChannel& channel, Time now) override { tell(&TraceSink::communicated, channel, now); }
     void takes(const PlaceTaken& taken, Time now) override { tell(&TraceSink::takes, taken, now); }
     void leaves(const PlaceLeft& left, Time now) override { tell(&TraceSink::leaves, left, now); }

@@ -2,6 +2,7 @@
 
 #include "netlist/kinds/own_code.hpp"
 #include "runtime/executive.hpp"
+#include "runtime/trace.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -80,6 +81,26 @@ std::size_t Tracks::of(const Process& process) {
     else if (!add_machine_process(process, path))
         return none;
     return processes_[path];
+}
+
+std::size_t Tracks::of(const ProgramTurn& turn) { return of_program(turn.process, turn.place); }
+
+/// Returns the track of a process of a booted program. "root.phil[2]/0" is a component of "root.phil[2]".
+std::size_t Tracks::of_program(const std::string& process, const std::string& processor) {
+    if (std::size_t track = found_in(processes_, process); track != none)
+        return track;
+    const std::size_t place = of_place(processor), slash = process.rfind('/');
+    if (place == none)
+        return none;
+    if (slash == std::string::npos)
+        return processes_[process] =
+                   add(process, {tracks_[place].place.node, Track::Kind::program, tracks_.size(), {}});
+    const std::size_t parent = of_program(process.substr(0, slash), processor);
+    Track::DrawingOrder order = tracks_[parent].place;
+    order.components.push_back(tracks_.size());
+    const std::size_t track = processes_[process] = add(process, std::move(order));
+    tracks_[track].outermost = tracks_[parent].outermost;
+    return track;
 }
 
 /// Adds the track of a component, which is drawn below the track of its parent.

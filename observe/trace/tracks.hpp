@@ -13,12 +13,14 @@
 
 namespace placedpar {
 
+struct ProgramTurn; // runtime/trace.hpp
+
 /// A line of a drawn trace.
 struct Track {
     /// The kinds of tracks of a node, in drawing order: its processor; the processes that the netlist places on it; the
-    /// machine's processes that serve its links; each link, in the direction that leaves the node; a device's own
-    /// tracks (DeviceKind::tracks), such as those of a bus.
-    enum class Kind { processor, process, machine_process, link, bus };
+    /// processes of the program that it is booted with; the machine's processes that serve its links; each link, in the
+    /// direction that leaves the node; a device's own tracks (DeviceKind::tracks), such as those of a bus.
+    enum class Kind { processor, process, program, machine_process, link, bus };
     /// Orders tracks by node and kind, then as the netlist declares them. A process is followed by the components of
     /// its PARs.
     struct DrawingOrder {
@@ -49,6 +51,8 @@ public:
     /// Returns the track of a process, and makes it if it is new. Returns `none` for a process of the machine that no
     /// node executes.
     std::size_t of(const Process&);
+    /// Returns the track of a process of a booted program, and makes it if it is new.
+    std::size_t of(const ProgramTurn&);
     /// Returns the track of a node's processor, of a direction of a link, or of a bus. Returns `none` if nothing has
     /// this name.
     std::size_t of_place(const std::string& name) const;
@@ -59,6 +63,7 @@ private:
     void add_tracks_of(const Network&, std::size_t node);
     void number_as_drawn();
     void add_component(const Process&, const std::string& path);
+    std::size_t of_program(const std::string& process, const std::string& processor);
     bool add_machine_process(const Process&, const std::string& path);
 
     std::vector<Track> tracks_;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "occam/code/compile.hpp"
+#include "occam/code/code.hpp"
 #include "occam/code/frame.hpp"
 #include "runtime/transputer/instruction.hpp"
 

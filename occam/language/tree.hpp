@@ -420,4 +420,9 @@ struct Program {
     Location location(const Place& place) const { return {files[place.file], place.line, place.column}; }
 };
 
+/// Returns the type as the language writes it: "[4][]BYTE", "CHAN OF INT::[]BYTE".
+std::string name_of(const Type&);
+/// Returns the bytes of a value in memory. REQUIRES: it is basic, a record, a derived type, or an array of known size.
+std::uint64_t bytes_of(const Type&);
+
 } // namespace placedpar::occam

@@ -97,9 +97,4 @@ private:
     std::deque<ProtocolType> protocols_;
 };
 
-/// Returns the type as the language writes it: "[4][]BYTE", "CHAN OF INT::[]BYTE".
-std::string name_of(const Type&);
-/// Returns the bytes of a value in memory. REQUIRES: it is basic, a record, a derived type, or an array of known size.
-std::uint64_t bytes_of(const Type&);
-
 } // namespace placedpar::occam

@@ -17,12 +17,23 @@
 
 namespace placedpar::hardware {
 
+/// Is told before the two ends of a link change its state by give(), take() or a reset. A processor that has computed
+/// its future meanwhile can then return to the present. Must not wait or throw.
+class LinkEngineWatcher {
+public:
+    virtual void link_will_change() = 0;
+
+protected:
+    ~LinkEngineWatcher() = default;
+};
+
 /// The memory of a processor, as the engines of its links use it. A part of a message takes one word for each
 /// `bytes_in_a_word` bytes; remaining bytes at its end take one more word.
 struct LinkEngineMemory {
     std::uint32_t bytes_in_a_word = 4; ///< or 2
     std::uint64_t words_of_ended_parts = 0;
     int parts_under_way = 0;
+    LinkEngineWatcher* watcher = nullptr; ///< null if nothing must be told
 
     std::uint64_t words_in(std::uint32_t bytes) const {
         return (std::uint64_t{bytes} + bytes_in_a_word - 1) >> (bytes_in_a_word / 2); // divides by 2 or 4
@@ -97,11 +108,14 @@ public:
 
     // These functions are for ends that move bytes by counts. Each end states how many bytes it will give or take; the
     // counts may differ. The end with the smaller count is done first, and the other end continues with its remaining
-    // bytes. A fault may strike the bytes. The trace does not show them. Bytes on which both ends agree count as a
-    // part, whose words of memory are rounded up.
+    // bytes. A fault may strike the bytes. The trace does not show them unless they belong to a channel. Bytes on which
+    // both ends agree count as a part, whose words of memory are rounded up.
     /// Makes both ends move bytes by counts. Throws std::logic_error if a channel or an adapter uses the direction.
     /// REQUIRES: the run has not begun; the users outlive the direction.
     void move_by_counts(ByteUser& sender, ByteUser& receiver);
+    /// States that the bytes of the counts are messages of this channel: the trace then shows them, and faults name it.
+    /// REQUIRES: the run has not begun; the channel outlives the direction.
+    void carries_bytes_of(AnyChannel& channel) { channel_ = &channel; }
     /// Offers bytes. Throws std::logic_error for 0 bytes, and if sent() has not been called for an earlier give().
     void give(std::uint32_t bytes);
     /// Asks for bytes. Throws std::logic_error for 0 bytes, and if taken() has not been called for an earlier take().
@@ -113,7 +127,7 @@ public:
     std::uint32_t reset_giving();
     std::uint32_t reset_taking();
 
-    bool output_is_lost(const AnyChannel&) const override { return sender_ && gets_no_further(); }
+    bool output_is_lost(const AnyChannel&) const override { return has_sender() && gets_no_further(); }
     bool input_is_lost(const AnyChannel&) const override;
     bool output_must_be_reset(const AnyChannel&) const override;
     bool input_must_be_reset(const AnyChannel&) const override;
@@ -181,6 +195,7 @@ private:
     const LinkState& state() const { return course_.state(); }
     LinkState::Ends ends() const { return course_.touched().directions[number_].ends; }
     LinkState::Phase phase() const { return state().directions[number_].phase; }
+    bool has_sender() const { return counts_ ? counts_->gives : sender_ != nullptr; }
     bool gets_no_further() const;
     std::uint32_t bytes_started() const;
 
@@ -197,6 +212,7 @@ private:
         std::uint32_t agreed = 0;               ///< bytes of the current part that count for the receiver
         bool gives = false, takes = false;      ///< whether a give() or a take() has not ended
     };
+    void tell_watchers() const;
     void begin_part_by_counts(LinkState&);
     bool agree_on_part(LinkState&);
     void ask_by_counts();
@@ -267,6 +283,9 @@ public:
     const LinkDirection& from_b_to_a() const { return b_to_a_; }
 
     const LinkTiming& timing() const { return timing_; }
+    /// Returns whether nothing is under way. The link then stays as it is until one of its ends acts on it, and
+    /// words_moved() has the same result at all later times.
+    bool is_still() const { return course_.is_still(); }
     /// Prefetches the data that words_moved() reads.
     void fetch() const { course_.fetch(); }
     /// Returns how many words of the current parts the engines at this memory moved before `now`. Performs steps that

@@ -23,10 +23,17 @@ void LinkDirection::move_by_counts(ByteUser& sender, ByteUser& receiver) {
     counts_ = std::make_unique<Counts>(Counts{sender, receiver});
 }
 
+void LinkDirection::tell_watchers() const {
+    for (const LinkEngineMemory* memory : memories_)
+        if (memory && memory->watcher)
+            memory->watcher->link_will_change();
+}
+
 void LinkDirection::give(std::uint32_t bytes) {
     if (bytes == 0 || std::exchange(counts_->gives, true))
         throw std::logic_error(
             fmt::format("{}: give() needs at least one byte, and a call of sent() for the preceding bytes", name_));
+    tell_watchers();
     LinkCourse::Touch touch(course_);
     counts_->to_give = bytes;
     begin_part_by_counts(*touch);
@@ -37,6 +44,7 @@ void LinkDirection::take(std::uint32_t bytes) {
     if (bytes == 0 || std::exchange(counts_->takes, true))
         throw std::logic_error(
             fmt::format("{}: take() needs at least one byte, and a call of taken() for the preceding bytes", name_));
+    tell_watchers();
     counts_->to_take = bytes;
     ask_by_counts();
 }
@@ -68,6 +76,8 @@ bool LinkDirection::agree_on_part(LinkState& state) {
     stream.bytes_left = bytes - std::uint32_t{has_begun};
     if (is_last_now && direction.first_byte == LinkState::FirstByte::asked_for)
         state.expect_last_byte(number_, times_);
+    if (is_last_now)
+        trace_standstill();
     return true;
 }
 
@@ -94,6 +104,7 @@ void LinkDirection::end_of_taking() {
 }
 
 std::uint32_t LinkDirection::reset_giving() {
+    tell_watchers();
     LinkCourse::Touch touch(course_);
     const auto received = static_cast<std::uint32_t>(counts_->gives ? bytes_received() : 0);
     if (counts_->gives) {
@@ -110,6 +121,7 @@ std::uint32_t LinkDirection::reset_giving() {
 }
 
 std::uint32_t LinkDirection::reset_taking() {
+    tell_watchers();
     LinkCourse::Touch touch(course_);
     LinkState::Direction& direction = touch->directions[number_];
     if (counts_->takes)
@@ -125,6 +137,18 @@ std::uint32_t LinkDirection::reset_taking() {
 
 void LinkDirection::step_performed_by_counts(LinkState& state, LinkStep step, const LinkState::Outcome& outcome) {
     switch (step) {
+    case LinkStep::byte_begins:
+        if (channel_)
+            trace_byte(state, outcome);
+        return;
+    case LinkStep::acknowledge_begins:
+        if (outcome.is_lost)
+            trace_standstill();
+        return;
+    case LinkStep::byte_is_noticed:
+        if (state.packets.streams[number_].bytes_left > 0)
+            trace_standstill();
+        return;
     case LinkStep::first_byte_arrives:
         if (state.directions[number_].first_byte == LinkState::FirstByte::waits)
             counts_->receiver.byte_waits();

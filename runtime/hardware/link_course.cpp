@@ -54,6 +54,11 @@ void LinkCourse::happen() noexcept {
         kernel_.make_ready(*woken);
 }
 
+bool LinkCourse::is_still() const {
+    const auto& streams = state_->packets.streams; // of the present, since no step will happen
+    return !scheduled() && std::max(streams[0].last_start, streams[1].last_start) < kernel_.now();
+}
+
 const LinkState& LinkCourse::state() {
     catch_up(kernel_.now());
     return *state_;

@@ -63,6 +63,8 @@ public:
     /// Returns the state now. A packet that begins now may or may not be included.
     const LinkState& state();
 
+    /// Returns whether no step will happen before a Touch, nor a byte has begun now.
+    bool is_still() const;
     /// Prefetches the data that bytes_begun_before() reads.
     void fetch() const { __builtin_prefetch(&period_); }
     /// Returns how many bytes of the current part began before `now`. Bytes that begin at `now` are excluded, because

@@ -40,7 +40,7 @@ bool LinkDirection::input_is_lost(const AnyChannel& channel) const {
 }
 
 bool LinkDirection::output_must_be_reset(const AnyChannel&) const {
-    return sender_ && state().directions[number_].ends == Ends::receiver_left;
+    return has_sender() && state().directions[number_].ends == Ends::receiver_left;
 }
 
 bool LinkDirection::input_must_be_reset(const AnyChannel&) const {

@@ -35,6 +35,7 @@ void Core::enable_channel() {
     registers_.b = registers_.c;
     if (registers_.a == 0)
         return;
+    tell(registers_.workspace, Turn::enables, channel);
     if (is_ready(channel))
         store(registers_.workspace - below::state, alternative::ready);
     else
@@ -95,12 +96,14 @@ void Core::wait_for_alternative(bool timer) {
         store(workspace - below::state, alternative::ready);
         if (timer)
             store(workspace - below::time, clock(priority_));
+        tell(workspace, Turn::selects);
         return;
     }
     store(workspace - below::state, alternative::waiting);
     if (timer && load(workspace - below::timer_link) == alternative::time_set)
         join_timers(load(workspace - below::time));
     leave_processor();
+    tell(workspace, timer ? Turn::times : Turn::alternates);
 }
 
 // Clocks
@@ -139,6 +142,7 @@ void Core::wait_for_time() {
     }
     join_timers(time);
     leave_processor();
+    tell(registers_.workspace, Turn::times);
 }
 
 /// Puts the running process into the timer queue of its priority, behind those of the same time.
@@ -188,6 +192,7 @@ void Core::wake_timers(int priority) {
         store(workspace - below::time, clock(priority));
         if (load(workspace - below::state) == alternative::waiting)
             store(workspace - below::state, alternative::ready);
+        tell(workspace, Turn::ready);
         enqueue(workspace | static_cast<Word>(priority));
     }
 }

@@ -9,8 +9,8 @@ namespace placedpar::transputer {
 
 class ByteLane;
 
-/// An end of a link that gives and takes bytes by counts: a node, a host, a loader. The functions must not wait or
-/// throw.
+/// An end of a link that gives and takes bytes by counts: a node, a host, a process that inputs messages. The functions
+/// must not wait or throw.
 class ByteEnd {
 public:
     /// Copies the next bytes of those that are being given.
@@ -51,6 +51,7 @@ public:
     bool is_giving() const { return gives_; }
     bool is_taking() const { return takes_; }
     const std::string& name() const { return wire_.name(); }
+    hardware::LinkDirection& wire() { return wire_; }
 
 private:
     void move(std::uint32_t bytes);

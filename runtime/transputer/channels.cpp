@@ -12,8 +12,10 @@ void Core::transfer_ended(int channel) {
     const Word address = most_negative + 4 * static_cast<Word>(channel);
     const Word process = load(address);
     store(address, not_a_process);
-    if (process != not_a_process)
-        enqueue(process);
+    if (process == not_a_process)
+        return;
+    tell(process, Turn::ready, address);
+    enqueue(process);
 }
 
 void Core::begin_communication(Operation operation) {
@@ -21,9 +23,12 @@ void Core::begin_communication(Operation operation) {
         store(registers_.workspace, registers_.a);
     const Communication asked = communication_by(operation, registers_);
     if (const int link = hard_channel(asked.channel); link >= 0)
-        communicate_by_link(link, asked);
-    else
-        running_ = communicate(operation != Operation::in, asked, registers_) && stopped_ == Stopped::nothing;
+        return communicate_by_link(link, asked);
+    running_ = communicate(operation != Operation::in, asked, registers_) && stopped_ == Stopped::nothing;
+    if (running_)
+        tell(asked.partner, Turn::met, asked.channel);
+    else if (stopped_ == Stopped::nothing)
+        tell(registers_.workspace, operation == Operation::in ? Turn::inputs : Turn::outputs, asked.channel);
 }
 
 void Core::communicate_by_link(int link, const Communication& asked) {
@@ -33,23 +38,25 @@ void Core::communicate_by_link(int link, const Communication& asked) {
         return fault(Stopped::by_bad_address, asked.address);
     store(asked.channel, descriptor());
     leave_processor();
+    tell(registers_.workspace, link < 4 ? Turn::outputs : Turn::inputs, asked.channel);
     links_.begin_transfer(link, asked.address, asked.bytes);
 }
 
-/// Tells a process in an ALT that one of its channels is ready.
-void Core::wake_alternative(Word partner, Time now) {
+/// Tells a process in an ALT that one of its channels is ready. `woken`: met, or ready by a link.
+void Core::wake_alternative(Word partner, Time now, Turn woken) {
     const Word workspace = partner & ~Word{3};
     const Word state = load(workspace - below::state);
     store(workspace - below::state, alternative::ready);
     if (state != alternative::waiting)
         return;
     leave_timers(workspace, static_cast<int>(partner & 1), now);
+    tell(workspace, woken);
     enqueue(partner);
 }
 
 void Core::byte_has_come(int channel, Time now) {
     if (const Word waiting = load(most_negative + 4 * static_cast<Word>(channel)); waiting != not_a_process)
-        wake_alternative(waiting, now);
+        wake_alternative(waiting, now, Turn::ready);
 }
 
 void Core::reset_channel() {
@@ -116,18 +123,20 @@ void Core::perform_on_processes(Operation operation) {
     switch (operation) {
     case Operation::startp:
         store(r.a - below::instruction, r.instruction + r.b);
+        tell(r.a, Turn::ready);
         enqueue((r.a & ~Word{3}) | static_cast<Word>(priority_));
         r.a = r.b = r.c;
         break;
     case Operation::endp: end_process(); break;
     case Operation::runp:
+        tell(r.a, Turn::ready);
         enqueue(r.a);
         pop();
         break;
-    case Operation::stopp: leave_processor(); break;
+    case Operation::stopp: stop_process(); break;
     case Operation::stoperr:
         if (r.error)
-            leave_processor();
+            stop_process();
         break;
     case Operation::go_on: give_way(); break;
     default: perform_on_queues(operation); break;

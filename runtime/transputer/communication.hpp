@@ -75,7 +75,7 @@ PLACEDPAR_EXPANDED HalfCycles Core::cost_of(Operation operation, const Communica
 PLACEDPAR_EXPANDED void Core::copy_message(Word from, Word to, Word bytes) {
     const Word source = NodeMemory::offset_of(from), target = NodeMemory::offset_of(to);
     if (bytes != 4 || (target & 3) != 0 || source > memory_.size() - 4 || target >= memory_.size() ||
-        memory_.has_code(target))
+        memory_.must_prepare(target))
         return move_block(from, to, bytes);
     std::memcpy(memory_.data() + target, memory_.data() + source, 4);
 }
@@ -90,7 +90,7 @@ PLACEDPAR_EXPANDED bool Core::communicate(bool is_output, const Communication& a
         return true;
     }
     if (asked.partner != not_a_process)
-        wake_alternative(asked.partner, local_time());
+        wake_alternative(asked.partner, local_time(), Turn::met);
     store(asked.channel, descriptor(r));
     store(r.workspace - below::pointer, asked.address);
     store_instruction(r);

@@ -2,8 +2,8 @@
 
 #include "runtime/random.hpp"
 #include "runtime/time.hpp"
+#include "runtime/transputer/core_state.hpp"
 #include "runtime/transputer/decoded_code.hpp"
-#include "runtime/transputer/fpu.hpp"
 #include "runtime/transputer/memory.hpp"
 #include "runtime/transputer/model.hpp"
 
@@ -14,10 +14,6 @@
 #include <string>
 
 namespace placedpar::transputer {
-
-/// Half a cycle of the processor's clock: the unit of local time. A word of code that is fetched from outside of the
-/// chip costs half of the additional cycles of an access.
-using HalfCycles = std::uint64_t;
 
 /// The constants of time of a node.
 struct CoreTiming {
@@ -45,17 +41,6 @@ protected:
     ~LinkEngines() = default;
 };
 
-/// The registers that a process can see. After a change of process, only those that the instruction set keeps matter.
-struct Registers {
-    Word instruction = most_negative; ///< Iptr, an address
-    Word workspace = most_negative;   ///< Wptr, an address
-    Word a = 0, b = 0, c = 0;
-    bool error = false;
-};
-
-/// Why a core no longer executes. `nothing`: it does.
-enum class Stopped : std::uint8_t { nothing, by_error, by_unknown_instruction, by_bad_address, by_break, by_analyse };
-
 /// The processor core of an emulated transputer: registers, memory, both queues of processes, both timer queues. It
 /// executes instructions with the cycles of the published table, and knows neither the kernel nor the wires.
 ///
@@ -64,7 +49,7 @@ enum class Stopped : std::uint8_t { nothing, by_error, by_unknown_instruction, b
 /// end.
 ///
 /// Source: IMS T800 data sheet; "Transputer instruction set: a compiler writer's guide" (INMOS 1988).
-class Core {
+class Core : private CoreState {
 public:
     Core(Model, std::uint64_t memory_bytes, const CoreTiming&, LinkEngines&);
 
@@ -76,13 +61,24 @@ public:
         idle,    ///< no process can run before a timer is due or a link wakes one
         stopped  ///< see stopped()
     };
-    /// Executes until an instruction would begin at `limit` or later. `punctual`: every effect on queues and clocks
-    /// must happen at its own moment, since a link may wake a process meanwhile. REQUIRES: the caller's time is
-    /// local_time(), or later if the core is idle; then call pass_idle_time() first.
-    Pause run(HalfCycles limit, bool punctual);
-    /// States that link engines may take accesses at any time. What depends on local time then happens at its own
-    /// moment, after lose_accesses().
-    void share_memory() { memory_is_shared_ = true; }
+    /// What links may do to the core before it reaches the limit of a run.
+    enum class Links {
+        rest,          ///< nothing
+        take_accesses, ///< take accesses to the memory. What depends on clocks happens at its own moment, after
+                       ///< lose_accesses().
+        may_wake       ///< also make processes ready. Every effect on queues and clocks happens at its own moment.
+    };
+    /// Executes until an instruction would begin at `limit` or later. Effects at the limit or later do not happen.
+    /// REQUIRES: the caller's time is local_time(), or later if the core is idle; then call pass_idle_time() first.
+    Pause run(HalfCycles limit, Links = Links::rest);
+
+    /// Keeps the state and the memory as they are now, so that go_back() can restore them.
+    void keep();
+    /// Keeps nothing any longer.
+    void let_go() { memory_.let_go(); }
+    /// Restores what was kept. REQUIRES: keep() was called, and after it neither let_go() nor go_back(). No link has
+    /// acted on the core since, nor has the core on a link.
+    void go_back();
     /// Attends to timers and the end of a timeslice period if the first of them was due before `then`.
     void attend_if_due(Time then) {
         if (local_ >= due_ && time_at(due_) < then && stopped_ == Stopped::nothing)
@@ -123,6 +119,7 @@ public:
     /// Copy bytes for a link or a boot. Offsets outside of the memory stop the core.
     void copy_from_memory(Word offset, std::span<std::uint8_t>);
     void copy_to_memory(Word offset, std::span<const std::uint8_t>);
+    bool is_running() const { return running_; }
     /// Returns whether a process runs or is ready.
     bool is_active() const { return running_ || front_[0] != not_a_process || front_[1] != not_a_process; }
 
@@ -143,7 +140,10 @@ public:
     const Registers& registers() const { return registers_; }
     bool high_priority() const { return priority_ == 0; }
     bool halts_on_error() const { return halts_on_error_; }
+    /// Returns the Error flag of a priority.
+    bool has_error(int priority) const { return priority == priority_ ? registers_.error : other_error_; }
     Fpu& fpu() { return fpu_; }
+    const Fpu& fpu() const { return fpu_; }
     /// Returns the front of a queue of ready processes: an address of a workspace, or not_a_process.
     Word front(int priority) const { return front_[static_cast<std::size_t>(priority)]; }
     Word back(int priority) const { return back_[static_cast<std::size_t>(priority)]; }
@@ -173,6 +173,36 @@ public:
     /// Executes one instruction at a time from now on, with the same results. REQUIRES: `watcher` outlives the run.
     void watch(Watcher* watcher) { watcher_ = watcher; }
 
+    /// What a process does from now on.
+    enum class Turn : std::uint8_t {
+        runs,       ///< it has the processor
+        ready,      ///< it is in a queue, or interrupted
+        met,        ///< the same, since the running process has communicated with it by the channel
+        enables,    ///< the running process waits for this channel, too, if its ALT waits
+        selects,    ///< the ALT of the running process need not wait
+        alternates, ///< it waits in an ALT for the channels that it has enabled
+        times,      ///< the same, with a time; or it waits for the time alone, if it has enabled no channel
+        inputs,     ///< it waits for input by the channel
+        outputs,
+        stops, ///< it has left the processor, and waits for nothing; or the core has stopped
+        ends
+    };
+    /// Watches processes, for traces. REQUIRES: it only reads the core.
+    class ProcessWatcher {
+    public:
+        /// The process of this workspace changes what it does, at the local time. A process that calls procedures
+        /// waits at other workspaces than those at which it runs.
+        virtual void turns(Word workspace, Turn, Word channel) = 0;
+
+    protected:
+        ~ProcessWatcher() = default;
+    };
+    /// Performs everything of the scheduler at its own moment from now on, with the same results. REQUIRES: `watcher`
+    /// outlives the run.
+    void watch_processes(ProcessWatcher* watcher) { process_watcher_ = watcher; }
+    /// Returns whether instructions or processes are watched. The core must not go back behind what a watcher has seen.
+    bool is_watched() const { return watcher_ != nullptr || process_watcher_ != nullptr; }
+
 private:
     /// Why execute() has returned to the scheduler.
     enum class Left : std::uint8_t {
@@ -185,28 +215,18 @@ private:
         unknown_selector,
         bad_address
     };
-    /// An instruction of the scheduler whose cycles pass before its effect.
-    struct Pending {
-        Operation operation;
-        HalfCycles left;
-        bool begun = true; ///< false if its cycles are not known yet, since they depend on the moment
-        // These are for a watcher.
-        Word at = 0;
-        HalfCycles spent = 0; ///< the cycles known so far
-    };
-
     // engine.cpp
     Left execute(HalfCycles until, bool at_once);
     Word place_of(const Block&, const Entry&) const;
     static std::uint64_t instructions_after(const Block&, const Entry&);
-    void code_was_written(Block&, const Entry&, Word offset, Word bytes);
+    void page_is_written(Block&, const Entry&, Word offset, Word bytes);
 
     // scheduler.cpp: processes and time; channels.cpp; core_memory.cpp: memory, moves, errors
     void execute_until(HalfCycles, bool at_once);
     void act_on(Left);
-    bool finish_pending(HalfCycles limit, bool punctual, Pause&);
-    bool must_begin_on_time(Operation, bool punctual) const;
-    bool must_be_on_time(Operation, bool punctual) const;
+    bool finish_pending(HalfCycles limit, Links, Pause&);
+    bool must_begin_on_time(Operation, Links) const;
+    bool must_be_on_time(Operation, Links) const;
     bool concerns_link(Operation) const;
     Left perform_at_once(Operation, Registers&, HalfCycles until);
     Left communicate_at_once(Operation, Registers&, HalfCycles until);
@@ -228,6 +248,7 @@ private:
     void resume_interrupted();
     void leave_processor();
     void store_instruction(const Registers&);
+    void stop_process();
     void give_way();
     void enqueue(Word process);
     void end_process();
@@ -245,7 +266,7 @@ private:
     bool communicate(bool is_output, const Communication&, const Registers&);
     void copy_message(Word from, Word to, Word bytes);
     void communicate_by_link(int link, const Communication&);
-    void wake_alternative(Word partner, Time);
+    void wake_alternative(Word partner, Time, Turn woken);
     void reset_channel();
     HalfCycles cost_of(Operation);
     void perform(Operation);
@@ -268,11 +289,12 @@ private:
         const Word offset = NodeMemory::offset_of(address) & ~Word{3};
         if (offset >= memory_.size()) [[unlikely]]
             return store_outside(address, value);
-        if (memory_.has_code(offset)) [[unlikely]]
-            code_.forget(offset, 4);
+        if (memory_.must_prepare(offset)) [[unlikely]]
+            prepare_write(offset, 4);
         memory_.set_word(offset, value);
     }
     void write(Word offset, std::span<const std::uint8_t>);
+    void prepare_write(Word offset, Word bytes);
     /// Returns the number of words that an interval touches, with part words at its ends.
     static HalfCycles words_touched(Word address, Word bytes) {
         return bytes == 0 ? 0 : ((HalfCycles{address} & 3) + bytes + 3) / 4;
@@ -282,6 +304,10 @@ private:
         return NodeMemory::offset_of(address) < traits_.bytes_on_chip ? 0 : words_touched(address, bytes) * penalty_;
     }
     void fault(Stopped, Word address);
+    void tell(Word workspace, Turn turn, Word channel = not_a_process) {
+        if (process_watcher_) [[unlikely]]
+            process_watcher_->turns(workspace & ~Word{3}, turn, channel);
+    }
 
     // alternation.cpp: ALT, clocks and timers
     bool is_ready(Word channel);
@@ -324,38 +350,9 @@ private:
     HalfCycles penalty_; ///< of an access to data outside of the chip
     HalfCycles switch_;  ///< of a switch to the next process
 
-    Registers registers_;
-    int priority_ = 1;
-    bool running_ = false, was_running_ = false; ///< the latter: when the core stopped
-    bool halts_on_error_ = false;
-    bool analysed_ = false, breaks_at_j0_ = false;
-    bool is_analysed_ = false; ///< the analyse pin is set
-    Stopped stopped_ = Stopped::nothing;
-    Word stopped_at_ = 0;      ///< the address that was bad
-    bool other_error_ = false; ///< Error of the interrupted process
-    Fpu fpu_, interrupted_fpu_;
-    HalfCycles fpu_free_ = 0;    ///< local time at which the floating-point unit has finished
-    std::array<Word, 3> move_{}; ///< rows, stride of the target, stride of the source: move2dinit
-
-    std::array<Word, 2> front_{not_a_process, not_a_process}, back_{not_a_process, not_a_process};
-    std::optional<RandomStream> shuffle_; ///< set if the queues are shuffled
-    std::optional<Pending> pending_, interrupted_pending_;
-    bool clocks_run_ = false;
-    Word clock_start_ = 0;
-    Time clocks_since_{};
-    std::array<bool, 2> timers_disabled_{};
-    Time next_timer_ = Time::max(), slice_ends_{};
-    Operation begun_{};   ///< the instruction of the scheduler at which execute() has left
-    int slices_seen_ = 0; ///< ends of timeslice periods since the running process got the processor
-    int interrupted_slices_ = 0;
-
-    Time origin_{};
-    HalfCycles local_ = 0, due_ = 0, on_time_at_ = 0;
-    HalfCycles busy_before_ = 0;
-    std::uint64_t instructions_ = 0;
-    Word last_fetched_ = 1; ///< address of the word of code that was fetched last; odd: none
-    bool memory_is_shared_ = false;
+    CoreState kept_;
     Watcher* watcher_ = nullptr;
+    ProcessWatcher* process_watcher_ = nullptr;
 };
 
 } // namespace placedpar::transputer

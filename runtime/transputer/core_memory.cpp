@@ -41,9 +41,28 @@ void Core::write(Word offset, std::span<const std::uint8_t> bytes) {
     if (bytes.empty())
         return;
     const auto count = static_cast<Word>(bytes.size());
+    if (memory_.must_prepare(offset, count))
+        prepare_write(offset, count);
     std::memmove(memory_.data() + offset, bytes.data(), bytes.size());
-    if (memory_.has_code(offset, count))
-        code_.forget(offset, count);
+}
+
+void Core::prepare_write(Word offset, Word bytes) {
+    memory_.save(offset, bytes);
+    if (memory_.has_code(offset, bytes))
+        code_.forget(offset, bytes);
+}
+
+void Core::keep() {
+    kept_ = *this;
+    memory_.keep();
+}
+
+void Core::go_back() {
+    static_cast<CoreState&>(*this) = kept_;
+    memory_.go_back([this](Word offset, Word bytes) {
+        if (memory_.has_code(offset, bytes))
+            code_.forget(offset, bytes);
+    });
 }
 
 void Core::copy_from_memory(Word offset, std::span<std::uint8_t> to) {
@@ -110,6 +129,8 @@ void Core::fault(Stopped why, Word address) {
     stopped_ = why;
     stopped_at_ = address;
     was_running_ = std::exchange(running_, false);
+    if (was_running_)
+        tell(registers_.workspace, Turn::stops);
 }
 
 std::string Core::why_stopped() const {

@@ -1,6 +1,7 @@
 #include "runtime/transputer/decoded_code.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace placedpar::transputer {
@@ -10,9 +11,10 @@ constexpr unsigned longest_block = 48;                                          
 constexpr Word longest_reach = (longest_block * (most_prefixes + 1)) / NodeMemory::page_bytes + 1; // pages
 constexpr std::uint32_t longest_wait_for_reals = 2 * 90; // half cycles; at the beginning of a block
 constexpr unsigned most_static_cost = 8000;              // half cycles of a block
+constexpr std::size_t most_spare = 16;                   // blocks
 
 std::uint64_t bytes_of(const Block& block) {
-    return sizeof(Block) + (block.instructions + 1) * (sizeof(Entry) + sizeof(std::uint32_t));
+    return sizeof(Block) + (block.room + 1) * (sizeof(Entry) + sizeof(std::uint32_t));
 }
 
 /// Joins direct functions in pairs.
@@ -39,7 +41,7 @@ DecodedCode::Page& DecodedCode::page(Word offset) {
         result = std::make_unique<Page>();
         bytes_used_ += sizeof(Page);
     }
-    memory_.code_flags()[offset / NodeMemory::page_bytes] = 1;
+    memory_.note_code(offset / NodeMemory::page_bytes, true);
     return *result;
 }
 
@@ -129,49 +131,112 @@ Block* DecodedCode::front_of(const Block& block, std::uint64_t half_cycles) {
 }
 
 Block* DecodedCode::decode(Word address) {
-    auto block = std::make_unique<Block>();
+    std::unique_ptr<Block> block = spare_block();
     if (NodeMemory::offset_of(address) >= memory_.size() || !fill(*block, address, {memory_.size(), 0, longest_block}))
         return nullptr;
+    if (block->room < block->instructions) {
+        block->room = (block->instructions + 7) & ~7u;
+        block->entries = std::make_unique<Entry[]>(block->room + 1);
+        block->bounds = std::make_unique<std::uint32_t[]>(block->room);
+    }
     const std::uint64_t bytes = bytes_of(*block);
     if (bytes_used_ + bytes > std::max<std::uint64_t>(memory_.size(), 65'536))
-        forget(0, memory_.size());
+        forget_all();
     bytes_used_ += bytes;
-    block->entries = std::make_unique<Entry[]>(block->instructions + 1);
     std::copy_n(scratch_.begin(), block->instructions + 1, block->entries.get());
-    block->bounds = std::make_unique<std::uint32_t[]>(block->instructions);
     std::copy_n(scratch_bounds_.begin(), block->instructions, block->bounds.get());
 
     const Word begin = NodeMemory::offset_of(address);
     Page& first = page(begin);
     for (Word at = begin | (NodeMemory::page_bytes - 1); at - begin < block->bytes - 1; at += NodeMemory::page_bytes)
         page(at + 1).reached_from_before = true;
+    mark_decoded(begin, block->bytes);
     first.blocks[begin % NodeMemory::page_bytes] = block.get();
     return first.starting.emplace_back(std::move(block)).get();
 }
 
-void DecodedCode::forget_page(Word index) {
-    std::unique_ptr<Page>& page = pages_[index];
+std::unique_ptr<Block> DecodedCode::spare_block() {
+    if (spare_.empty())
+        return std::make_unique<Block>();
+    std::unique_ptr<Block> block = std::move(spare_.back());
+    spare_.pop_back();
+    return block;
+}
+
+/// REQUIRES: the pages of the bytes exist.
+void DecodedCode::mark_decoded(Word offset, Word bytes) {
+    for (Word at = offset; at < offset + bytes; ++at)
+        pages_[at / NodeMemory::page_bytes]->decoded.set(at % NodeMemory::page_bytes);
+}
+
+void DecodedCode::sweep() {
+    while (!forgotten_.empty()) {
+        if (spare_.size() < most_spare)
+            spare_.push_back(std::move(forgotten_.back()));
+        forgotten_.pop_back();
+    }
+}
+
+/// Forgets everything, and frees the pages.
+void DecodedCode::forget_all() {
+    for (Word index = 0; index < pages_.size(); ++index) {
+        std::unique_ptr<Page>& page = pages_[index];
+        if (!page)
+            continue;
+        std::ranges::move(page->starting, std::back_inserter(forgotten_));
+        page.reset();
+        memory_.note_code(index, false);
+    }
+    bytes_used_ = 0;
+}
+
+/// Forgets the blocks that begin in a page and have bytes in an interval.
+void DecodedCode::forget_blocks(Word page, Word offset, Word bytes) {
+    if (!pages_[page])
+        return;
+    std::vector<std::unique_ptr<Block>>& starting = pages_[page]->starting;
+    for (std::size_t i = 0; i < starting.size();) {
+        const Word begin = NodeMemory::offset_of(starting[i]->start);
+        if (begin >= offset + bytes || begin + starting[i]->bytes <= offset) {
+            ++i;
+            continue;
+        }
+        pages_[page]->blocks[begin % NodeMemory::page_bytes] = nullptr;
+        bytes_used_ -= bytes_of(*starting[i]);
+        forgotten_.push_back(std::exchange(starting[i], std::move(starting.back())));
+        starting.pop_back();
+    }
+}
+
+/// Does the same as forget() for an interval in one page.
+void DecodedCode::forget_in_page(Word index, Word offset, Word bytes) {
+    Page* const page = pages_[index].get();
     if (!page)
         return;
-    for (std::unique_ptr<Block>& block : page->starting) {
-        bytes_used_ -= bytes_of(*block);
-        forgotten_.push_back(std::move(block));
+    bool is_decoded = false;
+    for (Word at = offset % NodeMemory::page_bytes, left = bytes; left > 0; ++at, --left) {
+        is_decoded = is_decoded || page->decoded[at];
+        page->decoded.reset(at);
     }
-    bytes_used_ -= sizeof(Page);
-    page.reset();
-    memory_.code_flags()[index] = 0;
+    if (!is_decoded)
+        return;
+    // Blocks of many prefixes may begin several pages before.
+    for (Word before = index; page->reached_from_before && before-- > 0 && index - before <= longest_reach;)
+        forget_blocks(before, offset, bytes);
+    forget_blocks(index, offset, bytes);
+    if (page->starting.empty() && (!page->reached_from_before || page->decoded.none())) {
+        page->decoded.reset();
+        page->reached_from_before = false;
+        memory_.note_code(index, false);
+    }
 }
 
 void DecodedCode::forget(Word offset, Word bytes) {
-    if (bytes == 0)
-        return;
-    const Word first = offset / NodeMemory::page_bytes, last = (offset + bytes - 1) / NodeMemory::page_bytes;
-    for (Word i = first; i <= last; ++i) {
-        const bool reached = i == first && pages_[i] && pages_[i]->reached_from_before;
-        // Blocks of many prefixes may begin several pages before.
-        for (Word before = i; reached && before-- > 0 && i - before <= longest_reach;)
-            forget_page(before);
-        forget_page(i);
+    constexpr Word size = NodeMemory::page_bytes;
+    for (const Word end = offset + bytes; offset < end;) {
+        const Word part = std::min(end - offset, size - offset % size);
+        forget_in_page(offset / size, offset, part);
+        offset += part;
     }
 }
 

@@ -3,6 +3,7 @@
 #include "runtime/transputer/instruction.hpp"
 #include "runtime/transputer/memory.hpp"
 
+#include <bitset>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -31,6 +32,7 @@ struct Block {
     Word start = 0;                          ///< address of its first byte
     Word bytes = 0;                          ///< of its instructions
     std::unique_ptr<std::uint32_t[]> bounds; ///< for each instruction: the most half cycles up to its end
+    std::uint32_t room = 0;                  ///< instructions for which there are entries and bounds
 };
 
 /// What decoding must know of a node.
@@ -41,8 +43,8 @@ struct CodeTiming {
     HalfCycles16 penalty; ///< half cycles of an access to data outside of the chip, beyond those on the chip
 };
 
-/// The code of a node that has run, decoded. It is decoded when it is first executed, and forgotten by pages when it is
-/// written to. It takes at most about as much of the host's memory as the node has; then everything is forgotten.
+/// The code of a node that has run, decoded. It is decoded when it is first executed, and forgotten when it is written
+/// to. It takes at most about as much of the host's memory as the node has; then everything is forgotten.
 class DecodedCode {
 public:
     DecodedCode(NodeMemory&, const CodeTiming&);
@@ -59,19 +61,20 @@ public:
     /// Returns a block of the first instructions of a block, as many as surely end within so many half cycles. Returns
     /// the first instruction alone if none surely does. The result is valid until the next call.
     Block* front_of(const Block&, std::uint64_t half_cycles);
-    /// Forgets the blocks in the pages of an interval. REQUIRES: the memory holds it.
+    /// Forgets the blocks that have bytes in an interval. REQUIRES: the memory holds it.
     void forget(Word offset, Word bytes);
     /// Returns a block of the one instruction at an address outside of the memory, which wraps; null if it crosses an
     /// end of the memory. The result is valid until the next call of a function.
     Block* at_wrapped(Word address);
-    /// Frees forgotten blocks. Call it when none is being executed.
-    void sweep() { forgotten_.clear(); }
+    /// Frees forgotten blocks, or uses them again. Call it when none is being executed.
+    void sweep();
     bool must_sweep() const { return !forgotten_.empty(); }
 
 private:
     struct Page {
         Block* blocks[NodeMemory::page_bytes] = {};
         std::vector<std::unique_ptr<Block>> starting; ///< the blocks that start in this page
+        std::bitset<NodeMemory::page_bytes> decoded;  ///< the bytes of blocks, and some of blocks that are forgotten
         bool reached_from_before = false;             ///< a block of the page before may end in this page
     };
     Block* decode(Word address);
@@ -83,12 +86,17 @@ private:
     std::span<const std::uint8_t> bytes_from(Word offset, const Bytes&);
     bool fill(Block&, Word address, const Bytes&);
     Page& page(Word offset);
-    void forget_page(Word index);
+    std::unique_ptr<Block> spare_block();
+    void mark_decoded(Word offset, Word bytes);
+    void forget_blocks(Word page, Word offset, Word bytes);
+    void forget_in_page(Word page, Word offset, Word bytes);
+    void forget_all();
 
     NodeMemory& memory_;
     CodeTiming timing_;
     std::vector<std::unique_ptr<Page>> pages_;
     std::vector<std::unique_ptr<Block>> forgotten_;
+    std::vector<std::unique_ptr<Block>> spare_; ///< forgotten blocks, with their entries and bounds
     std::uint64_t bytes_used_ = 0;
     Block front_; ///< the result of front_of()
     std::vector<Entry> scratch_;

@@ -74,9 +74,9 @@ namespace placedpar::transputer {
         offset = memory_.wrapped(offset);                                                                              \
     }                                                                                                                  \
     spent += offset >= on_chip ? penalty : 0
-#define NOTE_WRITE(bytes)                                                                                              \
-    if (code_flags[offset / NodeMemory::page_bytes]) [[unlikely]]                                                      \
-    code_was_written(*block, *entry, offset, bytes)
+#define BEFORE_WRITE(bytes)                                                                                            \
+    if (page_flags[offset / NodeMemory::page_bytes]) [[unlikely]]                                                      \
+    page_is_written(*block, *entry, offset, bytes)
 #define LOAD_BY(address, variable, always_wraps)                                                                       \
     do {                                                                                                               \
         REACH(address, 4, always_wraps);                                                                               \
@@ -86,8 +86,8 @@ namespace placedpar::transputer {
     do {                                                                                                               \
         const Word stored = static_cast<Word>(value_);                                                                 \
         REACH(address, 4, always_wraps);                                                                               \
+        BEFORE_WRITE(4);                                                                                               \
         std::memcpy(memory + offset, &stored, 4);                                                                      \
-        NOTE_WRITE(4);                                                                                                 \
     } while (false)
 #define LOAD(address, variable) LOAD_BY(address, variable, false)
 #define LOAD_WRAPPED(address, variable) LOAD_BY(address, variable, true)
@@ -101,8 +101,8 @@ namespace placedpar::transputer {
 #define STORE_BYTE(address, value_)                                                                                    \
     do {                                                                                                               \
         REACH(address, 1, true);                                                                                       \
+        BEFORE_WRITE(1);                                                                                               \
         memory[offset] = static_cast<std::uint8_t>(value_);                                                            \
-        NOTE_WRITE(1);                                                                                                 \
     } while (false)
 #define LOAD_DOUBLE(address, variable)                                                                                 \
     do {                                                                                                               \
@@ -177,7 +177,7 @@ Core::Left Core::execute(HalfCycles until, bool at_once) {
     };
 
     std::uint8_t* const memory = memory_.data();
-    const std::uint8_t* const code_flags = memory_.code_flags();
+    const std::uint8_t* const page_flags = memory_.page_flags();
     const Word size = memory_.size(), on_chip = traits_.bytes_on_chip;
     const HalfCycles penalty = penalty_;
     bool slice_is_over = is_slice_over();
@@ -320,7 +320,10 @@ Word Core::place_of(const Block& block, const Entry& entry) const {
     return result;
 }
 
-void Core::code_was_written(Block& block, const Entry& entry, Word offset, Word bytes) {
+void Core::page_is_written(Block& block, const Entry& entry, Word offset, Word bytes) {
+    memory_.save(offset, bytes);
+    if (!memory_.has_code(offset, bytes))
+        return;
     code_.forget(offset, bytes);
     const Word begin = NodeMemory::offset_of(block.start);
     if (offset + bytes <= begin || offset >= begin + block.bytes)
@@ -348,7 +351,7 @@ void Core::code_was_written(Block& block, const Entry& entry, Word offset, Word 
 #undef POP
 #undef CHECK
 #undef REACH
-#undef NOTE_WRITE
+#undef BEFORE_WRITE
 #undef LOAD_BY
 #undef STORE_BY
 #undef LOAD

@@ -55,18 +55,22 @@ constexpr OperationTable operations_of_models[] = {
     operations_in(only(Model::t805), false)};
 constexpr OperationTable selected_operations = operations_in(with_reals, true);
 
+/// The direct functions, by code.
+constexpr std::array<Operation, 16> functions = [] {
+    std::array<Operation, 16> result{};
+    result.fill(Operation::unknown);
+    for (std::size_t i = 0; instruction_table[i].unit == Unit::direct && !instruction_table[i].name.empty(); ++i)
+        result[instruction_table[i].code] = static_cast<Operation>(i);
+    return result;
+}();
+
 } // namespace
 
 const Instruction& description_of(Operation operation) {
     return instruction_table[static_cast<std::size_t>(operation)];
 }
 
-Operation function_of(Word code) {
-    for (std::size_t i = 0; instruction_table[i].unit == Unit::direct && !instruction_table[i].name.empty(); ++i)
-        if (instruction_table[i].code == code)
-            return static_cast<Operation>(i);
-    return Operation::unknown;
-}
+Operation function_of(Word code) { return code < functions.size() ? functions[code] : Operation::unknown; }
 
 Operation operation_of(Word code, Model model) {
     const OperationTable& table = operations_of_models[static_cast<std::size_t>(model)];

@@ -93,15 +93,38 @@ std::string print_line(const Listing::Line& line, const std::optional<Word>& tar
                        print_cycles_of(line.spent), percent(line.spent, all));
 }
 
-std::string print_block(const ListedBlock& block, const std::optional<Word>* target, HalfCycles all) {
-    std::string result;
-    for (const auto& line : block.lines)
-        result += print_line(line, *target++, all) +
-                  (&line == &block.lines.front()
-                       ? fmt::format("  {:>17}  {:>5.1f} %\n", print_cycles_of(block.spent), percent(block.spent, all))
-                       : "\n");
-    return result;
-}
+/// Prints blocks with names of procedures and places in files.
+class BlockPrinter {
+public:
+    BlockPrinter(const CodeLines& lines, HalfCycles all) : lines_(lines), all_(all) {}
+
+    std::string print(const ListedBlock& block, const std::optional<Word>* target) {
+        std::string result;
+        for (const auto& line : block.lines) {
+            if (const std::string entry = lines_.entry(line.address); !entry.empty())
+                result += entry + ":\n";
+            const std::string sums =
+                &line == &block.lines.front()
+                    ? fmt::format("  {:>17}  {:>5.1f} %", print_cycles_of(block.spent), percent(block.spent, all_))
+                    : "";
+            const std::string place = new_place(line.address);
+            result += print_line(line, *target++, all_) +
+                      (place.empty() ? sums : fmt::format("{:<28}  {}", sums, place)) + '\n';
+        }
+        return result;
+    }
+
+private:
+    /// Returns the place of code, unless it is that of the line before.
+    std::string new_place(Word address) {
+        const std::string place = lines_.file_place(address);
+        return std::exchange(place_, place) == place ? "" : place;
+    }
+
+    const CodeLines& lines_;
+    HalfCycles all_;
+    std::string place_;
+};
 
 } // namespace
 
@@ -177,7 +200,7 @@ std::vector<Listing::Line> Listing::lines() const {
     return result;
 }
 
-std::string print_listing(const Listing& listing) {
+std::string print_listing(const Listing& listing, const CodeLines& code_lines) {
     const auto lines = listing.lines();
     HalfCycles all = 0;
     std::uint64_t times = 0;
@@ -194,6 +217,7 @@ std::string print_listing(const Listing& listing) {
     result += print_hot_blocks(blocks, all);
     result += fmt::format("\n{:<9}  {:<17}  {:<20} {:>15}  {:>17}  {:>7}  {:>17}  {:>7}\n", "address", "bytes",
                           "instruction", "times", "cycles", "share", "cycles of block", "share");
+    BlockPrinter printer(code_lines, all);
     const Listing::Line* before = &lines.front();
     for (const ListedBlock& block : blocks) {
         const auto& first = block.lines.front();
@@ -201,7 +225,7 @@ std::string print_listing(const Listing& listing) {
             result += "\nreplaced by other code\n";
         else if (&first != &lines.front() && end_of(*before) != first.address)
             result += '\n';
-        result += print_block(block, &targets[static_cast<std::size_t>(&first - &lines.front())], all);
+        result += printer.print(block, &targets[static_cast<std::size_t>(&first - &lines.front())]);
         before = &block.lines.back();
     }
     return result;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "runtime/transputer/code_lines.hpp"
 #include "runtime/transputer/core.hpp"
 
 #include <array>
@@ -58,6 +59,7 @@ private:
 
 /// Prints the code that ran, by address: bytes, instruction, times, cycles and share of all cycles, with sums for each
 /// block of instructions that were executed one after the other. The blocks with most cycles come first, in a table.
-std::string print_listing(const Listing&);
+/// Names of procedures, and places in files where these change, are added as far as `lines` has them.
+std::string print_listing(const Listing&, const CodeLines& lines);
 
 } // namespace placedpar::transputer

@@ -2,6 +2,7 @@
 
 #include "runtime/transputer/model.hpp"
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +12,8 @@
 #include <new>
 #include <span>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace placedpar::transputer {
 
@@ -20,7 +23,7 @@ static_assert(std::endian::native == std::endian::little, "words of a transputer
 /// first used. Addresses below are offsets from MostNeg, unless stated otherwise.
 class NodeMemory {
 public:
-    /// Code is forgotten by pages of this size when it is written to.
+    /// Code is forgotten, and the memory is saved, by pages of this size when they are written to.
     static constexpr Word page_bytes = 256;
 
     /// Throws std::invalid_argument unless 2048 <= bytes < 4 GB and bytes is a multiple of 256; std::bad_alloc.
@@ -29,8 +32,8 @@ public:
     NodeMemory(std::uint64_t bytes, Word bytes_on_chip) : size_(static_cast<Word>(bytes)), hidden_(bytes_on_chip) {
         if (bytes < 2048 || bytes > 0xffff'ff00 || bytes % page_bytes != 0)
             throw std::invalid_argument("a transputer's memory has 2048 bytes to 4 Gbyte, in steps of 256");
-        bytes_.reset(static_cast<std::uint8_t*>(std::calloc(bytes + hidden_ + 8, 1))); // 8: reals are read as a whole
-        pages_.reset(static_cast<std::uint8_t*>(std::calloc((bytes + hidden_) / page_bytes + 1, 1)));
+        bytes_.reset(static_cast<std::uint8_t*>(std::calloc(pages() * page_bytes, 1))); // reals are read as a whole
+        pages_.reset(static_cast<std::uint8_t*>(std::calloc(pages(), 1)));
         if (!bytes_ || !pages_)
             throw std::bad_alloc();
     }
@@ -50,17 +53,61 @@ public:
     bool holds(Word offset, Word bytes) const { return offset <= size_ && bytes <= size_ - offset; }
 
     std::uint8_t* data() { return bytes_.get(); }
-    /// Returns a flag for each page; not 0 if instructions of the page are decoded.
-    std::uint8_t* code_flags() { return pages_.get(); }
-
-    /// Returns whether instructions of a byte's page may be decoded.
-    bool has_code(Word offset) const { return pages_[offset / page_bytes] != 0; }
-    /// Returns whether instructions of these bytes may be decoded. REQUIRES: holds(offset, bytes), bytes > 0.
-    bool has_code(Word offset, Word bytes) const {
+    const std::uint8_t* data() const { return bytes_.get(); }
+    /// Returns flags for each page: not 0 if something must be done before a byte of the page is written.
+    const std::uint8_t* page_flags() const { return pages_.get(); }
+    /// Returns whether something must be done before a byte, or one of these bytes, is written: if instructions of the
+    /// page are decoded, or if the page must be saved. REQUIRES: the memory holds the bytes.
+    bool must_prepare(Word offset) const { return pages_[offset / page_bytes] != 0; }
+    bool must_prepare(Word offset, Word bytes) const {
         for (Word page = offset / page_bytes; page <= (offset + bytes - 1) / page_bytes; ++page)
             if (pages_[page])
                 return true;
         return false;
+    }
+    /// Returns whether instructions of the pages of these bytes may be decoded. REQUIRES: the memory holds the bytes,
+    /// and bytes > 0.
+    bool has_code(Word offset, Word bytes) const {
+        for (Word page = offset / page_bytes; page <= (offset + bytes - 1) / page_bytes; ++page)
+            if (pages_[page] & code)
+                return true;
+        return false;
+    }
+    void note_code(Word page, bool has_code) {
+        pages_[page] = static_cast<std::uint8_t>((pages_[page] & ~code) | (has_code ? code : 0));
+    }
+
+    /// Keeps the contents as they are now, until keep() or let_go() is called, so that go_back() can restore them. Only
+    /// pages that are written are copied.
+    void keep() {
+        if (std::exchange(has_kept_, true))
+            mark_written();
+        else
+            for (std::size_t page = 0; page < pages(); ++page)
+                pages_[page] |= unsaved;
+        keeps_ = true;
+    }
+    void let_go() { keeps_ = false; }
+    /// Saves the pages of some bytes that will be written. REQUIRES: the memory holds them, and bytes > 0.
+    void save(Word offset, Word bytes) {
+        for (Word page = offset / page_bytes; page <= (offset + bytes - 1) / page_bytes; ++page)
+            if (pages_[page] & unsaved)
+                save_page(page);
+    }
+    /// Restores what was kept. Calls `changes(offset, bytes)` for each word whose contents change. REQUIRES: keep() was
+    /// called, and after it neither let_go() nor go_back().
+    template <class F>
+    void go_back(F changes) {
+        for (std::size_t i = 0; i < copies_.size(); ++i)
+            for (Word at = 0; at < page_bytes; at += 4) {
+                std::uint8_t* const now = &bytes_[std::size_t{written_[i]} * page_bytes + at];
+                if (std::memcmp(now, &copies_[i][at], 4) == 0)
+                    continue;
+                std::memcpy(now, &copies_[i][at], 4);
+                changes(written_[i] * page_bytes + at, Word{4});
+            }
+        mark_written();
+        keeps_ = false;
     }
 
     /// REQUIRES: holds(offset, 4).
@@ -74,11 +121,31 @@ public:
     std::span<std::uint8_t> bytes(Word offset, Word count) { return {&bytes_[offset], count}; }
 
 private:
+    // These are flags of a page: it may have decoded instructions; it was not written since keep().
+    static constexpr std::uint8_t code = 1, unsaved = 2;
+
+    std::size_t pages() const { return (std::size_t{size_} + hidden_) / page_bytes + 1; }
+    void mark_written() {
+        for (const Word page : written_)
+            pages_[page] |= unsaved;
+        written_.clear();
+        copies_.clear();
+    }
+    void save_page(Word page) {
+        pages_[page] &= static_cast<std::uint8_t>(~unsaved);
+        written_.push_back(page);
+        if (keeps_)
+            std::memcpy(copies_.emplace_back().data(), &bytes_[std::size_t{page} * page_bytes], page_bytes);
+    }
+
     struct Free {
         void operator()(std::uint8_t* p) const { std::free(p); }
     };
     Word size_, hidden_;
     std::unique_ptr<std::uint8_t[], Free> bytes_, pages_;
+    bool has_kept_ = false, keeps_ = false;
+    std::vector<Word> written_; ///< pages that are not marked as unsaved; the first of them have copies
+    std::vector<std::array<std::uint8_t, page_bytes>> copies_;
 };
 
 } // namespace placedpar::transputer

@@ -1,6 +1,10 @@
 #include "runtime/transputer/node.hpp"
 
 #include "runtime/kernel.hpp"
+#include "runtime/transputer/code_lines.hpp"
+#include "runtime/transputer/code_text.hpp"
+#include "runtime/transputer/process_trace.hpp"
+#include "runtime/transputer/words.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -24,21 +28,25 @@ Node::Node(Kernel& kernel, std::string name, Model model, std::uint64_t memory_b
     : kernel_(kernel), name_(std::move(name)), core_(model, memory_bytes, timing, *this),
       access_(duration_of(timing.memory_cycles, timing.clock_hz)),
       access_half_cycles_(2 * static_cast<HalfCycles>(timing.memory_cycles)) {
+    engines_.watcher = this;
     for (int i = 0; i < links; ++i)
         ports_[static_cast<std::size_t>(i)].belong_to(*this, i);
 }
+
+Node::~Node() = default;
 
 void Node::has_link(hardware::Link& link) {
     link.from_a_to_b().move_messages_of(engines_);
     link.from_b_to_a().move_messages_of(engines_);
     wires_.push_back(&link);
     least_word_time_ = std::min(least_word_time_, time_of_word(link.timing()));
-    core_.share_memory();
 }
 
 // Running
 
 void Node::happen() noexcept {
+    if (std::exchange(is_ahead_, false))
+        ahead_by_ = std::min(ahead_by_ + ahead_by_ / 4, longest_ahead_);
     if (activity_ == Activity::listening)
         return listen();
     if (is_halted())
@@ -56,8 +64,7 @@ void Node::run() {
     Core::Pause pause{};
     do {
         tell_core();
-        const bool punctual = core_.waits_for_links();
-        pause = core_.run(limit(), punctual);
+        pause = may_run_ahead() ? run_ahead() : run_to_limit();
     } while (pause == Core::Pause::on_time && core_.local_time() == kernel_.now());
     if (pause == Core::Pause::idle)
         return be_idle();
@@ -70,6 +77,47 @@ void Node::run() {
     kernel_.future().schedule(*this, core_.local_time(), EventQueue::turn);
 }
 
+Core::Pause Node::run_to_limit() {
+    core_.let_go();
+    return core_.run(limit(), wires_.empty()            ? Core::Links::rest
+                              : core_.waits_for_links() ? Core::Links::may_wake
+                                                        : Core::Links::take_accesses);
+}
+
+Time Node::horizon(Time most_ahead) const {
+    return std::min({later(kernel_.now(), most_ahead), halts_at_, analysed_at_, kernel_.limit()});
+}
+
+/// Returns whether the core can run ahead although a link may act on it meanwhile. It then comes back. While a link
+/// takes accesses to the memory, local time is not known in advance.
+bool Node::may_run_ahead() const {
+    return most_ahead_ > Time{0} && !core_.is_watched() && !wires_.empty() &&
+           std::ranges::all_of(wires_, &hardware::Link::is_still);
+}
+
+/// Runs as if no link acted on the core.
+Core::Pause Node::run_ahead() {
+    core_.keep();
+    ahead_to_ = std::max(core_.half_cycle_at(horizon(ahead_by_)), core_.local() + 1);
+    const Core::Pause pause = core_.run(ahead_to_, Core::Links::rest);
+    is_ahead_ = core_.local_time() > kernel_.now();
+    return pause;
+}
+
+/// Returns to the state of the present time, if the core has run ahead of it.
+void Node::come_back() {
+    if (!std::exchange(is_ahead_, false))
+        return;
+    const HalfCycles now = core_.half_cycle_at(kernel_.now());
+    if (now >= std::min(ahead_to_, core_.local()))
+        return;
+    core_.go_back();
+    if (now > core_.local())
+        core_.run(now, Core::Links::rest);
+    kernel_.future().reschedule(*this, core_.local_time(), EventQueue::turn);
+    ahead_by_ = std::max(ahead_by_ / 2, least_ahead_);
+}
+
 /// Returns the local time up to which nothing else can act on the core.
 ///
 /// While link engines take accesses, local time passes faster than instructions do, so only a part of the way is gone
@@ -78,7 +126,7 @@ void Node::run() {
 HalfCycles Node::limit() const {
     const EventQueue& future = kernel_.future();
     const Time next_event = future.empty() ? Time::max() : future.next_time();
-    Time until = std::min({later(kernel_.now(), most_ahead_), halts_at_, analysed_at_, kernel_.limit()});
+    Time until = horizon(most_ahead_);
     if (core_.may_be_interrupted())
         until = std::min(until, next_event);
     const HalfCycles next = core_.local() + 1, end = std::max(core_.half_cycle_at(until), next);
@@ -150,6 +198,22 @@ Time Node::time_busy() const {
 }
 
 Time Node::memory_taken_by_links() { return times(static_cast<std::int64_t>(words_moved()), access_); }
+
+std::string Node::name_of_process(Word workspace) const {
+    const std::string name = lines_ ? lines_->process(workspace) : "";
+    return name_ + "." + (name.empty() ? print_address(workspace) : name);
+}
+
+std::string Node::name_of_channel(Word channel) const {
+    const int number = hard_channel(channel);
+    if (number < 0)
+        return name_ + "." + print_address(channel);
+    if (number == 2 * links)
+        return name_ + ".event";
+    const Port& port = ports_[static_cast<std::size_t>(number % links)];
+    const ByteLane* const lane = number < links ? port.out : port.in;
+    return lane ? lane->name() : name_ + ".link[" + std::to_string(number % links) + "]";
+}
 
 // Links
 
@@ -261,8 +325,12 @@ void Node::obey(int link) {
         activity_ = Activity::booted;
         heard_link_.reset();
         core_.copy_to_memory(traits_of(core_.model()).memory_start, heard);
-        if (const std::optional<std::uint64_t> seed = kernel_.shuffle_seed())
-            core_.shuffle(RandomStream(*seed, name_));
+        if (kernel_.trace() && !process_trace_) {
+            process_trace_ = std::make_unique<ProcessTrace>(
+                kernel_, core_, name_, [this](Word workspace) { return name_of_process(workspace); },
+                [this](Word channel) { return name_of_channel(channel); });
+            core_.watch_processes(process_trace_.get());
+        }
         core_.boot(static_cast<Word>(heard.size()), links + link);
         kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
         return;

@@ -5,9 +5,11 @@
 #include "runtime/transputer/byte_lane.hpp"
 #include "runtime/transputer/core.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,19 +20,24 @@ class Kernel;
 
 namespace placedpar::transputer {
 
+class CodeLines;    // runtime/transputer/code_lines.hpp
+class ProcessTrace; // runtime/transputer/process_trace.hpp
+
 /// An emulated transputer as a device of a simulation. After reset it listens to its links. The first link that brings
 /// a byte boots it, reads its memory (peek) or writes it (poke), as the first byte says. Then the core executes.
 ///
-/// The core runs ahead of virtual time as far as nothing can act on it: up to a link instruction; up to a change of its
-/// queues while a link may wake a process; up to the next event of any other device while a process of high priority
-/// waits for a link; up to the time at which a timer or a timeslice ends, or a clock is read; at most 100 us. So the
-/// results do not depend on how far it runs ahead, nor on the order of devices. They would if a program read bytes that
-/// a link is about to store, or changed bytes, or a channel word, that a link is about to read.
+/// The core runs ahead of virtual time, in one of two ways. While all links rest, it keeps its state, and executes up
+/// to a link instruction, as if no link acted on it. Before an end of one of its links does so, the core returns to
+/// what it kept, and executes again up to the present. While a link is under way, it executes as far as nothing can act
+/// on it: up to a change of its queues while a link may wake a process; up to the next event of any other device while
+/// a process of high priority waits for a link; up to the time at which a timer or a timeslice ends, or a clock is
+/// read. So the results do not depend on how far it runs ahead, nor on the order of devices. They would if a program
+/// read bytes that a link is about to store, or changed bytes, or a channel word, that a link is about to read.
 ///
 /// Processes that links wake at the same time become ready in the order of their channels.
 ///
 /// Source: IMS T800 data sheet, "reset, bootstrap and analyse".
-class Node final : private Event, private LinkEngines {
+class Node final : private Event, private LinkEngines, private hardware::LinkEngineWatcher {
 public:
     static constexpr int links = 4;
 
@@ -39,6 +46,7 @@ public:
 
     /// Throws as the constructor of NodeMemory.
     Node(Kernel&, std::string name, Model, std::uint64_t memory_bytes, const CoreTiming&);
+    ~Node();
 
     /// Returns the end of a link for ByteLink. `number`: 0 to 3.
     ByteEnd& end(int number) { return ports_[static_cast<std::size_t>(number)]; }
@@ -46,9 +54,16 @@ public:
     void has_link(hardware::Link&);
     /// Sets a function to call when the core stops by an error.
     void when_stopped(std::function<void()> f) { when_stopped_ = std::move(f); }
+    /// Names processes by a table. REQUIRES: it outlives the node; the run has not begun.
+    void name_by(const CodeLines& lines) { lines_ = &lines; }
     /// Executes one instruction at an event. Tests compare such a run with a usual one. REQUIRES: the run has not
     /// begun.
-    void run_instruction_by_instruction() { most_ahead_ = Time{0}; }
+    void run_instruction_by_instruction() { run_ahead_by(Time{0}); }
+    /// Runs ahead by this time while the links rest. REQUIRES: the run has not begun.
+    void run_ahead_by(Time time) {
+        most_ahead_ = std::min(most_ahead_, time);
+        ahead_by_ = least_ahead_ = longest_ahead_ = time;
+    }
 
     /// Stops the node at a time. It executes nothing more, and takes no commands of a boot. Its link engines finish the
     /// transfers that are under way. REQUIRES: the run has not begun.
@@ -60,9 +75,17 @@ public:
     void analyse_at(Time);
 
     const std::string& name() const { return name_; }
+    /// Returns the node's name with that of a process, or with the address of its workspace: "root.phil[2]",
+    /// "root.#80000144".
+    std::string name_of_process(Word workspace) const;
+    /// Returns the name of a direction of a link, or "root.event", or "root.#80000100".
+    std::string name_of_channel(Word) const;
     Activity activity() const;
-    Core& core() { return core_; }
-    const Core& core() const { return core_; }
+    /// Returns the core, in its state at the present time.
+    Core& core() {
+        come_back();
+        return core_;
+    }
     /// Returns how long instructions were executed so far, with waits for the memory.
     Time time_busy() const;
     /// Returns how long the memory has served link engines so far.
@@ -112,7 +135,14 @@ private:
     void end_analysis();
     bool is_halted() const;
     void run();
+    Core::Pause run_to_limit();
     HalfCycles limit() const;
+    bool may_run_ahead() const;
+    Core::Pause run_ahead();
+    void come_back();
+    void link_will_change() override { come_back(); }
+    /// Returns the time at which something is done to the node that no link does.
+    Time horizon(Time most_ahead) const;
     bool settle();
     std::uint64_t words_moved();
     void note(const Wake&);
@@ -146,7 +176,11 @@ private:
     hardware::LinkEngineMemory engines_;
     std::uint64_t words_settled_ = 0;
     Time busy_{};
-    Time most_ahead_ = std::chrono::microseconds{100};
+    Time most_ahead_ = std::chrono::microseconds{100}; ///< while links may act on the core
+    Time ahead_by_ = most_ahead_;                      ///< while they rest: the time of the next run
+    Time least_ahead_ = std::chrono::microseconds{10}, longest_ahead_ = std::chrono::milliseconds{1};
+    bool is_ahead_ = false; ///< the core has kept a state, and then run to `ahead_to_`
+    HalfCycles ahead_to_ = 0;
     Time halts_at_ = Time::max(), analysed_at_ = Time::max();
     Analysis analysis_{*this};
     std::vector<Wake> wakes_; ///< since the last turn of the core
@@ -156,6 +190,8 @@ private:
     Listening listening_ = Listening::for_command;
     std::vector<std::uint8_t> heard_;
     std::function<void()> when_stopped_ = [] {};
+    const CodeLines* lines_ = nullptr;
+    std::unique_ptr<ProcessTrace> process_trace_; ///< null until a boot, and if the run is not traced
 };
 
 } // namespace placedpar::transputer

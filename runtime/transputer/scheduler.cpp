@@ -65,16 +65,19 @@ Core::Core(Model model, std::uint64_t memory_bytes, const CoreTiming& timing, Li
     find_due();
 }
 
-Core::Pause Core::run(HalfCycles limit, bool punctual) {
+Core::Pause Core::run(HalfCycles limit, Links links) {
     on_time_at_ = local_;
     Pause pause{};
     for (;;) {
         if (stopped_ != Stopped::nothing)
             return Pause::stopped;
+        if (local_ >= limit)
+            return Pause::limit;
         if (local_ >= due_) {
-            if (memory_is_shared_ && local_ != on_time_at_)
+            if (links != Links::rest && local_ != on_time_at_)
                 return Pause::limit;
             attend();
+            continue; // it may have stopped
         }
         if (is_analysed_ && !running_) {
             fault(Stopped::by_analyse, 0);
@@ -88,16 +91,14 @@ Core::Pause Core::run(HalfCycles limit, bool punctual) {
             return Pause::stopped;
         if (!has_process)
             return Pause::idle;
-        if (local_ >= due_)
-            continue; // an interrupt or return took the time until a timer
+        if (local_ >= std::min(limit, due_))
+            continue; // an interrupt or return took the time
         if (pending_) {
-            if (!finish_pending(limit, punctual, pause))
+            if (!finish_pending(limit, links, pause))
                 return pause;
             continue;
         }
-        if (local_ >= limit)
-            return Pause::limit;
-        execute_until(std::min(limit, due_), !punctual && !watcher_ && !is_analysed_);
+        execute_until(std::min(limit, due_), links != Links::may_wake && !is_watched() && !is_analysed_);
     }
 }
 
@@ -138,9 +139,9 @@ void Core::act_on(Left left) {
 }
 
 /// Lets the cycles of an instruction pass, then performs it. Returns false if the run must pause.
-bool Core::finish_pending(HalfCycles limit, bool punctual, Pause& pause) {
+bool Core::finish_pending(HalfCycles limit, Links links, Pause& pause) {
     if (!pending_->begun) {
-        if (local_ != on_time_at_ && must_begin_on_time(pending_->operation, punctual)) {
+        if (local_ != on_time_at_ && must_begin_on_time(pending_->operation, links)) {
             pause = Pause::on_time;
             return false;
         }
@@ -150,29 +151,27 @@ bool Core::finish_pending(HalfCycles limit, bool punctual, Pause& pause) {
         if (stopped_ != Stopped::nothing)
             return true;
     }
-    const HalfCycles until = std::min(limit, due_);
-    const HalfCycles room = until > local_ ? until - local_ : 0;
-    const bool timer_first = pending_->left > 0 && local_ + pending_->left == due_;
-    if (pending_->left > room || timer_first) {
+    const HalfCycles room = std::min(limit, due_) - local_;
+    if (pending_->left >= room) { // timers come first, and what must happen at the limit later
         local_ += room;
         pending_->left -= room;
         pause = Pause::limit;
         return local_ < limit;
     }
     local_ += std::exchange(pending_->left, 0);
-    if (local_ != on_time_at_ && must_be_on_time(pending_->operation, punctual)) {
+    if (local_ != on_time_at_ && must_be_on_time(pending_->operation, links)) {
         pause = Pause::on_time;
         return false;
     }
     const Operation operation = pending_->operation;
-    const bool link = concerns_link(operation);
+    const bool acts_on_link = concerns_link(operation);
     const HalfCycles due = due_;
     if (watcher_ && operation != Operation::go_on)
         watcher_->executed(pending_->at, pending_->spent);
     pending_.reset();
     perform(operation);
     pause = Pause::on_time; // if the caller's limit may be too late now
-    return !link && (due_ >= due || !memory_is_shared_);
+    return !acts_on_link && (due_ >= due || links == Links::rest);
 }
 
 Core::Left Core::perform_at_once(Operation operation, Registers& r, HalfCycles until) {
@@ -189,12 +188,12 @@ Core::Left Core::perform_at_once(Operation operation, Registers& r, HalfCycles u
 }
 
 /// Returns whether the cycles of an instruction depend on what links do, or on clocks.
-bool Core::must_begin_on_time(Operation operation, bool punctual) const {
+bool Core::must_begin_on_time(Operation operation, Links links) const {
     switch (operation) {
     case Operation::enbc: return concerns_link(operation);
-    case Operation::altwt: return punctual;
+    case Operation::altwt: return links == Links::may_wake;
     case Operation::taltwt:
-    case Operation::tin: return punctual || memory_is_shared_;
+    case Operation::tin: return links != Links::rest;
     default: return false;
     }
 }
@@ -212,7 +211,7 @@ bool Core::concerns_link(Operation operation) const {
     }
 }
 
-bool Core::must_be_on_time(Operation operation, bool punctual) const {
+bool Core::must_be_on_time(Operation operation, Links links) const {
     switch (operation) {
     case Operation::move:
     case Operation::move2dall:
@@ -225,8 +224,8 @@ bool Core::must_be_on_time(Operation operation, bool punctual) const {
     case Operation::timerdisableh:
     case Operation::timerdisablel:
     case Operation::timerenableh:
-    case Operation::timerenablel: return punctual || memory_is_shared_;
-    default: return punctual || concerns_link(operation);
+    case Operation::timerenablel: return links != Links::rest;
+    default: return links == Links::may_wake || concerns_link(operation);
     }
 }
 
@@ -330,6 +329,7 @@ void Core::run_front(int priority) {
     take_front(static_cast<std::size_t>(priority), registers_);
     set_priority(priority);
     running_ = true;
+    tell(registers_.workspace, Turn::runs);
 }
 
 /// Each priority has its own Error flag.
@@ -352,6 +352,7 @@ void Core::interrupt() {
     interrupted_fpu_ = fpu_;
     interrupted_pending_ = std::exchange(pending_, std::nullopt);
     interrupted_slices_ = slices_seen_;
+    tell(registers_.workspace, Turn::ready);
     local_ += 2 * interrupt_cycles;
     running_ = false;
 }
@@ -370,6 +371,7 @@ void Core::resume_interrupted() {
     slices_seen_ = interrupted_slices_;
     local_ += 2 * return_cycles;
     running_ = true;
+    tell(registers_.workspace, Turn::runs);
 }
 
 void Core::leave_processor() {
@@ -377,7 +379,13 @@ void Core::leave_processor() {
     running_ = false;
 }
 
+void Core::stop_process() {
+    leave_processor();
+    tell(registers_.workspace, Turn::stops);
+}
+
 void Core::give_way() {
+    tell(registers_.workspace, Turn::ready);
     leave_processor();
     enqueue(descriptor());
 }
@@ -390,6 +398,7 @@ void Core::boot(Word code_bytes, int input_channel) {
     set_priority(1);
     running_ = true;
     slices_seen_ = 0;
+    tell(registers_.workspace, Turn::runs);
 }
 
 void Core::reset_after_analyse() {
@@ -406,12 +415,14 @@ void Core::reset_after_analyse() {
 void Core::end_process() {
     const Word count = load(registers_.a + 4);
     store(registers_.a + 4, count - 1);
+    tell(registers_.workspace, Turn::ends);
     running_ = false;
     if (count != 1)
         return;
     registers_.workspace = registers_.a & ~Word{3};
     registers_.instruction = load(registers_.workspace);
     running_ = true;
+    tell(registers_.workspace, Turn::runs);
 }
 
 } // namespace placedpar::transputer

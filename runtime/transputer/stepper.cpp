@@ -1,12 +1,12 @@
 #include "runtime/transputer/stepper.hpp"
 
 #include "runtime/transputer/code_text.hpp"
+#include "runtime/transputer/core_text.hpp"
 #include "runtime/transputer/words.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <charconv>
 #include <istream>
 #include <limits>
@@ -44,19 +44,11 @@ std::optional<Word> address_in(std::string_view text) {
     return result && *result <= 0xffff'ffff ? std::optional(static_cast<Word>(*result)) : std::nullopt;
 }
 
-std::string print_word(Word value) { return fmt::format("#{:08X} {:>12}", value, signed_of(value)); }
-
-std::string print_real(const Real& real) {
-    return real.length == Length::real32
-               ? fmt::format("{} (REAL32)", std::bit_cast<float>(static_cast<Word>(real.bits)))
-               : fmt::format("{} (REAL64)", std::bit_cast<double>(real.bits));
-}
-
 } // namespace
 
-Stepper::Stepper(Core& core, std::istream& commands, std::function<void(std::string_view)> print,
-                 std::function<void()> quit)
-    : core_(core), commands_(commands), print_(std::move(print)), quit_(std::move(quit)) {
+Stepper::Stepper(Core& core, const CodeLines& lines, std::istream& commands,
+                 std::function<void(std::string_view)> print, std::function<void()> quit)
+    : core_(core), lines_(lines), commands_(commands), print_(std::move(print)), quit_(std::move(quit)) {
     core.watch(this);
 }
 
@@ -94,11 +86,11 @@ bool Stepper::obey(const std::string& line) {
     if (command == "b")
         break_at(first);
     else if (command == "r")
-        print_(registers());
+        print_(print_registers(core_));
     else if (command == "w")
         print_(workspace(count.value_or(8)));
     else if (command == "q")
-        print_(queues());
+        print_(print_queues(core_, lines_));
     else if (command == "m" && address_in(first))
         print_(words(*address_in(first), words_asked.value_or(8)));
     else if (command == "l")
@@ -128,9 +120,11 @@ std::string Stepper::here() const {
     const auto bytes = core_.memory().bytes(offset, size - offset);
     const CodedInstruction instruction = read_instruction(bytes, core_.model());
     const bool branches = branches_by_operand(instruction.operation);
+    const std::string place = lines_.place(at);
     return fmt::format(
-        "{}  {}  {}", print_address(at), print_bytes(bytes.first(instruction.length)),
-        print_instruction(instruction, branches ? print_address(at + instruction.length + instruction.operand) : ""));
+        "{}  {}  {}{}{}", print_address(at), print_bytes(bytes.first(instruction.length)),
+        print_instruction(instruction, branches ? print_address(at + instruction.length + instruction.operand) : ""),
+        place.empty() ? "" : "   -- ", place);
 }
 
 std::string Stepper::code(std::uint64_t lines) const {
@@ -141,20 +135,6 @@ std::string Stepper::code(std::uint64_t lines) const {
     const auto count = static_cast<Word>(std::min(lines, most_shown));
     return print_memory(core_.memory().bytes(offset, std::min(size - offset, bytes_of_line * count)), at,
                         std::span(&at, 1), core_.model(), count);
-}
-
-std::string Stepper::registers() const {
-    const Registers& r = core_.registers();
-    const std::string result =
-        fmt::format("Iptr {}  Wptr {}  priority {}, {}{}\nA {}  B {}  C {}\nclocks: high {}, low {}\n",
-                    print_address(r.instruction), print_address(r.workspace), core_.high_priority() ? "high" : "low",
-                    r.error ? "Error" : "no Error", core_.halts_on_error() ? ", HaltOnError" : "", print_word(r.a),
-                    print_word(r.b), print_word(r.c), core_.clock(0), core_.clock(1));
-    if ((only(core_.model()) & with_reals) == 0)
-        return result;
-    const Fpu& fpu = core_.fpu();
-    return result +
-           fmt::format("FA {}  FB {}  FC {}\n", print_real(fpu.fa()), print_real(fpu.fb()), print_real(fpu.fc()));
 }
 
 std::string Stepper::workspace(std::uint64_t words) const {
@@ -177,45 +157,6 @@ std::string Stepper::words(Word address, std::uint64_t count) const {
         result +=
             fmt::format("{}  {}\n", print_address(most_negative + offset), print_word(core_.memory().word(offset)));
     }
-    return result;
-}
-
-/// Lists processes that are linked by a word below their workspaces.
-std::string Stepper::queue(std::string_view name, Word front, Word back, Word link) const {
-    std::string result = fmt::format("{}:{}\n", name, front == not_a_process ? " empty" : "");
-    Word process = front;
-    for (std::uint64_t i = 0; process != not_a_process && i < most_shown; ++i) {
-        const Word offset = NodeMemory::offset_of(process) & ~Word{3};
-        if (!core_.memory().holds(offset - below::time, below::time))
-            return result + fmt::format("  {} is not a workspace\n", print_address(process));
-        const bool timer = link == below::timer_link;
-        result += fmt::format("  Wptr {}  Iptr {}{}\n", print_address(process),
-                              print_address(core_.memory().word(offset - below::instruction)),
-                              timer ? fmt::format("  until {}", core_.memory().word(offset - below::time)) : "");
-        if (process == back)
-            break;
-        process = core_.memory().word(offset - link);
-    }
-    return result;
-}
-
-std::string Stepper::queues() const {
-    const auto head = [this](Word address) { return core_.memory().word(NodeMemory::offset_of(address)); };
-    std::string result = queue("high priority", core_.front(0), core_.back(0), below::link) +
-                         queue("low priority", core_.front(1), core_.back(1), below::link);
-    for (const Word priority : {0u, 1u})
-        result += queue(priority == 0 ? "timer, high" : "timer, low", head(reserved::timer_heads + 4 * priority),
-                        not_a_process, below::timer_link);
-    for (Word channel = 0; channel < 9; ++channel)
-        if (const Word waiting = head(most_negative + 4 * channel); waiting != not_a_process)
-            result += fmt::format("{}: Wdesc {}\n",
-                                  channel == 8  ? "event"
-                                  : channel < 4 ? fmt::format("link {} output", channel)
-                                                : fmt::format("link {} input", channel - 4),
-                                  print_address(waiting));
-    if (head(reserved::saved) != not_a_process)
-        result += fmt::format("interrupted: Wdesc {}  Iptr {}\n", print_address(head(reserved::saved)),
-                              print_address(head(reserved::saved + 4)));
     return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "runtime/transputer/code_lines.hpp"
 #include "runtime/transputer/core.hpp"
 
 #include <cstdint>
@@ -15,9 +16,11 @@ namespace placedpar::transputer {
 /// stops before the first instruction. Addresses are hexadecimal, such as #80000070.
 class Stepper final : public Core::Watcher {
 public:
-    /// Watches the core. `print` gets lines of text. `quit` is called once, at the command `quit` or at the end of the
-    /// commands; nothing stops afterwards. REQUIRES: all stay where they are during the run.
-    Stepper(Core&, std::istream& commands, std::function<void(std::string_view)> print, std::function<void()> quit);
+    /// Watches the core. `lines` names places in the code. `print` gets lines of text. `quit` is called once, at the
+    /// command `quit` or at the end of the commands; nothing stops afterwards. REQUIRES: all stay where they are during
+    /// the run.
+    Stepper(Core&, const CodeLines& lines, std::istream& commands, std::function<void(std::string_view)> print,
+            std::function<void()> quit);
     Stepper(const Stepper&) = delete;
     Stepper& operator=(const Stepper&) = delete;
 
@@ -32,13 +35,11 @@ private:
 
     std::string here() const;
     std::string code(std::uint64_t lines) const;
-    std::string registers() const;
     std::string workspace(std::uint64_t words) const;
-    std::string queues() const;
     std::string words(Word address, std::uint64_t count) const;
-    std::string queue(std::string_view name, Word front, Word back, Word link) const;
 
     Core& core_;
+    const CodeLines& lines_;
     std::istream& commands_;
     std::function<void(std::string_view)> print_;
     std::function<void()> quit_;

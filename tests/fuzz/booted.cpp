@@ -3,9 +3,11 @@
 #include "runtime/hardware/link.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/transputer/byte_lane.hpp"
+#include "runtime/transputer/core_text.hpp"
 #include "runtime/transputer/listing.hpp"
 #include "runtime/transputer/node.hpp"
 #include "runtime/transputer/stepper.hpp"
+#include "runtime/transputer/waiting.hpp"
 #include "tests/fuzz/reader.hpp"
 
 #include <algorithm>
@@ -128,6 +130,9 @@ private:
 void require_sense(const transputer::Node& node, Time limit) {
     require(node.time_busy() <= limit, "no transputer is busy for longer than the run");
     const bool stopped = node.activity() == transputer::Node::Activity::stopped;
+    require(!transputer::print_analysis(node.core(), {}).empty(), "every state can be shown");
+    for (const transputer::WaitingProcess& each : transputer::waiting_processes(node.core()))
+        transputer::ends_ahead(node.core(), each);
     require(!stopped || !node.core().why_stopped().empty(), "a transputer that stopped says why");
 }
 
@@ -139,12 +144,13 @@ void boot_transputers(const std::string& text) {
     pair.deal(std::string_view(text).substr(std::min(Machine::bytes, text.size())));
     std::istringstream commands("s 5\nr\nw 4\nq\nb #80000070\nm #80000070 8\nl 3\nc\nq\nr\nquit\n");
     std::optional<transputer::Listing> listing;
+    const transputer::CodeLines none;
     std::optional<transputer::Stepper> stepper;
     if (machine.has(0))
         listing.emplace(pair.node(0).core());
     else if (machine.has(1))
         stepper.emplace(
-            pair.node(0).core(), commands, [](std::string_view) {}, [&] { pair.simulation().interrupt(); });
+            pair.node(0).core(), none, commands, [](std::string_view) {}, [&] { pair.simulation().interrupt(); });
     if (machine.has(2))
         pair.node(1).run_instruction_by_instruction();
     if (machine.has(3))
@@ -156,7 +162,7 @@ void boot_transputers(const std::string& text) {
     for (std::size_t i = 0; i < 2; ++i)
         require_sense(pair.node(i), limit);
     if (listing)
-        print_listing(*listing);
+        print_listing(*listing, {});
 }
 
 } // namespace placedpar::fuzz

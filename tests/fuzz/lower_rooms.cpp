@@ -8,6 +8,7 @@
 #include "netlist/print/print.hpp"
 #include "netlist/read.hpp"
 #include "runtime/transputer/assembler.hpp"
+#include "runtime/transputer/code_lines.hpp"
 #include "runtime/transputer/code_text.hpp"
 #include "tests/fuzz/reader.hpp"
 #include "text/load_source.hpp"
@@ -153,13 +154,28 @@ void assemble_program(const std::string& text) {
     }
 }
 
+/// Reads a table of code and processes. What is refused has its place in the text.
+void read_lines(const std::string& text) {
+    for (const char* node : {"", "worker"})
+        try {
+            const transputer::CodeLines lines(text, node, 0x80000070);
+            for (std::uint32_t address = 0x80000060; address < 0x80000100; ++address)
+                require(lines.entry(address).empty() || !lines.place(address).empty(), "a procedure is a place");
+        } catch (const transputer::CodeLinesError& error) {
+            const auto lines = static_cast<std::size_t>(std::ranges::count(text, '\n')) + 1;
+            require(error.line >= 1 && error.line <= lines + 1 && error.column >= 1 && error.column <= text.size() + 1,
+                    "an error has its place in the text");
+        }
+}
+
 } // namespace
 
 std::span<const Reader> readers() {
-    static const Reader all[] = {
-        {"netlist", read_netlist},  {"options", read_options},     {"record", read_record},
-        {"machine", read_machine},  {"texts", show_texts},         {"requests", serve_requests},
-        {"code", disassemble_file}, {"program", assemble_program}, {"boot", boot_transputers}};
+    static const Reader all[] = {{"netlist", read_netlist},  {"options", read_options},
+                                 {"record", read_record},    {"machine", read_machine},
+                                 {"texts", show_texts},      {"requests", serve_requests},
+                                 {"code", disassemble_file}, {"program", assemble_program},
+                                 {"boot", boot_transputers}, {"lines", read_lines}};
     return all;
 }
 

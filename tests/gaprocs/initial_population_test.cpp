@@ -127,10 +127,9 @@ TEST_CASE("without the parameter `initial`, and with \"random\" or \"\", every s
 
 TEST_CASE("an `initial` that is neither a policy nor a file is refused before the run, at its place") {
     Cluster cluster{.slaves = 0, .master_parameters = "initial = \"spraed\"", .problem = "sphere"};
-    CHECK_THROWS_WITH(
-        run_on_line(cluster.netlist()),
-        doctest::Contains("there is no file of this name; read as a policy: it is one of random, spread; did you "
-                          "mean \"spread\"?"));
+    CHECK_THROWS_WITH(run_on_line(cluster.netlist()),
+                      doctest::Contains("it names no file; as a policy it is one of random, spread; did you "
+                                        "mean \"spread\"?"));
 }
 
 TEST_CASE("a netlist's spread population is that of the library, drawn from a separate random stream") {

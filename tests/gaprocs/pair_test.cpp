@@ -198,7 +198,7 @@ TEST_CASE("bits and fields that cannot be bred are refused at their place") {
     check_pair_refused(wrong, "error", "the fields have 9 bits in all, but the problem's string has 8");
     wrong = {};
     CHECK_THROWS_WITH_AS(RecodedProblem(*minimise(Valley{}), natural_recoding({3, 5})),
-                         "the problem's fields have 4 4 bits, not 3 5", UserError);
+                         "the fields of this problem have 4 4 bits, but the recoding states 3 5 bits", UserError);
     wrong.both.replace(wrong.both.find("line"), 4, "seats");
     check_pair_refused(wrong, "error", "host");
 }

@@ -124,7 +124,7 @@ TEST_CASE("a wrong field is refused with the expected value") {
              Case{R"({"version":1})", "type", "missing", "string"},
              {R"({"type":"sampel"})", "type", "sampel", "sample"},
              {R"({"type":"hello","version":2,"machine":"m"})", "version", "2", "1"},
-             {R"({"type":"hello","version":1,"machine":"a b"})", "machine", "\"a b\" is not the name of a machine",
+             {R"({"type":"hello","version":1,"machine":"a b"})", "machine", "\"a b\" cannot be the name of a machine",
               "letters"},
              {R"({"type":"hello","version":1,"machine":"m","role":"boss"})", "role", "boss", "watch"},
              {R"({"type":"hello","version":1,"machine":"m","perod_s":1})", "perod_s", "no such field", "period_s"},

@@ -1,4 +1,4 @@
-#include "occam/language/type.hpp"
+#include "occam/language/tree.hpp"
 
 #include <doctest/doctest.h>
 

@@ -359,3 +359,47 @@ TEST_CASE("the effects of faults on bytes by counts are recorded under the name 
     CHECK(effect.first->channel == "a -> b");
     CHECK(effect.bytes_lost == 1);
 }
+
+TEST_CASE("a watcher is told before an end changes a link by counts, while the link is still as it was") {
+    struct Watcher final : LinkEngineWatcher {
+        explicit Watcher(Link& l) : link(l) {}
+        void link_will_change() override { was_still.push_back(link.is_still()); }
+        Link& link;
+        std::vector<bool> was_still;
+    };
+    struct User final : ByteUser {};
+    Simulation simulation;
+    auto& link = simulation.add<Link>();
+    Watcher watcher(link);
+    LinkEngineMemory memory{.watcher = &watcher};
+    LinkDirection& direction = link.from_a_to_b();
+    direction.move_messages_of(memory);
+    User user;
+    direction.move_by_counts(user, user);
+    simulation.process("uses the link", [&] {
+        const auto expect = [&](std::vector<bool> was_still, bool is_still_now) {
+            CHECK_EQ(std::exchange(watcher.was_still, {}), was_still);
+            CHECK_EQ(link.is_still(), is_still_now);
+        };
+        wait_for(1us);
+        CHECK(link.is_still());
+        direction.give(2);
+        expect({true}, false);
+        wait_for(100us);
+        expect({}, true); // the first byte waits
+        direction.take(2);
+        expect({true}, false);
+        wait_for(100us);
+        expect({}, true);
+        direction.take(1);
+        expect({true}, true); // nothing is under way
+        direction.reset_taking();
+        expect({true}, true);
+        direction.give(1);
+        wait_for(2us);
+        expect({true}, true);
+        direction.reset_giving();
+        expect({true}, true);
+    });
+    simulation.run();
+}

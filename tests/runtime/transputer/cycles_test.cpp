@@ -330,7 +330,7 @@ Word ticks_of(Model model, const std::string& source, Word workspace, int memory
     LinksWithoutWires links;
     Core core(model, 0x40000, {.memory_cycles = memory_cycles}, links);
     load_program(core, assemble(source, program_at, model), workspace);
-    core.run(400'000'000, false);
+    core.run(400'000'000);
     REQUIRE_MESSAGE(core.stopped() == Stopped::by_error, core.why_stopped());
     return core.memory().word(NodeMemory::offset_of(workspace) + 16);
 }
@@ -468,7 +468,7 @@ TEST_CASE("sttimer takes 1 cycle and break 9, as the processor's own time says")
             LinksWithoutWires links;
             Core core(model, 0x10000, {}, links);
             load_program(core, assemble(source, program_at, model), most_negative + 0x500);
-            core.run(1000, false);
+            core.run(1000);
             CHECK(core.stopped() != Stopped::nothing);
             return static_cast<double>(core.local()) / 2;
         };

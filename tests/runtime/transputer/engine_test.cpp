@@ -74,7 +74,7 @@ public:
     std::string step() {
         const auto half_cycles = plain.step();
         const auto before = core.local();
-        core.run(before + 1, false);
+        core.run(before + 1);
         if (!plain.stopped.empty() && core.stopped() == transputer::Stopped::by_bad_address)
             return "";
         return differences(half_cycles, core.local() - before);
@@ -86,38 +86,39 @@ public:
             plain.step();
         RandomStream random(plain.now, "limits");
         while (random.chance(in_pieces_) && core_time() < plain.now)
-            run_core(core_time() + random.below(200), random.chance(0.5));
-        run_core(~0ULL >> 2, false);
+            run_piece(random);
+        run_core(~0ULL >> 2);
         std::string result = memory_difference();
         if (plain.now != core_time())
             result += fmt::format(" ends at half cycle {}, expected {};", core_time(), plain.now);
         return result;
     }
 
-    /// Executes in small steps. Returns the first difference.
+    /// Compares before each instruction. Returns the first difference.
     std::string first_difference() {
-        while (plain.stopped.empty()) {
-            const Word at = plain.iptr;
-            plain.step();
-            run_core(plain.now, false);
-            run_core(plain.now, false); // for an effect at this very half cycle
-            std::string difference = memory_difference();
-            if (core_time() == plain.now && !plain.idle && difference.empty())
-                difference = differences(0, 0);
-            if (!difference.empty())
-                return fmt::format("after the instruction at #{:08X}, half cycle {} (engine {}), workspace #{:08X}:{}",
-                                   at, plain.now, core_time(), plain.wptr, difference);
+        FirstDifference first(*this);
+        run_core(~0ULL >> 2);
+        return first.found;
+    }
+
+    /// Runs for a short time. May have run ahead, and come back, before.
+    void run_piece(RandomStream& random, std::uint64_t end = ~0ULL) {
+        if (random.chance(0.3)) {
+            core.keep();
+            run_core(core_time() + random.below(2000));
+            core.go_back();
         }
-        return plain.stopped;
+        run_core(std::min(core_time() + random.below(300), end), random.chance(0.5));
     }
 
     /// Runs the core alone. Time passes while it is idle.
-    void run_core(std::uint64_t until, bool punctual) {
+    void run_core(std::uint64_t until, bool punctual = false) {
         for (;;) {
             const auto base = core_time() - core.local();
             if (until < base)
                 return;
-            switch (core.run(until - base, punctual)) {
+            switch (
+                core.run(until - base, punctual ? transputer::Core::Links::may_wake : transputer::Core::Links::rest)) {
             case transputer::Core::Pause::limit:
             case transputer::Core::Pause::stopped: return;
             case transputer::Core::Pause::on_time: break;
@@ -138,6 +139,26 @@ public:
     transputer::Core core;
 
 private:
+    /// Lets the plain transputer follow the core, and compares both before the core begins an instruction.
+    struct FirstDifference final : transputer::Core::Watcher {
+        explicit FirstDifference(Both& b) : both(b) { both.core.watch(this); }
+        ~FirstDifference() { both.core.watch(nullptr); }
+        FirstDifference(const FirstDifference&) = delete;
+        void begins(Word at) override {
+            while (both.plain.stopped.empty() && both.plain.now < both.core_time())
+                both.plain.step();
+            if (!found.empty() || both.plain.now != both.core_time() || both.plain.idle)
+                return;
+            const std::string difference = both.memory_difference() + both.differences(0, 0);
+            if (!difference.empty())
+                found = fmt::format("before the instruction at #{:08X}, half cycle {}, workspace #{:08X}:{}", at,
+                                    both.plain.now, both.plain.wptr, difference);
+        }
+        void executed(Word, transputer::HalfCycles) override {}
+        Both& both;
+        std::string found;
+    };
+
     std::string differences(std::uint64_t expected, std::uint64_t half_cycles) const {
         const transputer::Registers& r = core.registers();
         std::string result;
@@ -352,10 +373,9 @@ TEST_CASE("damaged programs do the same however far the core runs ahead") {
         const std::uint64_t end = 60'000;
         while (in_pieces.core.stopped() == transputer::Stopped::nothing && in_pieces.core_time() < end &&
                random.below(500))
-            in_pieces.run_core(std::min<std::uint64_t>(in_pieces.core_time() + random.below(300), end),
-                               random.below(2));
+            in_pieces.run_piece(random, end);
         for (Both* each : {&at_once, &in_pieces})
-            each->run_core(end, false);
+            each->run_core(end);
         CHECK(at_once.core_time() == in_pieces.core_time());
         CHECK(at_once.core.why_stopped() == in_pieces.core.why_stopped());
         CHECK(std::equal(at_once.core.memory().data(), at_once.core.memory().data() + 65536,

@@ -42,7 +42,7 @@ struct ProgramRun {
         core.set_registers({.instruction = origin, .workspace = workspace}, 1);
         if (!listed)
             core.watch(nullptr);
-        while (core.run(core.local() + 100'000, false) != Core::Pause::stopped) {
+        while (core.run(core.local() + 100'000) != Core::Pause::stopped) {
             if (core.is_active())
                 continue;
             if (core.next_timer() == Time::max())
@@ -230,7 +230,7 @@ TEST_CASE("a watcher is called once for each instruction, also where a timeslice
     core.copy_to_memory(program_at - transputer::most_negative, program.bytes);
     core.set_registers({.instruction = program_at, .workspace = program_workspace}, 1);
     core.watch(&counter);
-    while (core.run(core.local() + 1'000, false) != Core::Pause::idle) {
+    while (core.run(core.local() + 1'000) != Core::Pause::idle) {
     }
     CHECK(core.local_time() > std::chrono::milliseconds{10}); // at least two timeslices of both
     CHECK(counter.begun == core.instructions());
@@ -263,8 +263,8 @@ TEST_CASE("code that other code replaced is listed apart") {
             found.emplace_back(line.instruction.operand, line.is_replaced);
         }
     CHECK(found == std::vector<std::pair<std::uint32_t, bool>>{{2, false}, {1, true}});
-    CHECK(print_listing(run.listing).find("  21 FB              ldpi    #80000102 ") != std::string::npos);
-    CHECK(print_listing(run.listing).find("\nreplaced by other code\n#80000102  41 ") != std::string::npos);
+    CHECK(print_listing(run.listing, {}).find("  21 FB              ldpi    #80000102 ") != std::string::npos);
+    CHECK(print_listing(run.listing, {}).find("\nreplaced by other code\n#80000102  41 ") != std::string::npos);
 }
 
 TEST_CASE("a program that writes new code without end is listed in a limited memory") {
@@ -312,7 +312,7 @@ TEST_CASE("a listing is printed with its hot blocks first") {
                  .word 0
         done:    stopp
     )");
-    CHECK(print_listing(run.listing) == R"(605 instructions of a T800, 1,321 cycles, without waits
+    CHECK(print_listing(run.listing, {}) == R"(605 instructions of a T800, 1,321 cycles, without waits
 
   share             cycles            times  block
  68.1 %                900              100  #80000105 to #8000010A

@@ -100,8 +100,6 @@ struct InstructionTimes final : transputer::Core::Watcher {
 };
 
 /// Returns the word at this offset from the beginning of the memory.
-inline std::uint32_t word_at(const transputer::Node& node, std::uint32_t offset) {
-    return node.core().memory().word(offset);
-}
+inline std::uint32_t word_at(transputer::Node& node, std::uint32_t offset) { return node.core().memory().word(offset); }
 
 } // namespace placedpar::test

@@ -236,6 +236,30 @@ NodeWorld::Options random_node_options(RandomStream& random) {
     return options;
 }
 
+Time random_moment(RandomStream& random) { return std::chrono::nanoseconds{random.below(1'500'000)}; }
+
+/// Lets links of some networks lose packets or become slow, and transputers halt or be analysed.
+void add_failures(RandomNetwork& network, std::uint64_t seed) {
+    RandomStream random(seed, "failures");
+    using Kind = hardware::LinkFault::Kind;
+    constexpr Kind kinds[] = {Kind::silent, Kind::loses_acknowledge, Kind::slow};
+    if (random.chance(0.25))
+        for (RandomNetwork::Wire& wire : network.wires)
+            if (random.chance(0.6)) {
+                const Time from = random_moment(random);
+                wire.faults.push_back({.kind = kinds[random.below(3)],
+                                       .from = from,
+                                       .until = from + Time{1} + random_moment(random) / 4,
+                                       .wire_from_a = random.chance(0.7),
+                                       .wire_from_b = random.chance(0.7),
+                                       .factor = 1 + random.below(4)});
+            }
+    if (random.chance(0.2))
+        for (RandomNetwork::Booted& node : network.nodes)
+            if (random.chance(0.5))
+                (random.chance(0.5) ? node.halt_at : node.analyse_at) = random_moment(random);
+}
+
 } // namespace
 
 RandomNetwork random_network(std::uint64_t seed, unsigned scale) {
@@ -255,7 +279,7 @@ RandomNetwork random_network(std::uint64_t seed, unsigned scale) {
             if (next_link[a] > 3 - (a == b) || next_link[b] > 3)
                 continue;
             const int of_a = next_link[a]++, of_b = next_link[b]++;
-            network.wires.push_back({a, b, of_a, of_b, alike ? timing : random_wire_timing(random)});
+            network.wires.push_back({a, b, of_a, of_b, alike ? timing : random_wire_timing(random), {}});
             for (const bool there : {true, false}) {
                 if (random.chance(0.15))
                     continue;
@@ -293,6 +317,7 @@ RandomNetwork random_network(std::uint64_t seed, unsigned scale) {
         node.workspace = program.main_workspace();
         network.nodes.push_back(std::move(node));
     }
+    add_failures(network, seed);
     return network;
 }
 
@@ -318,6 +343,12 @@ std::vector<NodeOutcome> run_network(const RandomNetwork& network, const WayToRu
         NodeWorld::put(*nodes[i], transputer::assemble(network.nodes[i].source, network.nodes[i].origin));
         if (way.instruction_by_instruction)
             nodes[i]->run_instruction_by_instruction();
+        if (way.ahead_by)
+            nodes[i]->run_ahead_by(*way.ahead_by);
+        if (network.nodes[i].halt_at)
+            nodes[i]->halt_at(*network.nodes[i].halt_at);
+        if (network.nodes[i].analyse_at)
+            nodes[i]->analyse_at(*network.nodes[i].analyse_at);
     }
     // Hosts come among the links.
     std::vector<ScriptedEnd*> hosts(nodes.size());
@@ -335,6 +366,11 @@ std::vector<NodeOutcome> run_network(const RandomNetwork& network, const WayToRu
         hardware::Link& link =
             turned ? world.connect(*nodes[wire.b], wire.link_of_b, *nodes[wire.a], wire.link_of_a, wire.timing)
                    : world.connect(*nodes[wire.a], wire.link_of_a, *nodes[wire.b], wire.link_of_b, wire.timing);
+        for (hardware::LinkFault fault : wire.faults) {
+            if (turned)
+                std::swap(fault.wire_from_a, fault.wire_from_b);
+            link.suffer(fault);
+        }
         if (way.every_byte) {
             link.from_a_to_b().simulate_every_byte();
             link.from_b_to_a().simulate_every_byte();
@@ -342,10 +378,13 @@ std::vector<NodeOutcome> run_network(const RandomNetwork& network, const WayToRu
     }
     if (shuffles)
         world.simulation.shuffle(way.order);
+    if (way.trace)
+        world.simulation.trace_to(*way.trace);
     world.run(way.until);
     std::vector<NodeOutcome> outcomes;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         transputer::Core& core = nodes[i]->core();
+        way.at_end(*nodes[i]);
         const auto memory = core.memory().bytes(0, core.memory().size());
         outcomes.push_back({core.registers(),
                             {memory.begin(), memory.end()},

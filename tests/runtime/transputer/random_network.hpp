@@ -4,9 +4,12 @@
 
 #include "runtime/hardware/link.hpp"
 #include "runtime/time.hpp"
+#include "runtime/trace.hpp"
 #include "runtime/transputer/core.hpp"
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +18,7 @@ namespace placedpar::test {
 /// A network of emulated transputers with programs, which a seed decides. The programs compute, communicate by soft
 /// channels and links, alternate, and wait for clocks, at both priorities. They read clocks often and store what
 /// depends on them, so that a difference in time leads to one in memory. They never read what a link is about to write,
-/// nor write what a link reads.
+/// nor write what a link reads. In some networks links have faults, and a transputer halts or is analysed.
 struct RandomNetwork {
     struct Booted {
         NodeWorld::Options options;
@@ -25,11 +28,13 @@ struct RandomNetwork {
         Time boot_at;
         std::vector<std::uint8_t> from_host; ///< bytes that the host sends after the boot, at `from_host_at`
         Time from_host_at;
+        std::optional<Time> halt_at = std::nullopt, analyse_at = std::nullopt;
     };
     struct Wire {
         std::size_t a, b;
         int link_of_a, link_of_b;
         hardware::LinkTiming timing;
+        std::vector<hardware::LinkFault> faults = {};
     };
     std::vector<Booted> nodes;
     std::vector<Wire> wires;
@@ -42,8 +47,11 @@ RandomNetwork random_network(std::uint64_t seed, unsigned scale = 1);
 struct WayToRun {
     std::uint64_t order = 0; ///< decides the order in which nodes, links and hosts are made; 0: the usual one
     bool instruction_by_instruction = false;
-    bool every_byte = false;              ///< LinkDirection::simulate_every_byte
-    Time until = std::chrono::seconds{1}; ///< unlike the others, this matters
+    bool every_byte = false; ///< LinkDirection::simulate_every_byte
+    TraceSink* trace = nullptr;
+    std::function<void(transputer::Node&)> at_end = [](transputer::Node&) {};
+    std::optional<Time> ahead_by = std::nullopt; ///< Node::run_ahead_by
+    Time until = std::chrono::seconds{1};        ///< unlike the others, this matters
 };
 
 /// What has become of a node.

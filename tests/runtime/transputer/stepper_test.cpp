@@ -31,9 +31,10 @@ std::string stepped(std::string_view source, const std::string& script) {
     core.set_registers({.instruction = at, .workspace = workspace}, 1);
     std::istringstream commands(script);
     std::string printed;
+    const transputer::CodeLines none;
     transputer::Stepper stepper(
-        core, commands, [&](std::string_view text) { printed += text; }, [&] { printed += "|"; });
-    core.run(1'000'000, false);
+        core, none, commands, [&](std::string_view text) { printed += text; }, [&] { printed += "|"; });
+    core.run(1'000'000);
     return printed;
 }
 

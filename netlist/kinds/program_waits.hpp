@@ -1,0 +1,28 @@
+#pragma once
+
+#include "runtime/deadlock.hpp"
+
+#include <compare>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// An end of a channel that a booted program uses.
+struct ProgramEnd {
+    std::string channel; ///< "root.#80000100", or a direction of a link: "root.link[2] -> worker.link[1]"
+    bool is_output;
+    auto operator<=>(const ProgramEnd&) const = default;
+};
+
+/// A process of a booted program that waits when nothing can happen any more.
+struct ProgramWait {
+    StuckProcess process;
+    std::vector<ProgramEnd> awaited; ///< the other ends of its channels: it waits until a process comes to one of them
+    std::vector<ProgramEnd> ahead;   ///< the ends to which its own code would come next
+};
+
+/// Adds processes of booted programs to a report: the processes, their channels, and a cycle if the report has none.
+void add_program_waits(Deadlock&, const std::vector<ProgramWait>&);
+
+} // namespace placedpar

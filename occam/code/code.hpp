@@ -1,0 +1,44 @@
+#pragma once
+
+#include "occam/language/tree.hpp"
+#include "runtime/transputer/model.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace placedpar::occam {
+
+enum class ErrorMode : std::uint8_t { halt, stop, universal };
+
+struct CodeOptions {
+    transputer::Model model{};
+    ErrorMode mode = ErrorMode::halt;
+    bool range_checks = true;    ///< of subscripts, segments, conversions, counts
+    bool run_time_checks = true; ///< also of overflow
+    bool vector_space = true;    ///< arrays outside of the workspace
+};
+
+/// Code at an offset came from a place of a file.
+struct CodeLine {
+    std::uint32_t offset = 0;
+    Place place;
+};
+/// A name of code: the entry of a procedure, or of a component of a PAR.
+struct CodeName {
+    std::uint32_t offset = 0;
+    std::string name; ///< such as "phil" or "phil/PAR 12:3"
+};
+
+/// Code of a program that can stand anywhere in memory.
+struct Code {
+    std::vector<std::uint8_t> bytes;
+    std::uint32_t entry = 0;                 ///< offset of the first instruction, which needs no values in registers
+    std::uint64_t workspace_words = 0;       ///< of the first process, with those of everything it calls
+    std::uint64_t first_workspace_words = 0; ///< those of them that the first workspace pointer has above it
+    std::uint64_t vector_space_bytes = 0;    ///< behind the code
+    std::vector<CodeLine> lines;             ///< in order of offsets
+    std::vector<CodeName> names;
+};
+
+} // namespace placedpar::occam

@@ -1,0 +1,57 @@
+#include "occam/language/tree.hpp"
+
+namespace placedpar::occam {
+
+namespace {
+
+std::string name_of(const ProtocolItem& item) {
+    return item.count ? name_of(*item.count) + "::" + name_of(*item.type) : name_of(*item.type);
+}
+
+std::string name_of(const ProtocolType& protocol) {
+    if (protocol.declared)
+        return protocol.declared->name;
+    if (protocol.kind == ProtocolType::Kind::any)
+        return "ANY";
+    std::string text;
+    for (const ProtocolItem& item : protocol.items)
+        text += (text.empty() ? "" : "; ") + name_of(item);
+    return text;
+}
+
+/// Returns the end of the last field, in whole words unless the record is packed, so that arrays of it are aligned.
+std::uint64_t bytes_of_record(const Type& record) {
+    if (record.fields.empty())
+        return 0;
+    const std::uint64_t end = record.fields.back().offset + bytes_of(*record.fields.back().type);
+    const auto* written = std::get_if<DataType>(&record.declared->form);
+    return written && written->is_packed ? end : (end + 3) / 4 * 4;
+}
+
+} // namespace
+
+std::string name_of(const Type& type) {
+    switch (type.kind) {
+    case Type::Kind::basic: return name_of(type.basic);
+    case Type::Kind::array:
+        return "[" + (type.count ? std::to_string(*type.count) : std::string()) + "]" + name_of(*type.element);
+    case Type::Kind::record:
+    case Type::Kind::derived: return type.declared->name;
+    case Type::Kind::channel: return "CHAN OF " + name_of(*type.protocol);
+    case Type::Kind::timer: return "TIMER";
+    case Type::Kind::port: return "PORT OF " + name_of(*type.element);
+    case Type::Kind::mistaken: break;
+    }
+    return "a type in error";
+}
+
+std::uint64_t bytes_of(const Type& type) {
+    switch (type.kind) {
+    case Type::Kind::array: return std::uint64_t{type.count.value_or(0)} * bytes_of(*type.element);
+    case Type::Kind::derived: return bytes_of(*type.element);
+    case Type::Kind::record: return bytes_of_record(type);
+    default: return bytes_of(type.basic);
+    }
+}
+
+} // namespace placedpar::occam

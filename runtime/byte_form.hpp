@@ -1,0 +1,191 @@
+#pragma once
+
+#include "runtime/protocol.hpp"
+
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace placedpar {
+
+using MessageBytes = std::vector<std::uint8_t>;
+
+/// Thrown for bytes that are not a message of a channel's protocol. The text says what they would be.
+class NoMessage : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// States how messages of a type are written as bytes, for programs in a transputer's own code. The bytes are those of
+/// occam's protocols. Numbers are little-endian, and BOOL is a byte of 0 or 1. `[n]T` is its elements. `INT::[]T` is
+/// the number of elements, in four bytes, and the elements. A variant is a byte with the number of its alternative,
+/// from 0 on, and the alternative. A specialisation has the functions
+///
+///     static void write(const T&, MessageBytes&);                           // appends the bytes of the message
+///     static std::uint32_t next_part(std::span<const std::uint8_t> so_far); // the length of the part that follows the
+///                                                                           // parts so far; 0: they are the message
+///     static T read(std::span<const std::uint8_t>);                         // returns the message of these bytes
+///
+/// The parts are those of the WireForm. The last two functions may throw NoMessage. Other types have no byte form:
+/// addresses and padding mean nothing to the other program.
+template <class T>
+struct ByteForm {};
+
+template <class T>
+concept HasByteForm = requires(const T& message, MessageBytes& to, std::span<const std::uint8_t> bytes) {
+    ByteForm<T>::write(message, to);
+    { ByteForm<T>::next_part(bytes) } -> std::same_as<std::uint32_t>;
+    { ByteForm<T>::read(bytes) } -> std::same_as<T>;
+};
+
+namespace detail {
+
+static_assert(std::endian::native == std::endian::little, "numbers are written as the host stores them");
+
+template <class T>
+concept PlainNumber = std::is_arithmetic_v<T> && !std::same_as<T, long double> && std::same_as<T, std::remove_cv_t<T>>;
+
+template <PlainNumber T>
+void write_number(T number, MessageBytes& to) {
+    std::array<std::uint8_t, sizeof(T)> bytes;
+    std::memcpy(bytes.data(), &number, sizeof(T));
+    to.insert(to.end(), bytes.begin(), bytes.end());
+}
+
+/// REQUIRES: the bytes have an element of this number.
+template <PlainNumber T>
+T read_number(std::span<const std::uint8_t> bytes, std::size_t element = 0) {
+    if constexpr (std::same_as<T, bool>) {
+        return bytes[element] != 0;
+    } else {
+        T number;
+        std::memcpy(&number, bytes.data() + element * sizeof(T), sizeof(T));
+        return number;
+    }
+}
+
+} // namespace detail
+
+template <detail::PlainNumber T>
+struct ByteForm<T> {
+    static void write(T number, MessageBytes& to) { detail::write_number(number, to); }
+    static std::uint32_t next_part(std::span<const std::uint8_t> so_far) { return so_far.empty() ? sizeof(T) : 0; }
+    static T read(std::span<const std::uint8_t> bytes) { return detail::read_number<T>(bytes); }
+};
+
+template <detail::PlainNumber T, std::size_t count>
+requires(count > 0) struct ByteForm<std::array<T, count>> {
+    static void write(const std::array<T, count>& array, MessageBytes& to) {
+        for (const T each : array)
+            detail::write_number(each, to);
+    }
+    static std::uint32_t next_part(std::span<const std::uint8_t> so_far) {
+        return so_far.empty() ? static_cast<std::uint32_t>(sizeof(T) * count) : 0;
+    }
+    static std::array<T, count> read(std::span<const std::uint8_t> bytes) {
+        std::array<T, count> array;
+        for (std::size_t i = 0; i < count; ++i)
+            array[i] = detail::read_number<T>(bytes, i);
+        return array;
+    }
+};
+
+template <detail::PlainNumber T>
+struct ByteForm<std::vector<T>> {
+    static void write(const std::vector<T>& array, MessageBytes& to) {
+        detail::write_number(static_cast<std::uint32_t>(array.size()), to);
+        for (const T each : array)
+            detail::write_number(each, to);
+    }
+    static std::uint32_t next_part(std::span<const std::uint8_t> so_far) {
+        if (so_far.size() != sizeof(std::int32_t))
+            return so_far.empty() ? sizeof(std::int32_t) : 0;
+        const auto count = detail::read_number<std::int32_t>(so_far);
+        if (count < 0 || static_cast<std::uint32_t>(count) > std::numeric_limits<std::uint32_t>::max() / sizeof(T))
+            throw NoMessage("an array of " + std::to_string(count) + " elements");
+        return static_cast<std::uint32_t>(count) * std::uint32_t{sizeof(T)};
+    }
+    static std::vector<T> read(std::span<const std::uint8_t> bytes) {
+        bytes = bytes.subspan(sizeof(std::int32_t));
+        std::vector<T> array(bytes.size() / sizeof(T));
+        for (std::size_t i = 0; i < array.size(); ++i)
+            array[i] = detail::read_number<T>(bytes, i);
+        return array;
+    }
+};
+
+namespace detail {
+
+/// True for an alternative of a variant that consists only of its tag.
+template <class T>
+inline constexpr bool is_only_tag = std::is_empty_v<T> && !has_wire_form<T>;
+
+template <class T>
+concept Alternative = HasByteForm<T> || is_only_tag<T>;
+
+} // namespace detail
+
+template <detail::Alternative... Alternatives>
+requires(sizeof...(Alternatives) > 0 && sizeof...(Alternatives) <= 256) struct ByteForm<std::variant<Alternatives...>> {
+    using Variant = std::variant<Alternatives...>;
+
+    static void write(const Variant& message, MessageBytes& to) {
+        to.push_back(static_cast<std::uint8_t>(message.index()));
+        std::visit(
+            [&]<class T>(const T& alternative) {
+                if constexpr (!detail::is_only_tag<T>)
+                    ByteForm<T>::write(alternative, to);
+            },
+            message);
+    }
+    static std::uint32_t next_part(std::span<const std::uint8_t> so_far) {
+        if (so_far.empty())
+            return 1;
+        return with_alternative(so_far, [&]<std::size_t, class T>() -> std::uint32_t {
+            if constexpr (detail::is_only_tag<T>)
+                return 0;
+            else
+                return ByteForm<T>::next_part(so_far.subspan(1));
+        });
+    }
+    static Variant read(std::span<const std::uint8_t> bytes) {
+        return with_alternative(bytes, [&]<std::size_t index, class T>() {
+            if constexpr (detail::is_only_tag<T>)
+                return Variant(std::in_place_index<index>);
+            else
+                return Variant(std::in_place_index<index>, ByteForm<T>::read(bytes.subspan(1)));
+        });
+    }
+
+private:
+    /// Calls `use` with the number and the type of the alternative that the tag names.
+    template <std::size_t index = 0, class Use>
+    static auto with_alternative(std::span<const std::uint8_t> bytes, const Use& use) {
+        if (bytes[0] == index)
+            return use.template operator()<index, std::variant_alternative_t<index, Variant>>();
+        if constexpr (index + 1 < sizeof...(Alternatives))
+            return with_alternative<index + 1>(bytes, use);
+        else
+            throw NoMessage("the tag " + std::to_string(bytes[0]) + ", of an alternative that does not exist");
+    }
+};
+
+/// The functions of a ByteForm, for a message at an address. `read` stores the message in a std::optional.
+struct AnyByteForm {
+    void (*write)(const void* message, MessageBytes&);
+    std::uint32_t (*next_part)(std::span<const std::uint8_t> so_far);
+    void (*read)(std::span<const std::uint8_t>, void* slot);
+};
+
+} // namespace placedpar

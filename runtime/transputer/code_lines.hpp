@@ -1,0 +1,58 @@
+#pragma once
+
+#include "runtime/transputer/model.hpp"
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace placedpar::transputer {
+
+/// An error in a table, with its place. Lines and columns count from 1.
+struct CodeLinesError : std::runtime_error {
+    CodeLinesError(const std::string& what, std::size_t at_line, std::size_t at_column)
+        : runtime_error(what), line(at_line), column(at_column) {}
+    std::size_t line, column;
+};
+
+/// What a compiler tells about the code and the workspaces of a node. Each row of the table has one of these forms:
+///
+///     code FROM UNTIL LINE COLUMN FILE   the code in [FROM, UNTIL) is of this place; no two rows overlap
+///     entry ADDRESS NAME                 a procedure begins here
+///     process FROM UNTIL NAME            a process whose workspace is in [FROM, UNTIL); no two rows overlap
+///     node NAME                          the rows that follow are for the node of this name
+///     end                                the last row
+///
+/// An address is hexadecimal, #80000170, or counts from MemStart, +#100. FILE and NAME go on to the end of the line.
+/// Rows before the first `node` are for the node that the file boots. Empty lines and lines that begin with -- are
+/// comments.
+class CodeLines {
+public:
+    CodeLines() = default;
+    /// Reads the rows for a node, "" for the node that the file boots; the other rows are checked, too. `memory_start`:
+    /// the address of MemStart. Throws CodeLinesError.
+    CodeLines(std::string_view table, std::string_view node, Word memory_start);
+
+    /// Returns the place of code, "ring.occ:12:3", or its distance from the procedure that begins before it,
+    /// "philosopher+#12"; "" if the table has neither.
+    std::string place(Word address) const;
+    /// Returns the place of code in a file alone.
+    std::string file_place(Word address) const;
+    /// Returns the name of the procedure that begins at an address; "" if none does.
+    std::string entry(Word address) const;
+    /// Returns the name of the process that has this workspace; "" if the table has none.
+    std::string process(Word workspace) const;
+
+private:
+    struct Row {
+        Word from, until; ///< of an entry `until` is `from`
+        std::string text;
+        std::size_t line; ///< of the table
+    };
+    class Reader;
+    std::vector<Row> code_, entries_, processes_; ///< by address
+};
+
+} // namespace placedpar::transputer

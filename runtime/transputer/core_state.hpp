@@ -1,0 +1,75 @@
+#pragma once
+
+#include "runtime/random.hpp"
+#include "runtime/time.hpp"
+#include "runtime/transputer/fpu.hpp"
+#include "runtime/transputer/instruction.hpp"
+#include "runtime/transputer/model.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace placedpar::transputer {
+
+/// Half a cycle of the processor's clock: the unit of local time. A word of code that is fetched from outside of the
+/// chip costs half of the additional cycles of an access.
+using HalfCycles = std::uint64_t;
+
+/// The registers that a process can see. After a change of process, only those that the instruction set keeps matter.
+struct Registers {
+    Word instruction = most_negative; ///< Iptr, an address
+    Word workspace = most_negative;   ///< Wptr, an address
+    Word a = 0, b = 0, c = 0;
+    bool error = false;
+};
+
+/// Why a core no longer executes. `nothing`: it does.
+enum class Stopped : std::uint8_t { nothing, by_error, by_unknown_instruction, by_bad_address, by_break, by_analyse };
+
+/// An instruction of the scheduler whose cycles pass before its effect.
+struct Pending {
+    Operation operation;
+    HalfCycles left;
+    bool begun = true; ///< false if its cycles are not known yet, since they depend on the moment
+    // These are for a watcher.
+    Word at = 0;
+    HalfCycles spent = 0; ///< the cycles known so far
+};
+
+/// The state of a core, without its memory: registers, queues, flags and clocks. A copy of it is kept to return to. The
+/// members have the names that they have in the core, whose part they are.
+struct CoreState {
+    Registers registers_;
+    int priority_ = 1;
+    bool running_ = false, was_running_ = false; ///< the latter: when the core stopped
+    bool halts_on_error_ = false;
+    bool analysed_ = false, breaks_at_j0_ = false;
+    bool is_analysed_ = false; ///< the analyse pin is set
+    Stopped stopped_ = Stopped::nothing;
+    Word stopped_at_ = 0;      ///< the address that was bad
+    bool other_error_ = false; ///< Error of the interrupted process
+    Fpu fpu_, interrupted_fpu_;
+    HalfCycles fpu_free_ = 0;    ///< local time at which the floating-point unit has finished
+    std::array<Word, 3> move_{}; ///< rows, stride of the target, stride of the source: move2dinit
+
+    std::array<Word, 2> front_{not_a_process, not_a_process}, back_{not_a_process, not_a_process};
+    std::optional<RandomStream> shuffle_; ///< set if the queues are shuffled
+    std::optional<Pending> pending_, interrupted_pending_;
+    bool clocks_run_ = false;
+    Word clock_start_ = 0;
+    Time clocks_since_{};
+    std::array<bool, 2> timers_disabled_{};
+    Time next_timer_ = Time::max(), slice_ends_{};
+    Operation begun_{};   ///< the instruction of the scheduler at which execute() has left
+    int slices_seen_ = 0; ///< ends of timeslice periods since the running process got the processor
+    int interrupted_slices_ = 0;
+
+    Time origin_{};
+    HalfCycles local_ = 0, due_ = 0, on_time_at_ = 0;
+    HalfCycles busy_before_ = 0;
+    std::uint64_t instructions_ = 0;
+    Word last_fetched_ = 1; ///< address of the word of code that was fetched last; odd: none
+};
+
+} // namespace placedpar::transputer

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "runtime/byte_form.hpp"
+#include "runtime/carrier.hpp"
+#include "runtime/executive.hpp"
+#include "runtime/source_location.hpp"
+#include "runtime/transputer/byte_lane.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace placedpar {
+class AnyChannel;
+class Process;
+} // namespace placedpar
+
+namespace placedpar::transputer {
+
+/// The end of a link at which processes in C++ output and input messages, while a transputer that executes its own code
+/// moves bytes at the other end. One channel can use each direction. Its messages travel as bytes (ByteForm): each part
+/// of a message is a count of this end, as it is for the instructions `out` and `in`. A process continues when the last
+/// byte has been acknowledged, or has arrived. The other end may move the bytes by other counts.
+///
+/// input() throws NoMessage for bytes of which the channel's protocol has no message.
+class MessageEnd final : public ByteEnd, public Carrier {
+public:
+    /// `partner`: the name of the device at the other end, for reports.
+    explicit MessageEnd(std::string partner) : partner_(std::move(partner)) {}
+    MessageEnd(const MessageEnd&) = delete;
+    MessageEnd& operator=(const MessageEnd&) = delete;
+
+    /// Put a channel on the direction from this end, or to it. Throw std::logic_error if the direction has a channel
+    /// already, and if messages of the channel have no byte form. REQUIRES: the lanes of this end are set; the run has
+    /// not begun; the channel and this end outlive it.
+    void carry_outputs(AnyChannel&);
+    void carry_inputs(AnyChannel&);
+
+    void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
+    void input(AnyChannel&, const SourceLocation&) override;
+    bool message_waits(const AnyChannel&) const override { return in->has_byte(); }
+    bool output_is_lost(const AnyChannel& c) const override { return out->wire().output_is_lost(c); }
+    bool input_is_lost(const AnyChannel& c) const override { return in->wire().input_is_lost(c); }
+    bool output_must_be_reset(const AnyChannel& c) const override { return out->wire().output_must_be_reset(c); }
+    bool input_must_be_reset(const AnyChannel& c) const override { return in->wire().input_must_be_reset(c); }
+    std::string why_not_given_up() const override { return "leads to a transputer that executes its own code"; }
+    std::string partner_device() const override { return partner_; }
+
+private:
+    /// The instruction `out` or `in` for one part of a message.
+    struct Transfer final : Communication {
+        Transfer(MessageEnd& e, Activity a) : end(e), activity(a) {}
+        bool begin(Process&) noexcept override;
+        void move(AnyChannel&, std::uint32_t bytes, const SourceLocation&);
+        void has_ended();
+        MessageEnd& end;
+        Activity activity;
+        AnyChannel* channel = nullptr; ///< the channel that uses the direction; null if there is none
+        MessageBytes message = {};     ///< the bytes of the current message
+        std::uint32_t part = 0;        ///< the length of the current part
+        SourceLocation where = {};
+        Process* process = nullptr; ///< waits for the end of the part
+        bool ended = false;
+    };
+
+    static void carry(AnyChannel&, Transfer&, MessageEnd&, ByteLane&);
+
+    void read(std::span<std::uint8_t>) override;
+    void given() override { outputs_.has_ended(); }
+    void write(std::span<const std::uint8_t>) override;
+    void taken() override { inputs_.has_ended(); }
+    void byte_waits() override;
+
+    std::string partner_;
+    std::size_t bytes_read_ = 0; ///< bytes of the outgoing message that have left
+    Transfer outputs_{*this, Activity::outputting}, inputs_{*this, Activity::inputting};
+};
+
+} // namespace placedpar::transputer
