@@ -222,6 +222,7 @@ void Generator::call_with(Routine& routine, Arguments words) {
     for (std::size_t i = std::min<std::size_t>(words.size(), 3); i-- > 0;)
         words[i].load();
     settle();
+    frame_->need_low(low); // also against temporaries of the words that were loaded last
     emitter_.branch(Operation::call, routine.entry);
     stack_ = 0;
     frame_->need_below(level.need());
