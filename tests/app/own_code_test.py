@@ -26,8 +26,8 @@ class OwnCode(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertEqual(done.stdout, plain.stdout)
         self.assertRegex(done.stdout, r"last_number +45\n")
-        self.assertIn('"root -> consumer.in"', page.read_text(encoding="utf-8"))
-        self.assertEqual(json.loads(report.read_text(encoding="utf-8"))["ending"], "completed")
+        self.assertIn("root -&gt; consumer.in", page.read_text(encoding="utf-8"))
+        self.assertEqual(json.loads(report.read_text(encoding="utf-8"))["outcome"], "completed")
         events = json.loads(trace.read_text(encoding="utf-8"))["traceEvents"]
         carried = collections.Counter()
         for event in events:

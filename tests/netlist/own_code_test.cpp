@@ -169,7 +169,7 @@ TEST_CASE("a deadlock between a process and a transputer's own code names both")
     const BootableFile file(echo);
     const RunReport report = run_mixed(beside_code(
         file, R"(process in; use "csp.consumer" for in; in (count = 1); place in on a; place in.in on a.link[2];)"));
-    REQUIRE(report.result.ending == Ending::deadlock);
+    REQUIRE(report.result.ending == Ending::stuck);
     const std::string text = report.result.deadlock->text();
     CAPTURE(text);
     REQUIRE_EQ(report.result.deadlock->channels.size(), 1);
@@ -184,7 +184,7 @@ TEST_CASE("a fault of the wire stops a message to a transputer's own code, and n
     const BootableFile file(echo);
     const RunReport report =
         run_mixed(beside_code(file, with_pair("int.out", "int.in")), {"a.link[2] silent (direction = \"out\")"});
-    REQUIRE(report.result.ending == Ending::deadlock);
+    REQUIRE(report.result.ending == Ending::stuck);
     REQUIRE_EQ(report.faults.size(), 1);
     CHECK_EQ(report.faults[0].bytes_lost, 1);
     REQUIRE(report.faults[0].first);
