@@ -33,7 +33,7 @@ struct PortDescription {
     /// Lists the C++ types whose byte form is that of the messages. Only ports of code have them
     /// (ProcessKind::is_code).
     std::vector<std::type_index> byte_types = {};
-    std::int64_t elements = 0; ///< size of the port array; 0: the netlist decides
+    std::int64_t elements = 0; ///< number of channels of the port; 0: the netlist decides
     bool to_host = false;      ///< leads to the host of the node if it is not connected; only of ports of code
 };
 

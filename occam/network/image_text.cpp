@@ -78,12 +78,13 @@ public:
         : n_(network), node_(node), program_of_(program_of) {}
 
     std::string write() {
+        const std::string indentation = has_high_priority() ? "      " : "    ";
         std::string high, low;
         int highs = 0, lows = 0;
         for (const ProcessInstance& process : n_.processes)
             if (process.is_code && process.node == node_) {
                 ++(process.high_priority ? highs : lows);
-                (process.high_priority ? high : low) += component(process, highs_and_lows() ? "      " : "    ");
+                (process.high_priority ? high : low) += component(process, indentation);
             }
         std::string text;
         for (const auto& [name, declaration] : protocols_)
@@ -95,7 +96,7 @@ public:
     }
 
 private:
-    bool highs_and_lows() const {
+    bool has_high_priority() const {
         return std::ranges::any_of(n_.processes, [&](const ProcessInstance& process) {
             return process.is_code && process.node == node_ && process.high_priority;
         });

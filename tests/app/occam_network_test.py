@@ -24,7 +24,7 @@ class OccamNetworks(unittest.TestCase):
                 done = placedpar("run", NETWORKS / name, "--json", report, "--trace", trace, "--page", page)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
                 self.assertEqual(done.stdout, plain.stdout)
-                self.assertEqual(json.loads(report.read_text(encoding="utf-8"))["ending"], "completed")
+                self.assertEqual(json.loads(report.read_text(encoding="utf-8"))["outcome"], "completed")
                 json.loads(trace.read_text(encoding="utf-8"))
                 for command in (("check",), ("show",), ("show", "--format", "json"), ("show", "--format", "dot"),
                                 ("show", "--format", "svg"), ("explain",)):
