@@ -9,6 +9,7 @@
 #include "identification/circuit_problem.hpp"
 #include "netlist/kinds/csp_kinds.hpp"
 #include "netlist/language/parser.hpp"
+#include "occam/network/file_kinds.hpp"
 #include "problems/benchmark/benchmark.hpp"
 #include "problems/plant/coefficients.hpp"
 #include "problems/plant/plant_family.hpp"
@@ -145,7 +146,9 @@ ProblemRegistry known_problems(std::uint64_t seed, const std::function<ProblemFa
 }
 
 Catalogue known_kinds(const ProblemRegistry& problems, SearchObserver* observer) {
+    static const std::shared_ptr<FileKinds> files = occam::make_file_kinds();
     Catalogue catalogue;
+    catalogue.make_from_files(files);
     add_csp_kinds(catalogue);
     add_classical_kinds(catalogue);
     add_genetic_algorithm_kinds(catalogue, problems, observer);

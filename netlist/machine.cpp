@@ -27,7 +27,7 @@ bool travels_in_packets(const NetworkChannel& channel) {
 } // namespace
 
 Machine::Machine(const Network& network, const Catalogue& catalogue, std::uint64_t seed)
-    : network_(network), software_(network_, catalogue, seed) {
+    : network_(with_code_inside(network)), software_(network_, catalogue, seed) {
     make_nodes(false);
     make_links();
     make_nodes(true);

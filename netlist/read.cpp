@@ -5,6 +5,7 @@
 #include "netlist/elaborate/option_statements.hpp"
 #include "netlist/kinds/bootable_file.hpp"
 #include "netlist/kinds/device_kind.hpp"
+#include "netlist/kinds/file_kinds.hpp"
 #include "netlist/language/characters.hpp"
 #include "netlist/language/occam.hpp"
 #include "netlist/language/parser.hpp"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <set>
 #include <span>
 
 namespace placedpar {
@@ -103,6 +105,16 @@ void sort_by_place(std::vector<Diagnostic>& diagnostics) {
     });
 }
 
+/// Adds the files that kinds are made of to the paths of the network's inputs.
+void add_program_paths(Network& network, const Catalogue& catalogue) {
+    std::set<std::string> known;
+    for (const ProcessInstance& process : network.processes)
+        if (process.is_code && known.insert(process.kind).second)
+            for (const std::string& path : catalogue.files()->files_of(process.kind))
+                if (std::ranges::find(network.included_paths, path) == network.included_paths.end())
+                    network.included_paths.push_back(path);
+}
+
 } // namespace
 
 std::string render(const ReadResult& result) { return render(result.diagnostics) + result.not_shown; }
@@ -152,12 +164,16 @@ std::optional<Network> ParsedNetlist::Syntax::network(const Catalogue& catalogue
     if (reporter.failed())
         return std::nullopt;
     elaborator.use(options.programs);
+    elaborator.read_files(options.include_folders);
+    if (reporter.failed())
+        return std::nullopt;
     elaborator.run(set);
     auto network = complete(elaborator.take(), catalogue, reporter, options.boot_bytes);
     if (reporter.failed())
         return std::nullopt;
     network.source_path = file->path();
     network.included_paths = included_paths;
+    add_program_paths(network, catalogue);
     network.includes_toolset = includes_toolset;
     WrittenOut out = write_out(network, largest_source_bytes);
     network.hash = out.hash;

@@ -70,7 +70,7 @@ private:
         for (auto [node, count] : channels_inside())
             nodes_[node].inside = fmt::format("{} {} inside", count, count == 1 ? "channel" : "channels");
         for (std::size_t i = 0; i < nodes_.size(); ++i)
-            if (n_.nodes[i].runs_own_code)
+            if (n_.nodes[i].runs_own_code && !n_.nodes[i].image)
                 nodes_[i].inside = shortened(print_boot(n_.nodes[i]));
     }
 

@@ -1,6 +1,8 @@
 #include "app/command.hpp"
 #include "app/options.hpp"
+#include "app/standard_error.hpp"
 #include "explore/problems.hpp"
+#include "netlist/kinds/file_kinds.hpp"
 #include "report/kinds_choice.hpp"
 #include "report/kinds_report.hpp"
 #include "report/manifest.hpp"
@@ -8,6 +10,7 @@
 #include "report/problems_report.hpp"
 #include "text/nearest.hpp"
 #include "text/output_file.hpp"
+#include "text/user_error.hpp"
 
 #include <boost/json.hpp>
 #include <fmt/format.h>
@@ -43,12 +46,27 @@ std::vector<std::string> problems_and_policies(const ProblemRegistry& problems) 
     return names;
 }
 
+/// Reads a file that kinds are made of. Returns the name by which the catalogue knows the kind, or `name` if it is not
+/// the name of a file. Prints warnings. Throws RefusedInput.
+std::string read_if_file(const Catalogue& catalogue, const std::string& name) {
+    if (!catalogue.files()->is_file(name))
+        return name;
+    Reporter reporter;
+    const Location typed{std::make_shared<const SourceFile>("kinds", name), 1, 1};
+    std::string known = catalogue.files()->read(name, typed, {}, reporter);
+    const std::string text = render(reporter.take()) + reporter.not_shown();
+    if (known.empty())
+        throw RefusedInput(text);
+    print_error(text);
+    return known;
+}
+
 enum class Meant { kinds, all_problems, problem, all_policies, policy };
 
 /// Throws UserError if the name is unknown.
 Meant kind_of_name(const Catalogue& catalogue, const ProblemRegistry& problems, const std::string& name) {
     auto known = known_names(catalogue);
-    if (name.empty() || std::ranges::count(known, known_name(catalogue, name)) > 0)
+    if (name.empty() || catalogue.find(name) || std::ranges::count(known, known_name(catalogue, name)) > 0)
         return Meant::kinds;
     if (lower_case(name) == problems_group)
         return Meant::all_problems;
@@ -91,8 +109,8 @@ struct KindsOptions {
 ExitCode kinds(const KindsOptions& options) {
     ProblemRegistry problems = known_problems(0);
     Catalogue catalogue = known_kinds(problems);
-    print_out(options.json ? print_pretty(json_of(catalogue, problems, options.name))
-                           : print_named(catalogue, problems, options.name));
+    const std::string name = read_if_file(catalogue, options.name);
+    print_out(options.json ? print_pretty(json_of(catalogue, problems, name)) : print_named(catalogue, problems, name));
     return ExitCode::success;
 }
 
@@ -106,9 +124,11 @@ std::vector<std::string> names_of_kinds() {
 
 Action declare_kinds(Options& command, const std::string&) {
     auto options = std::make_shared<KindsOptions>();
-    command.add("NAME", options->name,
-                "a kind, a problem, a step of the search (selection) or a policy (tournament): prints its "
-                "description. A group (csp, problems, policies): prints a list");
+    command.add(
+        "NAME", options->name,
+        "a kind, a problem, a step of the search (selection) or a policy (tournament): prints its "
+        "description. A group (csp, problems, policies): prints a list. A file in occam: prints the kind of its "
+        "last PROC");
     command.add_flag("--json", options->json, "prints all descriptions as JSON");
     return [options] { return kinds(*options); };
 }

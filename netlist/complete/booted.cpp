@@ -131,6 +131,7 @@ void reach(Completion& c, std::size_t from) {
 } // namespace
 
 void complete_booted(Completion& c) {
+    mark_code_nodes(c);
     for (std::size_t i = 0; i < c.network.nodes.size(); ++i)
         if (!c.network.nodes[i].boot_file.empty()) {
             check_boot(c, i);

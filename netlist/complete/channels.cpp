@@ -1,5 +1,6 @@
 #include "netlist/complete/complete.hpp"
 #include "netlist/network/names.hpp"
+#include "text/counted.hpp"
 
 #include <fmt/format.h>
 
@@ -79,7 +80,7 @@ private:
         }
         if (a->direction == b->direction)
             return refuse_direction(draft, a->direction);
-        if (a->port != nullptr && b->port != nullptr && a->port->type != b->port->type)
+        if (a->port != nullptr && b->port != nullptr && !agree(*a->port, *b->port))
             refuse_protocols(draft, *a->port, *b->port);
         bool forwards = a->direction == Direction::output;
         const auto &from = forwards ? draft.a : draft.b, &to = forwards ? draft.b : draft.a;
@@ -97,6 +98,15 @@ private:
     void add_channel(NetworkChannel channel, std::size_t draft) {
         c_.network.channels.push_back(std::move(channel));
         c_.draft_channel.push_back(draft);
+    }
+
+    /// Returns whether the two ports carry the same messages. Ports of code agree with one another if their protocols
+    /// do, and with a C++ type if its byte form is that of their protocol.
+    static bool agree(const PortDescription& a, const PortDescription& b) {
+        if (a.type != b.type)
+            return std::ranges::find(a.byte_types, b.type) != a.byte_types.end() ||
+                   std::ranges::find(b.byte_types, a.type) != b.byte_types.end();
+        return a.make_channel || a.protocol == b.protocol;
     }
 
     void refuse_protocols(const DraftChannel& draft, const PortDescription& a, const PortDescription& b) {
@@ -171,7 +181,15 @@ private:
             return nowhere;
         const auto& connection = c_.network.connections[wire->second];
         std::size_t other = connection.a.node == end.node ? connection.b.node : connection.a.node;
-        return c_.network.nodes[other].runs_own_code ? other : nowhere;
+        return c_.network.nodes[other].runs_own_code && !has_image(other) ? other : nowhere;
+    }
+
+    /// Returns whether the processor executes processes that are code, whose channels are connected by name.
+    bool has_image(std::size_t node) const {
+        for (std::size_t i = 0; i < c_.draft.processes.size(); ++i)
+            if (c_.draft.processes[i].node == node && c_.kinds[i] != nullptr && c_.kinds[i]->is_code)
+                return true;
+        return false;
     }
 
     /// Returns whether the channel can lead to the processor, which executes its own code; otherwise reports why not.
@@ -234,6 +252,8 @@ private:
             check_interface(index, *process.interface);
         else if (c_.kinds[index] != nullptr)
             check_kind(index, *c_.kinds[index]);
+        if (c_.kinds[index] != nullptr)
+            check_elements(index, *c_.kinds[index]);
         auto& bindings = bindings_[index];
         std::stable_sort(bindings.begin(), bindings.end(), [&](const PortBinding& x, const PortBinding& y) {
             auto key = [&](const PortBinding& b) { return std::pair(order(index, b.port), subscripts_of(b.port)); };
@@ -324,6 +344,23 @@ private:
                 return false;
             }
         return true;
+    }
+
+    /// Refuses a port of fixed size of which fewer or more channels are connected.
+    void check_elements(std::size_t index, const ProcessKind& kind) {
+        const DraftProcess& process = c_.draft.processes[index];
+        for (const PortDescription& port : kind.ports) {
+            const std::size_t used = port.elements == 0 ? 0 : subscripts_used(index, port.name).size();
+            if (used == 0 || std::cmp_equal(port.elements, used))
+                continue;
+            c_.reporter.error(process.declared,
+                              fmt::format("the kind \"{}\" of \"{}\" has {} {}, but {} connected", kind.name,
+                                          process.name, counted(static_cast<std::size_t>(port.elements), "channel"),
+                                          port.name, used == 1 ? "1 is" : fmt::format("{} are", used)),
+                              std::cmp_less(used, port.elements)
+                                  ? fmt::format("connect {}.{}[{}] to ...;", process.name, port.name, used)
+                                  : "");
+        }
     }
 
     /// Checks a process without an interface: each placed channel must be connected, or lead to an edge or to a

@@ -20,6 +20,7 @@ Network complete(Draft draft, const Catalogue& catalogue, Reporter& reporter, co
     Completion completion{std::move(draft), catalogue, reporter, boot_bytes, {}, {}, {}, {}, {}, {}};
     completion.network.set = std::move(completion.draft.set);
     completion.network.nodes = std::move(completion.draft.nodes);
+    place_code(completion);
     complete_hosts(completion);
     if (reporter.failed())
         return {};
@@ -32,6 +33,8 @@ Network complete(Draft draft, const Catalogue& catalogue, Reporter& reporter, co
     complete_faults(completion);
     if (!reporter.failed())
         complete_checks(completion);
+    if (!reporter.failed())
+        complete_images(completion);
     return std::move(completion.network);
 }
 

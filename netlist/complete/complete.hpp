@@ -36,6 +36,9 @@ struct Completion {
     std::string free_link(std::size_t node) const;
 };
 
+/// images.cpp: places processes that are code on a transputer of their own if the network has no others and places
+/// none.
+void place_code(Completion& completion);
 /// hosts.cpp: turns each edge with processes into a workstation.
 void complete_hosts(Completion& completion);
 /// wires.cpp: joins pieces of wire and crosspoints into connections between processors.
@@ -59,5 +62,9 @@ void check_switched(Completion& completion);
 void complete_faults(Completion& completion);
 /// checks.cpp: runs the checks that kinds define. REQUIRES: nothing was refused.
 void complete_checks(Completion& completion);
+/// images.cpp: marks the nodes with processes that are code, and checks them. Called by complete_booted().
+void mark_code_nodes(Completion& completion);
+/// images.cpp: makes the images of these nodes. REQUIRES: nothing was refused.
+void complete_images(Completion& completion);
 
 } // namespace placedpar

@@ -140,6 +140,10 @@ void complete_process(Completion& c, std::size_t index) {
         complete_parameters(c, index);
     take_over(c.network.processes[index], draft);
     c.network.processes[index].stand_in = kind == nullptr;
+    if (kind != nullptr && kind->is_code) {
+        c.network.processes[index].is_code = true;
+        c.network.processes[index].program_hash = kind->text_hash;
+    }
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "netlist/language/syntax.hpp"
 #include "netlist/network/names.hpp"
 
+#include <filesystem>
 #include <functional>
 #include <set>
 
@@ -29,6 +30,9 @@ public:
     void run(const Statements& statements);
     /// Replaces programs by kinds, as the options `--use PROGRAM=KIND` say.
     void use(const ProgramKinds& kinds);
+    /// Reads the programs that are files of a language (FileKinds). The names of these programs become those by which
+    /// the catalogue knows the kinds.
+    void read_files(const std::vector<std::filesystem::path>& folders);
     const Draft& draft() const { return draft_; }
     Draft take();
 

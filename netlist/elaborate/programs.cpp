@@ -1,4 +1,5 @@
 #include "netlist/elaborate/elaborator.hpp"
+#include "netlist/kinds/file_kinds.hpp"
 #include "text/nearest.hpp"
 
 #include <fmt/format.h>
@@ -56,6 +57,23 @@ void Elaborator::use(const ProgramKinds& kinds) {
     for (auto& process : draft_.processes)
         if (auto told = kinds.find(process.kind); told != kinds.end())
             process.kind = told->second;
+}
+
+void Elaborator::read_files(const std::vector<std::filesystem::path>& folders) {
+    FileKinds* const files = catalogue_.files();
+    if (!files)
+        return;
+    std::map<std::pair<std::string, const SourceFile*>, std::string> known;
+    for (DraftProcess& process : draft_.processes) {
+        if (!files->is_file(process.kind) || catalogue_.find(process.kind))
+            continue;
+        const Location at = process.used.value_or(draft_.default_used);
+        const auto [found, is_new] = known.try_emplace({process.kind, at.file.get()});
+        if (is_new)
+            found->second = files->read(process.kind, at, folders, reporter_);
+        if (!found->second.empty())
+            process.kind = found->second;
+    }
 }
 
 } // namespace placedpar

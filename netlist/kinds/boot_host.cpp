@@ -14,7 +14,8 @@ BootHost::BootHost(std::vector<std::uint8_t> file, Answering answering, Time req
 
 void BootHost::serve() {
     process_ = &Kernel::here().running();
-    send(file_);
+    if (!file_.empty())
+        send(file_);
     booted_ = !abandoned_;
     booted_at_ = Kernel::here().now();
     while (state_ == iserver::ServerState::running && !abandoned_) {

@@ -22,7 +22,8 @@ using Answering = std::function<iserver::Answer(iserver::ByteView request, std::
 /// requests until the program exits.
 class BootHost final : public transputer::ByteEnd {
 public:
-    /// `request_time`: how long the host works on a request. REQUIRES: request_time >= 0.
+    /// `file`: empty if the program is there when the run begins. `request_time`: how long the host works on a request.
+    /// REQUIRES: request_time >= 0.
     BootHost(std::vector<std::uint8_t> file, Answering, Time request_time);
 
     /// Boots and serves; the body of the host's process. Returns when the program has exited, when no input is left for

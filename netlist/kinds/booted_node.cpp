@@ -4,8 +4,10 @@
 #include "netlist/kinds/bootable_file.hpp"
 #include "netlist/kinds/device_kind.hpp"
 #include "netlist/kinds/fault_kinds.hpp"
+#include "netlist/kinds/file_kinds.hpp"
 #include "netlist/kinds/memory_access.hpp"
 #include "netlist/kinds/outside_host.hpp"
+#include "runtime/kernel.hpp"
 #include "runtime/transputer/code_text.hpp"
 #include "runtime/transputer/core_text.hpp"
 #include "text/output_file.hpp"
@@ -25,6 +27,14 @@ transputer::CoreTiming timing_of(const Node& node) {
             .memory_cycles = static_cast<int>(static_cast<std::int64_t>(access_time(node))),
             .switch_cycles = static_cast<int>(node.integer("switching")),
             .wraps = node.integer("wraps") != 0};
+}
+
+/// Returns whether a host serves some program of the network.
+bool serves_a_program(const Network& network) {
+    for (std::size_t i = 0; i < network.nodes.size(); ++i)
+        if ((network.nodes[i].image || !network.nodes[i].boot_file.empty()) && link_to_host(network, i))
+            return true;
+    return false;
 }
 
 std::shared_ptr<iserver::Terminal> terminal_of(const HostServices& host) {
@@ -60,7 +70,8 @@ iserver::ServerOptions options_of(const HostServices& host, const Node& node) {
 struct BootedNode::Host {
     Host(const Network& network, const Node& node)
         : terminal(terminal_of(network.host)), server(options_of(network.host, node), *terminal),
-          end(*node.boot_bytes, answering(network.host), Time{1000 * node.integer("hosttime")}) {}
+          end(node.image ? std::vector<std::uint8_t>{} : *node.boot_bytes, answering(network.host),
+              Time{1000 * node.integer("hosttime")}) {}
 
     Answering answering(const HostServices& services) {
         if (services.answers)
@@ -78,8 +89,21 @@ BootedNode::BootedNode(MachineParts& parts, std::size_t index)
       device_(simulation().add<transputer::Node>(node().name, *transputer::model_named(node().type),
                                                  static_cast<std::uint64_t>(node().integer("memory")),
                                                  timing_of(node()))) {
-    device_.when_stopped([this] { tell_hosts(); });
     device_.name_by(lines());
+    device_.when_stopped([this] {
+        tell_hosts();
+        notice_end();
+    });
+    watch_code();
+    if (!node().image)
+        return;
+    device_.start(*node().image);
+    if (network().processes.empty() && !serves_a_program(network()))
+        await_end();
+}
+
+/// Counts the instructions, or lets the user execute them one by one.
+void BootedNode::watch_code() {
     if (network().host.lists_code)
         listing_ = std::make_unique<transputer::Listing>(device_.core());
     if (network().host.steps && !node().boot_file.empty())
@@ -89,6 +113,30 @@ BootedNode::BootedNode(MachineParts& parts, std::size_t index)
 }
 
 BootedNode::~BootedNode() = default;
+
+/// Lets a process wait until the image has ended. Otherwise the run would end at once, since the work of a run is that
+/// of its processes.
+void BootedNode::await_end() {
+    device_.when_idle([this] { notice_end(); });
+    simulation().process("the code of " + node().name, [this] {
+        if (has_ended())
+            return;
+        awaits_end_ = &Kernel::here().running();
+        awaits_end_->wait_for(Activity::inputting, nullptr, {});
+    });
+}
+
+bool BootedNode::has_ended() const {
+    const transputer::Node::Activity activity = device_.activity();
+    return activity != transputer::Node::Activity::booted || device_.has_ended(*node().image);
+}
+
+void BootedNode::notice_end() {
+    if (!awaits_end_ || !has_ended())
+        return;
+    Process& waiting = *std::exchange(awaits_end_, nullptr);
+    waiting.kernel().make_ready(waiting);
+}
 
 void BootedNode::has_link(hardware::Link& link) {
     const auto known = std::ranges::find(parts().links, &link);
@@ -105,9 +153,9 @@ void BootedNode::has_link(hardware::Link& link) {
             std::make_unique<transputer::ByteLink>(link, partner->device_.end(other.link), device_.end(own.link)));
 }
 
-/// Connects the host that the netlist names a file for. The edges at other links are left open.
+/// Connects the host of a booted program or of an image. The edges at other links are left open.
 void BootedNode::connect_host(hardware::Link& link, const LinkEnd& own, bool own_is_a) {
-    if (node().boot_file.empty() || host_ || outside_)
+    if ((node().boot_file.empty() && !node().image) || host_ || outside_)
         return;
     auto& here = device_.end(own.link);
     const auto connect = [&](transputer::ByteEnd& host) {

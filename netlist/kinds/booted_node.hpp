@@ -39,6 +39,10 @@ public:
 
 private:
     struct Host;
+    bool has_ended() const;
+    void await_end();
+    void notice_end();
+    void watch_code();
     void tell_hosts();
     std::string state() const;
     std::string state_of_program() const;
@@ -54,6 +58,7 @@ private:
     std::unique_ptr<transputer::Listing> listing_;
     std::unique_ptr<transputer::Stepper> stepper_;
     std::unique_ptr<Host> host_;
+    Process* awaits_end_ = nullptr;        ///< keeps the run going until the image has ended; null if others do
     std::unique_ptr<OutsideHost> outside_; ///< instead of `host_`, if another program serves the link
 };
 

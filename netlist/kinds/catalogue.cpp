@@ -1,6 +1,7 @@
 #include "netlist/kinds/catalogue.hpp"
 
 #include "netlist/kinds/devices.hpp"
+#include "netlist/kinds/file_kinds.hpp"
 
 #include <fmt/format.h>
 
@@ -29,8 +30,9 @@ void Catalogue::add(ProcessKind kind) {
 }
 
 const ProcessKind* Catalogue::find(std::string_view name) const {
-    auto found = kinds_.find(name);
-    return found == kinds_.end() ? nullptr : &found->second;
+    if (auto found = kinds_.find(name); found != kinds_.end())
+        return &found->second;
+    return files_ ? files_->find(name) : nullptr;
 }
 
 std::vector<std::string> Catalogue::kind_names() const {

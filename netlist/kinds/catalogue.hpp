@@ -8,9 +8,12 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace placedpar {
+
+class FileKinds; // netlist/kinds/file_kinds.hpp
 
 /// Holds the kinds of processes and devices by name; netlists are read with a catalogue. Every catalogue has the
 /// devices of this room; a program adds its process kinds and its own devices.
@@ -20,7 +23,7 @@ public:
 
     /// Throws std::logic_error if the catalogue has a process kind of this name already.
     void add(ProcessKind kind);
-    /// Returns null if there is no kind of this name.
+    /// Returns null if there is no kind of this name. Kinds that files() has read have the names of their files.
     const ProcessKind* find(std::string_view name) const;
     const std::map<std::string, ProcessKind, std::less<>>& kinds() const { return kinds_; }
 
@@ -33,8 +36,14 @@ public:
     /// Returns the types with which nodes can be declared, by the names of the models.
     const std::map<std::string, NodeType, std::less<>>& node_types() const { return node_types_; }
 
+    /// Lets netlists use kinds that are made of files. REQUIRES: called once.
+    void make_from_files(std::shared_ptr<FileKinds> files) { files_ = std::move(files); }
+    /// Returns null if no kinds are made of files.
+    FileKinds* files() const { return files_.get(); }
+
 private:
     std::map<std::string, ProcessKind, std::less<>> kinds_;
+    std::shared_ptr<FileKinds> files_;
     std::map<std::string, std::shared_ptr<const DeviceKind>, std::less<>> devices_;
     std::map<std::string, NodeType, std::less<>> node_types_;
 };

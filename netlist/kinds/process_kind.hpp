@@ -5,6 +5,7 @@
 #include "netlist/network/direction.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -29,6 +30,11 @@ struct PortDescription {
     std::string about;          ///< one line
     std::string formerly = "";  ///< the port's name in older netlists; "" if the name has never changed
     bool has_byte_form = false; ///< messages can travel to and from programs in a transputer's own code (HasByteForm)
+    /// Lists the C++ types whose byte form is that of the messages. Only ports of code have them
+    /// (ProcessKind::is_code).
+    std::vector<std::type_index> byte_types = {};
+    std::int64_t elements = 0; ///< size of the port array; 0: the netlist decides
+    bool to_host = false;      ///< leads to the host of the node if it is not connected; only of ports of code
 };
 
 /// Describes a quantity that a process of this kind measures and reports at the end of a run.
@@ -70,6 +76,10 @@ struct ProcessKind {
     /// says that a program built on PlacedPar adds this kind: an exception from the kind or its processes is then an
     /// error of that program, not a defect of PlacedPar
     bool is_own = false;
+    /// says that the kind is made of a file (FileKinds): its processes are code that their node executes, and the kind
+    /// has no body
+    bool is_code = false;
+    std::uint64_t text_hash = 0; ///< of the texts that the kind is made of; 0: it is not made of a file
 
     /// Returns null if there is no port of this name.
     const PortDescription* port(std::string_view name) const;

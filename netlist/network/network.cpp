@@ -39,7 +39,40 @@ std::vector<std::string> paths_of_inputs(const Network& network) {
 }
 
 bool has_bootable_file(const Network& network) {
-    return std::ranges::any_of(network.nodes, [](const Node& node) { return !node.boot_file.empty(); });
+    return std::ranges::any_of(network.nodes, [](const Node& node) { return !node.boot_file.empty() || node.image; });
+}
+
+namespace {
+
+/// Returns the positions that the things which stay will have; nowhere for the others.
+template <class Things, class Stays>
+std::vector<std::size_t> positions_after(const Things& things, const Stays& stays) {
+    std::vector<std::size_t> positions;
+    std::size_t next = 0;
+    for (const auto& each : things)
+        positions.push_back(stays(each) ? next++ : nowhere);
+    return positions;
+}
+
+} // namespace
+
+Network with_code_inside(Network network) {
+    const auto stays = [](const ProcessInstance& process) { return !process.is_code; };
+    const std::vector<std::size_t> processes = positions_after(network.processes, stays);
+    for (NetworkChannel& channel : network.channels)
+        for (ChannelEnd* const end : {&channel.from, &channel.to})
+            if (!end->at_edge() && (end->process = processes[end->process]) == nowhere)
+                end->port.clear();
+    const auto is_outside = [](const NetworkChannel& channel) {
+        return !channel.from.at_edge() || !channel.to.at_edge();
+    };
+    const std::vector<std::size_t> channels = positions_after(network.channels, is_outside);
+    std::erase_if(network.channels, [&](const NetworkChannel& channel) { return !is_outside(channel); });
+    std::erase_if(network.processes, [&](const ProcessInstance& process) { return !stays(process); });
+    for (ProcessInstance& process : network.processes)
+        for (PortBinding& port : process.ports)
+            port.channel = channels[port.channel];
+    return network;
 }
 
 bool is_set_at_run_time(const Network& network, std::size_t node) {

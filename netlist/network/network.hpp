@@ -26,6 +26,9 @@ class CodeLines; // runtime/transputer/code_lines.hpp
 namespace placedpar {
 
 struct DeviceKind; // netlist/kinds/device_kind.hpp: what a device of some kind is and can do
+namespace transputer {
+struct Image; // runtime/transputer/image.hpp
+} // namespace transputer
 namespace iserver {
 class OfferedBoard; // iserver/offered_board.hpp
 class Terminal;     // iserver/terminal.hpp
@@ -53,7 +56,10 @@ struct Node {
     Location boot_stated = {};                                             ///< place of the `use` that names the file
     std::shared_ptr<const transputer::CodeLines> code_lines =
         nullptr;                ///< what NAME.lines beside the file says; or null
-    bool runs_own_code = false; ///< the node is emulated: it executes what it is booted with, and runs no processes
+    bool runs_own_code = false; ///< the node is emulated: it executes what it is booted with, or its image
+    /// The program that is in the memory when the run begins: all processes of the node that are code, in one. Null if
+    /// the node has none.
+    std::shared_ptr<const transputer::Image> image = nullptr;
 
     /// REQUIRES: the kind has an integer attribute of this name; throws std::logic_error otherwise.
     std::int64_t integer(std::string_view attribute) const;
@@ -142,6 +148,8 @@ struct ProcessInstance {
     std::string name;                        ///< such as "grid[1][2]"
     std::string kind;                        ///< the kind that `use` names; "" if there is no `use`
     bool stand_in = false;                   ///< the kind is not in the catalogue: the process cannot be run
+    bool is_code = false;                    ///< the process is part of the image of its node
+    std::uint64_t program_hash = 0;          ///< of the texts that the kind is made of; 0 if it is not made of a file
     std::map<std::string, Value> parameters; ///< every parameter of the kind, of the type that the kind states
     std::map<std::string, Location>
         given; ///< place where the netlist gives each parameter; parameters with default values are not listed
@@ -271,8 +279,12 @@ using BootBytes = std::map<std::string, std::shared_ptr<const std::vector<std::u
 /// Returns the paths of all files that the netlist names: included files, then bootable files.
 std::vector<std::string> paths_of_inputs(const Network& network);
 
-/// Returns whether some node is booted with a file.
+/// Returns whether some node is booted with a file, or has an image.
 bool has_bootable_file(const Network& network);
+
+/// Returns the network as a machine executes it: without the processes that are code, and without the channels between
+/// them. Their other channels end at their nodes, which run their own code.
+Network with_code_inside(Network network);
 
 /// Returns whether a wire leads to the switch's configuration link.
 bool is_set_at_run_time(const Network& network, std::size_t node);

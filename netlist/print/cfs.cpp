@@ -104,6 +104,14 @@ private:
                                                   : fmt::format("{:016x}", boot_hash(node));
     }
 
+    /// Returns the program of a process. Of a file, the hash of its text counts, as for a bootable file.
+    std::string program(const ProcessInstance& process) const {
+        return order_ == ParameterOrder::as_given || process.program_hash == 0
+                   ? print_constant(process.kind)
+                   : fmt::format("{:016x}{}", process.program_hash,
+                                 process.kind.substr(std::min(process.kind.find('#'), process.kind.size())));
+    }
+
     void print_places() {
         text_ += "\n/* mapping */\n";
         for (const auto& process : n_.processes)
@@ -368,7 +376,7 @@ private:
             same = same && n_.processes[i].kind == first;
         for (std::size_t i = range.first; i < range.first + (same ? 1 : range.count); ++i)
             if (const auto& process = n_.processes[i]; !process.kind.empty())
-                line("use {} for {};", print_constant(process.kind), same ? range.base : process.name);
+                line("use {} for {};", program(process), same ? range.base : process.name);
     }
 
     void print_edge_channels() {

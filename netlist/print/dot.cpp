@@ -99,7 +99,7 @@ private:
             index, drawing.frame, drawing.heading, as_markup(node.name), as_markup(node.type), facts(node));
         for (auto process : processes_of_[index])
             print_process(n_.processes[process]);
-        if (node.runs_own_code)
+        if (node.runs_own_code && !node.image)
             text_ +=
                 fmt::format("<tr><td bgcolor=\"#ffffff\"><font point-size=\"10\" color=\"#777777\">{}</font></td></tr>",
                             as_markup(print_boot(node)));

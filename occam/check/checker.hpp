@@ -124,6 +124,7 @@ private:
     const Type* form_of(Expression&, TypeBound&);
     const Type* form_of(Expression&, OffsetOf&);
     const Type* literal_type(const Place&, const std::optional<Basic>&, const std::string& name, Basic by_default);
+    const Type* channel_table(TableLiteral&);
     const Type* record_literal(Expression&, TableLiteral&);
     const Type* field_of(Expression&, Subscript&, const Type& record);
     const Type* several(Expression&, const std::vector<const Type*>& results);

@@ -218,7 +218,21 @@ const Type* Checker::form_of(Expression& expression, StringLiteral& literal) {
     return types_.array(basic(Basic::byte), static_cast<std::uint32_t>(literal.bytes.size()));
 }
 
+/// Returns the type of a table of channels; null if the table has none.
+const Type* Checker::channel_table(TableLiteral& table) {
+    const auto* first = table.elements.empty() ? nullptr : std::get_if<NameUse>(&table.elements.front().form);
+    const Declaration* const found = first ? names_.find(first->name) : nullptr;
+    if (!found || !found->type || found->type->kind != Type::Kind::channel)
+        return nullptr;
+    for (Expression& each : table.elements)
+        if (check(each) != found->type)
+            agrees(each, found->type, "this element of the table");
+    return types_.array(found->type, static_cast<std::uint32_t>(table.elements.size()));
+}
+
 const Type* Checker::form_of(Expression& expression, TableLiteral& table) {
+    if (const Type* const channels = program_.has_channel_tables ? channel_table(table) : nullptr)
+        return channels;
     const Type* const whole = table.type ? type_of(*table.type, Open::allowed) : nullptr;
     if (whole && plain(*whole).kind == Type::Kind::record)
         return record_literal(expression, table);

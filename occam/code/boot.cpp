@@ -22,16 +22,18 @@ cleared:
         ldc 0; sttimer
         HALT
         testerr
-        mint; ldnlp code; ldl 1; ldc length; in
+        INPUT
         mint; ldnlp workspace; gajw
         mint; ldnlp start; adc offset; gcall
 )";
 
+/// Returns the source of the loader. If `is_there`, the code is in the memory already.
 std::string loader_source(const Code& code, const CodeOptions& options, transputer::Word code_at,
-                          transputer::Word workspace) {
+                          transputer::Word workspace, bool is_there) {
     std::string source = fmt::format("code = {}\nlength = {}\nworkspace = {}\nstart = {}\noffset = {}\n", code_at / 4,
                                      code.bytes.size(), workspace / 4, (code_at + code.entry) / 4, code.entry % 4);
     std::string text = loader;
+    text.replace(text.find("INPUT"), 5, is_there ? "" : "mint; ldnlp code; ldl 1; ldc length; in");
     const bool halts = options.mode != ErrorMode::stop && options.run_time_checks;
     text.replace(text.find("HALT"), 4, halts ? "sethalterr" : "clrhalterr");
     if (code.entry % 4 == 0)
@@ -39,36 +41,42 @@ std::string loader_source(const Code& code, const CodeOptions& options, transput
     return source + text;
 }
 
-struct Loader {
-    std::vector<std::uint8_t> bytes;
-    transputer::Word code_at = 0;
-};
-
-Loader loader_for(const Code& code, const CodeOptions& options) {
+/// Lays out the workspace, which may cover the loader, and the code behind it.
+transputer::Image laid_out(const Code& code, const CodeOptions& options, bool is_there) {
     constexpr transputer::Word bytes_beside = 44; // what its instructions use, and its variables
     const transputer::Word start = transputer::traits_of(options.model).memory_start;
     const auto needed = static_cast<transputer::Word>(4 * code.workspace_words);
     const auto above = static_cast<transputer::Word>(4 * code.first_workspace_words);
-    Loader made;
+    transputer::Image image;
+    image.code = code.bytes;
     // The length of the loader depends on the numbers in it.
-    for (std::size_t length = 1; made.bytes.size() != length;) {
-        length = made.bytes.size();
-        made.code_at = start + std::max(needed, static_cast<transputer::Word>(length) + bytes_beside);
-        made.code_at = (made.code_at + 3) / 4 * 4;
-        made.bytes = transputer::assemble(loader_source(code, options, made.code_at, made.code_at - above)).bytes;
+    for (std::size_t length = 1; image.start.size() != length;) {
+        length = image.start.size();
+        image.offset = start + std::max(needed, static_cast<transputer::Word>(length) + bytes_beside);
+        image.offset = (image.offset + 3) / 4 * 4;
+        image.start =
+            transputer::assemble(loader_source(code, options, image.offset, image.offset - above, is_there)).bytes;
     }
-    return made;
+    image.end = image.offset + code.end;
+    image.workspace = image.offset - above;
+    image.bytes = image.offset + (code.bytes.size() + 3) / 4 * 4 + code.vector_space_bytes;
+    return image;
 }
 
 } // namespace
 
-std::uint32_t where_code_is(const Code& code, const CodeOptions& options) { return loader_for(code, options).code_at; }
+std::uint32_t where_code_is(const Code& code, const CodeOptions& options) {
+    return laid_out(code, options, false).offset;
+}
+
+transputer::Image image_of(const Code& code, const CodeOptions& options) { return laid_out(code, options, true); }
 
 std::vector<std::uint8_t> bootable(const Code& code, const CodeOptions& options) {
-    std::vector<std::uint8_t> file = loader_for(code, options).bytes;
-    file.insert(file.begin(), static_cast<std::uint8_t>(file.size()));
-    file.insert(file.end(), code.bytes.begin(), code.bytes.end());
-    return file;
+    const transputer::Image image = laid_out(code, options, false);
+    std::vector<std::uint8_t> packet = image.start;
+    packet.insert(packet.begin(), static_cast<std::uint8_t>(packet.size()));
+    packet.insert(packet.end(), image.code.begin(), image.code.end());
+    return packet;
 }
 
 } // namespace placedpar::occam

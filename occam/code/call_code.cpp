@@ -23,8 +23,9 @@ Generator::Routine& Generator::routine_of(const Declaration& d) {
     return routine;
 }
 
-bool Generator::returns_in_register(const Function& f) {
-    return f.result_types.size() == 1 && (is_word(*f.result_types.front()) || is_real(*f.result_types.front()));
+bool Generator::returns_in_register(const Function& f) const {
+    return f.result_types.size() == 1 &&
+           (is_word(*f.result_types.front()) || (is_real(*f.result_types.front()) && has_reals()));
 }
 
 void Generator::generate_routine(const Declaration& d, Routine& routine) {
@@ -133,11 +134,28 @@ void Generator::add_argument(Arguments& words, const Declaration& parameter, con
         words.push_back({depth_of_channel(e), [this, &e] { channel(e); }});
     } else if (is_value && type.kind == Type::Kind::basic && bytes_of(type.basic) <= 4) {
         add_value(words, e);
+    } else if (const auto* table = std::get_if<TableLiteral>(&e.form); table && is_channel(type)) {
+        add_pointer(words, channel_table(*table, *e.type), type);
     } else if (!is_value && fixed_size(type)) {
         words.push_back({depth_of_location(e), [this, &e] { address(locate(e)); }});
     } else {
         add_pointer(words, is_channel(type) || !is_value ? locate(e) : value_in_memory(e), type);
     }
+}
+
+/// Makes an array of pointers to channels that are declared one by one.
+Storage Generator::channel_table(const TableLiteral& table, const Type& type) {
+    Storage pointers =
+        in_workspace(*array_of(*basic(Basic::integer), static_cast<std::uint32_t>(table.elements.size())));
+    for (std::size_t i = 0; i < table.elements.size(); ++i) {
+        Storage pointer = pointers;
+        pointer.offset += 4 * static_cast<std::int64_t>(i);
+        pointer.type = basic(Basic::integer);
+        channel(table.elements[i]);
+        store(pointer);
+    }
+    pointers.type = &type;
+    return pointers;
 }
 
 /// Adds the value of a scalar of at most a word.
@@ -174,11 +192,13 @@ void Generator::call_with(Routine& routine, Arguments words) {
     const std::int64_t vector_now = level_->vector_now;
     if (level.uses_link)
         words.insert(words.begin(), {1, [this, &level] { load_frame_of(*level.outer); }});
-    if (level.uses_vector)
+    if (level.uses_vector) {
+        level_->uses_vector = true;
         words.push_back({1, [this, vector_now] {
                              load(level_->vector);
                              add_offset(vector_now);
                          }});
+    }
     level_->vector_most = std::max(level_->vector_most, vector_now + level.vector_most);
     for (std::size_t i = 0; i < words.size(); ++i) {
         stack_ = 0;

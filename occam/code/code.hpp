@@ -17,6 +17,7 @@ struct CodeOptions {
     bool range_checks = true;    ///< of subscripts, segments, conversions, counts
     bool run_time_checks = true; ///< also of overflow
     bool vector_space = true;    ///< arrays outside of the workspace
+    bool ends_run = true;        ///< a main procedure without channels tells the host at its end
 };
 
 /// Code at an offset came from a place of a file.
@@ -34,6 +35,7 @@ struct CodeName {
 struct Code {
     std::vector<std::uint8_t> bytes;
     std::uint32_t entry = 0;                 ///< offset of the first instruction, which needs no values in registers
+    std::uint32_t end = 0;                   ///< offset behind the last instruction, which stops the first process
     std::uint64_t workspace_words = 0;       ///< of the first process, with those of everything it calls
     std::uint64_t first_workspace_words = 0; ///< those of them that the first workspace pointer has above it
     std::uint64_t vector_space_bytes = 0;    ///< behind the code

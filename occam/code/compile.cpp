@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace placedpar::occam {
@@ -16,6 +17,7 @@ namespace {
 constexpr std::int64_t words_of_free_memory = 64 * 1024;
 
 constexpr std::uint64_t most_bytes_of_program = std::uint64_t{1} << 31;
+constexpr const char* end_of_program = "the end of the program";
 
 bool is_array_of_integers(const Type& type) {
     return type.kind == Type::Kind::array && !type.count && type.element->is(Basic::integer);
@@ -43,16 +45,18 @@ Code Generator::generate(const Declaration& main) {
         Arguments words;
         for (const DeclarationBox& each : std::get<Procedure>(main.form).parameters)
             add_main_argument(words, *each, memory);
-        const bool has_host = !words.empty();
+        const bool tells_host = words.empty() && options_.ends_run;
         call_with(routine, std::move(words));
-        if (!has_host)
+        if (tells_host)
             end_run();
         op(Operation::stopp);
+        emitter_.name(end_of_program);
     });
     std::vector<const CodeBuffer*> buffers;
     for (const CodeBuffer& each : buffers_)
         buffers.push_back(&each);
     Code code = emitter_.finish(buffers, entry);
+    code.end = std::ranges::find(code.names, end_of_program, &CodeName::name)->offset;
     code.workspace_words = static_cast<std::uint64_t>(level.main.words() + level.main.below);
     code.first_workspace_words = static_cast<std::uint64_t>(level.main.words());
     code.vector_space_bytes = static_cast<std::uint64_t>(memory * 4);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "occam/code/code.hpp"
+#include "runtime/transputer/image.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -16,5 +17,8 @@ std::uint32_t where_code_is(const Code&, const CodeOptions&);
 
 /// Returns a bootable file that runs the program on one transputer: a loader of ours, and the code.
 std::vector<std::uint8_t> bootable(const Code&, const CodeOptions&);
+
+/// Returns the program as it is in the memory of a transputer when a run begins.
+transputer::Image image_of(const Code&, const CodeOptions&);
 
 } // namespace placedpar::occam

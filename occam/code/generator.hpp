@@ -228,6 +228,7 @@ private:
     void assignment(const Assignment&);
     void assign(const Expression& target, const Expression& value);
     void assign_to(const Expression& value, const Storage& target);
+    bool is_copied(const Expression& value) const;
     bool is_bits(const Expression& value) const;
     void assign_word(const Expression& value, int depth, const std::function<Storage()>& target);
     void assign_compound(const Expression& value, int depth, const std::function<Storage()>& target);
@@ -325,9 +326,10 @@ private:
     void call(const Declaration&, const std::vector<Expression>& arguments, const std::vector<Storage>& results);
     void add_argument(Arguments&, const Declaration& parameter, const Expression&);
     void add_value(Arguments&, const Expression&);
+    Storage channel_table(const TableLiteral&, const Type&);
     void add_pointer(Arguments&, Storage, const Type& parameter);
     void call_with(Routine&, Arguments);
-    static bool returns_in_register(const Function&);
+    bool returns_in_register(const Function&) const;
     void call_function(const Expression&, const std::vector<Storage>& results);
 
     // predefined_code.cpp

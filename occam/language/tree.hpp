@@ -416,6 +416,9 @@ struct Program {
     std::vector<DeclarationBox> declarations;             ///< of the main file
     std::vector<DeclarationBox> predefined;               ///< made by the check
     Types types;
+    /// `[c, d]` of channels is an array of them, as an argument. The language has no such tables, but a program that
+    /// joins the processes of a network needs them.
+    bool has_channel_tables = false;
 
     Location location(const Place& place) const { return {files[place.file], place.line, place.column}; }
 };

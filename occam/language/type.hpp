@@ -97,5 +97,4 @@ private:
     std::deque<ProtocolType> protocols_;
 };
 
-
 } // namespace placedpar::occam

@@ -190,6 +190,8 @@ void Node::be_idle() {
     is_idle_ = true;
     if (core_.next_timer() != Time::max())
         kernel_.future().schedule(*this, core_.next_timer(), EventQueue::turn);
+    else
+        when_idle_();
 }
 
 Time Node::time_busy() const {
@@ -321,21 +323,33 @@ void Node::obey(int link) {
         port.read_from = wrapped(word_of(std::span(heard).subspan<0, 4>()));
         port.out->give(4);
         return;
-    case Listening::for_code:
-        activity_ = Activity::booted;
-        heard_link_.reset();
-        core_.copy_to_memory(traits_of(core_.model()).memory_start, heard);
-        if (kernel_.trace() && !process_trace_) {
-            process_trace_ = std::make_unique<ProcessTrace>(
-                kernel_, core_, name_, [this](Word workspace) { return name_of_process(workspace); },
-                [this](Word channel) { return name_of_channel(channel); });
-            core_.watch_processes(process_trace_.get());
-        }
-        core_.boot(static_cast<Word>(heard.size()), links + link);
-        kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
-        return;
+    case Listening::for_code: heard_link_.reset(); return begin(heard, link);
     case Listening::answering: return;
     }
+}
+
+/// Executes code as after a boot by this link.
+void Node::begin(std::span<const std::uint8_t> code, int link) {
+    activity_ = Activity::booted;
+    core_.copy_to_memory(traits_of(core_.model()).memory_start, code);
+    if (kernel_.trace() && !process_trace_) {
+        process_trace_ = std::make_unique<ProcessTrace>(
+            kernel_, core_, name_, [this](Word workspace) { return name_of_process(workspace); },
+            [this](Word channel) { return name_of_channel(channel); });
+        core_.watch_processes(process_trace_.get());
+    }
+    core_.boot(static_cast<Word>(code.size()), links + link);
+    kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
+}
+
+void Node::start(const Image& image) {
+    core_.copy_to_memory(image.offset, image.code);
+    begin(image.start, 0);
+}
+
+/// A process that stops leaves the address of its next instruction below its workspace.
+bool Node::has_ended(const Image& image) const {
+    return core_.memory().word(image.workspace - 4) == most_negative + image.end;
 }
 
 // Halt and analyse

@@ -4,6 +4,7 @@
 #include "runtime/hardware/link.hpp"
 #include "runtime/transputer/byte_lane.hpp"
 #include "runtime/transputer/core.hpp"
+#include "runtime/transputer/image.hpp"
 
 #include <algorithm>
 #include <array>
@@ -64,6 +65,15 @@ public:
         most_ahead_ = std::min(most_ahead_, time);
         ahead_by_ = least_ahead_ = longest_ahead_ = time;
     }
+
+    /// Puts a program into the memory, and begins it at the present time. REQUIRES: it fits into the memory; the node
+    /// listens, and the run has not begun.
+    void start(const Image&);
+
+    /// Returns whether the first process of the program that start() began has ended.
+    bool has_ended(const Image&) const;
+    /// Sets a function to call when only a link could wake the node.
+    void when_idle(std::function<void()> f) { when_idle_ = std::move(f); }
 
     /// Stops the node at a time. It executes nothing more, and takes no commands of a boot. Its link engines finish the
     /// transfers that are under way. REQUIRES: the run has not begun.
@@ -164,6 +174,7 @@ private:
     Word wrapped(Word address) const;
     void hear(std::span<const std::uint8_t>);
     void obey(int link);
+    void begin(std::span<const std::uint8_t> code, int link);
 
     Kernel& kernel_;
     std::string name_;
@@ -189,7 +200,7 @@ private:
     std::optional<int> heard_link_; ///< the link whose command is being obeyed
     Listening listening_ = Listening::for_command;
     std::vector<std::uint8_t> heard_;
-    std::function<void()> when_stopped_ = [] {};
+    std::function<void()> when_stopped_ = [] {}, when_idle_ = [] {};
     const CodeLines* lines_ = nullptr;
     std::unique_ptr<ProcessTrace> process_trace_; ///< null until a boot, and if the run is not traced
 };

@@ -388,3 +388,44 @@ PAR
     c[1000] ? memory[0]
 )");
 }
+
+TEST_CASE("components of a replicated PAR call procedures with arrays of their own") {
+    expect_words({0, 40, 80, 120}, R"(PROC sum (VAL INT n, INT total)
+  [40]INT own:
+  SEQ
+    SEQ i = 0 FOR 40
+      own[i] := n
+    total := 0
+    SEQ i = 0 FOR 40
+      total := total + own[i]
+:
+[4]INT totals:
+SEQ
+  PAR i = 0 FOR 4
+    sum (i, totals[i])
+  [memory FROM 0 FOR 4] := totals
+)");
+}
+
+TEST_CASE("reals are copied and passed without a floating-point unit") {
+    const Executed done = execute(R"(REAL64 FUNCTION same (VAL REAL64 x) IS x:
+PROC both (VAL REAL32 r, VAL REAL64 d, [2]REAL64 a)
+  VAL INT w RETYPES r:
+  SEQ
+    memory[0] := w
+    a[1] := same (d)
+:
+REAL32 r:
+REAL64 d:
+[2]REAL64 a:
+SEQ
+  r, d := 1.0(REAL32), 2.0(REAL64)
+  both (r, d, a)
+  VAL [4]INT w RETYPES a:
+  memory[1] := w[3]
+)",
+                                  {.model = transputer::Model::t414});
+    CHECK(done.trouble == "");
+    CHECK(done.results[0] == 0x3f800000);
+    CHECK(done.results[1] == 0x40000000);
+}

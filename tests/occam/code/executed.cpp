@@ -57,7 +57,7 @@ occam::Code compiled_program(const std::string& text, const occam::CodeOptions& 
 void run_to_end(transputer::Core& core, BootLink& link) {
     constexpr transputer::HalfCycles most = 4'000'000'000;
     while (core.stopped() == transputer::Stopped::nothing) {
-        const auto pause = core.run(most, false);
+        const auto pause = core.run(most);
         if (pause == transputer::Core::Pause::limit)
             throw std::runtime_error("the program does not end");
         if (pause != transputer::Core::Pause::idle)

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "netlist/kinds/process_kind.hpp"
+#include "netlist/network/network.hpp"
+#include "text/reporter.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace placedpar {
+
+/// Makes process kinds of files in a language of programs, and images of the processes on a node. A netlist names a
+/// file as the program of a process. Several threads may use one object.
+class FileKinds {
+public:
+    virtual ~FileKinds() = default;
+
+    /// Returns whether a program is the name of such a file: "phil.occ", "phil.occ#fork".
+    virtual bool is_file(std::string_view program) const = 0;
+    /// Reads the file, looking first in the folder of the text that names it, then in the others. Returns the name by
+    /// which find() knows the kind; "" after reporting errors. Files that have not changed are not read again.
+    virtual std::string read(const std::string& program, const Location& named_at,
+                             const std::vector<std::filesystem::path>& folders, Reporter&) = 0;
+    /// Returns the kind of a name that read() has returned; null for others.
+    virtual const ProcessKind* find(std::string_view name) const = 0;
+    /// Returns the paths of the files that the kind is made of, without those that are part of the program.
+    virtual std::vector<std::string> files_of(std::string_view name) const = 0;
+
+    /// Makes the program of a node: all of its processes that are code. Returns null after reporting errors. REQUIRES:
+    /// each channel of these processes is soft, or alone in its direction of a wire of the node.
+    virtual std::shared_ptr<const transputer::Image> image(const Network&, std::size_t node, Reporter&) = 0;
+};
+
+/// Returns the link of the node at which its host is; nothing if the node has none.
+std::optional<int> link_to_host(const Network&, std::size_t node);
+
+} // namespace placedpar

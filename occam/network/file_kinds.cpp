@@ -1,0 +1,266 @@
+#include "occam/network/file_kinds.hpp"
+
+#include "occam/check/check.hpp"
+#include "occam/code/compile.hpp"
+#include "occam/library/library.hpp"
+#include "occam/network/image_text.hpp"
+#include "occam/network/kind.hpp"
+#include "text/load_source.hpp"
+#include "text/nearest.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <list>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+namespace placedpar::occam {
+
+namespace {
+
+using FilePath = std::filesystem::path;
+using Folders = std::vector<FilePath>;
+
+/// A file that was read, with all that it includes and uses.
+struct FileOfPrograms {
+    std::unique_ptr<Program> program;
+    SourceOptions options;
+    std::vector<Diagnostic> diagnostics;
+    bool failed = false;
+};
+
+/// A kind that was made of a file. It stays as it is, for others point to it.
+struct KindOfFile {
+    std::shared_ptr<const FileOfPrograms> file;
+    Folders folders;
+    std::string path;
+    const Declaration* procedure = nullptr;
+    ProcessKind kind;
+};
+
+ParseOptions parse_options(const Folders& folders) {
+    ParseOptions options;
+    options.folders = folders;
+    options.built_in = [](const std::string& name) { return library_text(name); };
+    return options;
+}
+
+bool is_built_in(const SourceFile& file) { return file.path().starts_with('<'); }
+
+/// Returns whether the files of the program are as they were when they were read.
+bool is_unchanged(const Program& program) {
+    return std::ranges::all_of(program.files, [](const std::shared_ptr<const SourceFile>& file) {
+        return is_built_in(*file) || load_source(file->path()).file->text() == file->text();
+    });
+}
+
+std::uint64_t hash_of(const Program& program) {
+    std::uint64_t hash = 0xcbf29ce484222325U; // FNV-1a
+    for (const std::shared_ptr<const SourceFile>& file : program.files)
+        for (const char c : file->text())
+            hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+    return hash;
+}
+
+/// Parses and checks a text. `is_of_user`: it is not one that joins the processes of a network, whose channels have one
+/// process at each end.
+FileOfPrograms parsed_and_checked(const std::shared_ptr<const SourceFile>& file, const Folders& folders,
+                                  bool is_of_user) {
+    Reporter reporter;
+    Parsed parsed = parse(file, parse_options(folders), reporter);
+    if (!reporter.failed()) {
+        parsed.program->has_channel_tables = !is_of_user;
+        parsed.options.usage_checks &= is_of_user;
+        parsed.options.alias_checks &= is_of_user;
+        check(*parsed.program, parsed.options, reporter);
+    }
+    const bool failed = reporter.failed();
+    return {std::move(parsed.program), parsed.options, reporter.take(), failed};
+}
+
+/// Reports the errors of a file, each with the place that names the file.
+void pass_errors_on(const FileOfPrograms& file, const std::string& note, const Location& named_at, Reporter& to) {
+    for (Diagnostic each : file.diagnostics) {
+        if (each.severity != Severity::error)
+            continue;
+        each.others.push_back({note, named_at});
+        to.error(each.location, std::move(each.message), std::move(each.hint), std::move(each.others));
+    }
+}
+
+void pass_warnings_on(const FileOfPrograms& file, Reporter& to) {
+    for (const Diagnostic& each : file.diagnostics)
+        if (each.severity == Severity::warning)
+            to.warning(each.location, each.message, each.hint);
+}
+
+std::vector<std::string> procedures_of(const Program& program) {
+    std::vector<std::string> names;
+    for (const DeclarationBox& each : program.declarations)
+        if (std::holds_alternative<Procedure>(each->form))
+            names.push_back(each->name);
+    return names;
+}
+
+/// Returns the last procedure of this name, or the last one if the name is empty. Null after reporting that there is
+/// none.
+const Declaration* procedure_named(const Program& program, const std::string& name, const Location& named_at,
+                                   Reporter& reporter) {
+    const Declaration* last = nullptr;
+    for (const DeclarationBox& each : program.declarations)
+        if (std::holds_alternative<Procedure>(each->form) && (name.empty() || each->name == name))
+            last = each.get();
+    if (last)
+        return last;
+    const std::string path = program.files.front()->path();
+    if (name.empty())
+        reporter.error(named_at, fmt::format("the file \"{}\" has no PROC", path));
+    else
+        reporter.error(named_at, fmt::format("the file \"{}\" has no PROC {}", path, name),
+                       did_you_mean(name, procedures_of(program)));
+    return nullptr;
+}
+
+class OccamKinds final : public FileKinds {
+public:
+    bool is_file(std::string_view program) const override {
+        return program.substr(0, program.find('#')).ends_with(".occ");
+    }
+
+    std::string read(const std::string& program, const Location& named_at, const Folders& folders,
+                     Reporter& reporter) override {
+        const std::lock_guard lock(mutex_);
+        const std::size_t hash = std::min(program.find('#'), program.size());
+        const auto path = path_of(program.substr(0, hash), named_at, folders, reporter);
+        if (!path)
+            return "";
+        const auto file = read_file(path->string(), folders, reporter);
+        if (!file || file->failed) {
+            if (file)
+                pass_errors_on(*file, "the file is used here", named_at, reporter);
+            return "";
+        }
+        const std::string name = path->string() + program.substr(hash);
+        if (const KindOfFile* const known = newest(name); known && known->file == file)
+            return name;
+        const std::string procedure = hash == program.size() ? "" : program.substr(hash + 1);
+        const Declaration* const found = procedure_named(*file->program, procedure, named_at, reporter);
+        auto kind = found ? kind_of(*file->program, *found, reporter) : std::nullopt;
+        if (!kind)
+            return "";
+        kind->name = name;
+        kind->text_hash = hash_of(*file->program);
+        newest_[name] = &all_.emplace_back(KindOfFile{file, folders, path->string(), found, std::move(*kind)});
+        return name;
+    }
+
+    const ProcessKind* find(std::string_view name) const override {
+        const std::lock_guard lock(mutex_);
+        const KindOfFile* const found = newest(name);
+        return found ? &found->kind : nullptr;
+    }
+
+    std::vector<std::string> files_of(std::string_view name) const override {
+        const std::lock_guard lock(mutex_);
+        std::vector<std::string> paths;
+        for (const std::shared_ptr<const SourceFile>& file : newest(name)->file->program->files)
+            if (!is_built_in(*file))
+                paths.push_back(file->path());
+        return paths;
+    }
+
+    std::shared_ptr<const transputer::Image> image(const Network& network, std::size_t node,
+                                                   Reporter& reporter) override {
+        const std::lock_guard lock(mutex_);
+        const auto first = std::ranges::find_if(
+            network.processes, [&](const ProcessInstance& process) { return process.is_code && process.node == node; });
+        try {
+            return compiled(network, node, reporter);
+        } catch (const RefusedInput& refused) {
+            const std::string text = refused.what();
+            reporter.error(first->declared,
+                           fmt::format("the code of the processes on \"{}\" cannot be made", network.nodes[node].name),
+                           text.substr(0, text.find('\n')));
+        } catch (const UserError& refused) {
+            reporter.error(first->declared, refused.what());
+        }
+        return nullptr;
+    }
+
+private:
+    const KindOfFile* newest(std::string_view name) const {
+        const auto found = newest_.find(name);
+        return found == newest_.end() ? nullptr : found->second;
+    }
+
+    /// Returns the path of the file; nothing after reporting that there is none.
+    static std::optional<FilePath> path_of(const std::string& file, const Location& named_at, const Folders& folders,
+                                           Reporter& reporter) {
+        Folders all{named_at.file ? FilePath(named_at.file->path()).parent_path() : FilePath()};
+        all.insert(all.end(), folders.begin(), folders.end());
+        std::string where;
+        for (const FilePath& folder : all) {
+            if (std::error_code error; std::filesystem::is_regular_file(folder / file, error))
+                return folder / file;
+            where += fmt::format("{}\"{}\"", where.empty() ? "" : ", ", folder.empty() ? "." : folder.string());
+        }
+        reporter.error(named_at, fmt::format("the file \"{}\" is missing", file), "looked for in " + where);
+        return std::nullopt;
+    }
+
+    /// Reads a file, unless it and all that it includes are as they were before. Reports its warnings when it is read.
+    /// Returns null after reporting that it cannot be read.
+    std::shared_ptr<const FileOfPrograms> read_file(const std::string& path, const Folders& folders,
+                                                    Reporter& reporter) {
+        std::shared_ptr<const FileOfPrograms>& known = files_[{path, folders}];
+        if (known && is_unchanged(*known->program))
+            return known;
+        const LoadedSource source = load_source(path);
+        for (const Diagnostic& problem : source.problems)
+            reporter.error(problem.location, problem.message, problem.hint);
+        if (has_errors(source.problems))
+            return nullptr;
+        known = std::make_shared<const FileOfPrograms>(parsed_and_checked(source.file, folders, true));
+        pass_warnings_on(*known, reporter);
+        return known;
+    }
+
+    std::shared_ptr<const transputer::Image> compiled(const Network& network, std::size_t node,
+                                                      Reporter& reporter) const {
+        CodeOptions options{.ends_run = false};
+        options.model = *transputer::model_named(network.nodes[node].type);
+        Folders folders;
+        const auto program_of = [&](const ProcessInstance& process) {
+            const KindOfFile& kind = *newest(process.kind);
+            const SourceOptions& asked = kind.file->options;
+            options.range_checks &= asked.range_checks && asked.run_time_checks;
+            options.run_time_checks &= asked.run_time_checks;
+            options.vector_space &= asked.vector_space;
+            folders = kind.folders;
+            return ProgramOfProcess{kind.path, kind.file->program.get(), kind.procedure};
+        };
+        const std::string text = text_of_image(network, node, program_of);
+        const auto main = std::make_shared<const SourceFile>(fmt::format("<{}>", network.nodes[node].name), text);
+        const FileOfPrograms file = parsed_and_checked(main, folders, false);
+        pass_errors_on(file, "the processor is declared here", network.nodes[node].declared, reporter);
+        if (file.failed)
+            return nullptr;
+        const Code code = compile(*file.program, *main_procedure(*file.program), options);
+        return std::make_shared<const transputer::Image>(image_of(code, options));
+    }
+
+    mutable std::mutex mutex_;
+    std::map<std::pair<std::string, Folders>, std::shared_ptr<const FileOfPrograms>> files_;
+    std::list<KindOfFile> all_; ///< also those of files that have changed since
+    std::map<std::string, const KindOfFile*, std::less<>> newest_;
+};
+
+} // namespace
+
+std::shared_ptr<FileKinds> make_file_kinds() { return std::make_shared<OccamKinds>(); }
+
+} // namespace placedpar::occam

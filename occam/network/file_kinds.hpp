@@ -1,0 +1,12 @@
+#pragma once
+
+#include "netlist/kinds/file_kinds.hpp"
+
+#include <memory>
+
+namespace placedpar::occam {
+
+/// Returns what makes process kinds of files in occam (docs/reference/occam-in-netlists.md).
+std::shared_ptr<FileKinds> make_file_kinds();
+
+} // namespace placedpar::occam

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "netlist/kinds/process_kind.hpp"
+#include "occam/language/tree.hpp"
+#include "text/reporter.hpp"
+
+#include <optional>
+#include <string>
+
+namespace placedpar::occam {
+
+/// Returns a name as netlists write it: `to_right` for `to.right`.
+std::string netlist_name(const std::string& name);
+
+/// Returns the protocol of a channel or of an array of channels.
+const ProtocolType& protocol_of(const Type&);
+
+/// Returns whether a parameter is a channel of the server's protocol, SP.
+bool leads_to_server(const Declaration& parameter);
+
+/// Returns whether a parameter is a channel of a terminal: keyboard, screen or error, of BYTE.
+bool leads_to_terminal(const Declaration& parameter);
+
+/// Returns the direction of a channel parameter. If the procedure does not use it, the direction is that which the
+/// parameter states, or that of a terminal; `unused` if it is unknown.
+Direction direction_of(const Declaration& parameter);
+
+/// Describes a protocol with its items: "INT::[]BYTE", "P IS INT; BYTE". Two ports agree if their texts do.
+std::string text_of(const ProtocolType&);
+
+/// Returns the kind of processes that execute a checked procedure: its ports and parameters. Returns nothing after
+/// reporting a parameter that no netlist can give.
+std::optional<ProcessKind> kind_of(const Program&, const Declaration& procedure, Reporter&);
+
+} // namespace placedpar::occam

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "netlist/kinds/catalogue.hpp"
+#include "netlist/read.hpp"
+#include "netlist/run_report.hpp"
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace placedpar::test {
+
+/// A folder with files, which exists as long as the object.
+class FilesOfNetwork {
+public:
+    explicit FilesOfNetwork(const std::map<std::string, std::string>& files);
+    ~FilesOfNetwork();
+    FilesOfNetwork(const FilesOfNetwork&) = delete;
+    FilesOfNetwork& operator=(const FilesOfNetwork&) = delete;
+    void write(const std::string& name, const std::string& text) const;
+    std::filesystem::path path(const std::string& name) const { return folder_ / name; }
+    /// Returns the text without the folder, which differs between runs.
+    std::string without_folder(std::string text) const;
+
+private:
+    std::filesystem::path folder_;
+};
+
+/// Returns a catalogue with the csp kinds and with kinds of files in occam.
+Catalogue occam_catalogue();
+
+/// What a network printed, and how its run ended.
+struct RunOfNetwork {
+    std::string screen;
+    RunReport report;
+};
+
+/// Runs a netlist. REQUIRES: it can be read.
+RunOfNetwork run_network(const std::filesystem::path& netlist, const Catalogue&, const Overrides& = {});
+
+} // namespace placedpar::test
