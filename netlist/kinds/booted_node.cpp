@@ -223,7 +223,8 @@ namespace {
 
 /// Says where in the source, if that is known, and why a core has stopped.
 std::string stop_of(const transputer::Core& core, const transputer::CodeLines& lines) {
-    const bool is_behind = core.stopped() == transputer::Stopped::by_error || core.stopped() == transputer::Stopped::by_break;
+    const bool is_behind =
+        core.stopped() == transputer::Stopped::by_error || core.stopped() == transputer::Stopped::by_break;
     const std::string place = lines.file_place(core.registers().instruction - (is_behind ? 1 : 0));
     return (place.empty() ? "stopped: " : fmt::format("stopped at {}: ", place)) + core.why_stopped();
 }

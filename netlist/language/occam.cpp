@@ -24,8 +24,9 @@ constexpr const char* hint_for(Dialect dialect) {
                "write connect p0.link[2] to p1.link[1]; then use \"KIND\" for name; place name on p0; for its "
                "process";
     default:
-        return "occam programs cannot be run: a netlist names the kind of each process, use \"KIND\" for name; "
-               "the command kinds lists the kinds; write a new kind in C++";
+        return "to run a program in occam, give its file a name that ends in .occ; a netlist makes a process of it by "
+               "use "
+               "\"FILE.occ\" for name;";
     }
 }
 

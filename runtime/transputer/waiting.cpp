@@ -214,8 +214,10 @@ private:
         Word next = *word_of_node(core_, reserved::timer_heads + 4 * static_cast<Word>(priority));
         std::set<Word> seen; // a program may write a circle into its memory
         while (next != not_a_process && can_wait(next) && seen.insert(next).second) {
-            const bool alternates = waits_at(core_, next) == Operation::taltwt;
-            process(next, priority == 1, alternates ? Wait::alternative : Wait::timer).time =
+            const Operation operation = waits_at(core_, next);
+            if (operation != Operation::taltwt && operation != Operation::tin)
+                return; // the program has overwritten the queue
+            process(next, priority == 1, operation == Operation::taltwt ? Wait::alternative : Wait::timer).time =
                 word_of_node(core_, next - below::time);
             next = *word_of_node(core_, next - below::timer_link);
         }
