@@ -31,6 +31,13 @@ struct CodeName {
     std::string name; ///< such as "phil" or "phil/PAR 12:3"
 };
 
+/// A process that is a component of the main procedure's PAR, with the words of its workspace and of all that it calls.
+/// They count from the first workspace pointer, and are below it.
+struct CodeWorkspace {
+    std::int64_t from = 0, until = 0;
+    std::string name; ///< of the PROC that it is an instance of, or its place, such as "12:3"
+};
+
 /// Code of a program that can stand anywhere in memory.
 struct Code {
     std::vector<std::uint8_t> bytes;
@@ -41,6 +48,7 @@ struct Code {
     std::uint64_t vector_space_bytes = 0;    ///< behind the code
     std::vector<CodeLine> lines;             ///< in order of offsets
     std::vector<CodeName> names;
+    std::vector<CodeWorkspace> workspaces; ///< in order of the text; empty if several PARs share the words
 };
 
 } // namespace placedpar::occam

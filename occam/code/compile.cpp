@@ -23,6 +23,20 @@ bool is_array_of_integers(const Type& type) {
     return type.kind == Type::Kind::array && !type.count && type.element->is(Basic::integer);
 }
 
+/// Adds the components of the only PAR of a frame, and of PARs that are components themselves. `base`: the workspace
+/// pointer of the procedure, in words from the first one.
+void add_workspaces(const Frame& frame, std::int64_t base, std::vector<CodeWorkspace>& to) {
+    if (frame.parallels.size() != 1)
+        return;
+    for (const Frame* each : frame.parallels.front()) {
+        const std::int64_t at = base + each->coordinate;
+        if (each->is_parallel && each->parallels.size() == 1)
+            add_workspaces(*each, base, to);
+        else
+            to.push_back({at - each->below, at + each->words(), each->name});
+    }
+}
+
 } // namespace
 
 /// Calls the main procedure with the channels of link 0 and with free memory behind the vector space.
@@ -59,6 +73,7 @@ Code Generator::generate(const Declaration& main) {
     code.end = std::ranges::find(code.names, end_of_program, &CodeName::name)->offset;
     code.workspace_words = static_cast<std::uint64_t>(level.main.words() + level.main.below);
     code.first_workspace_words = static_cast<std::uint64_t>(level.main.words());
+    add_workspaces(routine.level->main, -4 - routine.level->main.words(), code.workspaces);
     code.vector_space_bytes = static_cast<std::uint64_t>(memory * 4);
     if (4 * code.workspace_words + code.bytes.size() + code.vector_space_bytes > most_bytes_of_program)
         refuse(main.at, fmt::format("the program needs {} bytes of workspace and {} of vector space, more than a "

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <string>
 #include <vector>
 
 namespace placedpar::occam {
@@ -57,6 +58,8 @@ struct Frame {
     std::vector<int> position;                  ///< of each local word
     std::int64_t size = 0;                      ///< words of the frame
     std::vector<std::vector<Frame*>> parallels; ///< the components of each PAR
+    std::string name;                           ///< of a component of a PAR
+    bool is_parallel = false;                   ///< the component is a PAR itself
 };
 
 /// A procedure, or the component of a replicated PAR, whose frame lies where only the running program knows.

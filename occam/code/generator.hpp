@@ -267,7 +267,7 @@ private:
     void start_components(const Replicator&, std::int64_t components, Level&, const Cell& index, Label start);
     void priority_parallel(const Parallel&);
     void component(const Process&, Frame&, Frame& parent);
-    Frame& new_component();
+    Frame& new_component(const Process&);
     void generate_level(Level&, Label start, std::string name, const std::function<void()>& body);
     void load_table(Level&);
 

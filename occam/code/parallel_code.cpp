@@ -16,8 +16,14 @@ constexpr int words_of_scheduler = 3;
 
 } // namespace
 
-Frame& Generator::new_component() {
+Frame& Generator::new_component(const Process& p) {
     Frame& frame = level_->components.emplace_back(*level_);
+    const Process* inner = &p;
+    while (const auto* scope = std::get_if<Scope>(&inner->form))
+        inner = scope->process.get();
+    const auto* instance = std::get_if<Instance>(&inner->form);
+    frame.name = instance ? instance->name : fmt::format("{}:{}", p.at.line, p.at.column);
+    frame.is_parallel = std::holds_alternative<Parallel>(inner->form);
     frame.need_below(words_of_scheduler);
     return frame;
 }
@@ -36,7 +42,7 @@ void Generator::parallel(const Process& p, const Parallel& each) {
     std::vector<Frame*> frames;
     std::vector<Label> starts;
     for (std::size_t i = 0; i < each.processes.size(); ++i) {
-        frames.push_back(&new_component());
+        frames.push_back(&new_component(each.processes[i]));
         starts.push_back(emitter_.new_label());
         if (i == 0)
             continue;
@@ -100,7 +106,7 @@ void Generator::priority_parallel(const Parallel& each) {
     const Label done = emitter_.new_label(), start = emitter_.new_label(), low = emitter_.new_label();
     join(done, 2);
     Frame& parent = *frame_;
-    const std::vector<Frame*> frames = {&new_component(), &new_component()};
+    const std::vector<Frame*> frames = {&new_component(each.processes[0]), &new_component(each.processes[1])};
     emitter_.address(start);
     count(1);
     emitter_.put(Operation::stl, Cell{frames[0], Cell::Area::base, 0}, parent, -1);

@@ -231,6 +231,17 @@ private:
         return known;
     }
 
+    /// Names the workspaces by the processes of the netlist, which are in the order of text_of_image().
+    static void name_workspaces(Code& code, const Network& network, std::size_t node) {
+        std::vector<std::string> names;
+        for (const bool high : {true, false})
+            for (const ProcessInstance& process : network.processes)
+                if (process.node == node && process.high_priority == high)
+                    names.push_back(process.name);
+        for (std::size_t i = 0; names.size() == code.workspaces.size() && i < names.size(); ++i)
+            code.workspaces[i].name = names[i];
+    }
+
     std::shared_ptr<const transputer::Image> compiled(const Network& network, std::size_t node,
                                                       Reporter& reporter) const {
         CodeOptions options{.ends_run = false};
@@ -251,7 +262,8 @@ private:
         pass_errors_on(file, "the processor is declared here", network.nodes[node].declared, reporter);
         if (file.failed)
             return nullptr;
-        const Code code = compile(*file.program, *main_procedure(*file.program), options);
+        Code code = compile(*file.program, *main_procedure(*file.program), options);
+        name_workspaces(code, network, node);
         transputer::Image image = image_of(code, options);
         const std::uint32_t memory_start = transputer::traits_of(options.model).memory_start;
         image.lines =
