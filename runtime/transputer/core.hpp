@@ -305,7 +305,7 @@ private:
     }
     void fault(Stopped, Word address);
     void tell(Word workspace, Turn turn, Word channel = not_a_process) {
-        if (process_watcher_) [[unlikely]]
+        if (process_watcher_ && stopped_ == Stopped::nothing) [[unlikely]]
             process_watcher_->turns(workspace & ~Word{3}, turn, channel);
     }
 

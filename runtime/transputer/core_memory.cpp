@@ -126,11 +126,11 @@ void Core::move_in_two_dimensions(Operation operation) {
 void Core::fault(Stopped why, Word address) {
     if (stopped_ != Stopped::nothing)
         return;
+    if (running_)
+        tell(registers_.workspace, Turn::stops);
     stopped_ = why;
     stopped_at_ = address;
     was_running_ = std::exchange(running_, false);
-    if (was_running_)
-        tell(registers_.workspace, Turn::stops);
 }
 
 std::string Core::why_stopped() const {

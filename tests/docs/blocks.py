@@ -101,8 +101,9 @@ def wrong_python(text):
 
 
 def is_used(tree, page, name):
-    """Whether a command of the page names the file."""
-    return any(name in step.text for step in steps((tree / page).read_text(encoding="utf-8")) if isinstance(step, Command))
+    """Whether a command of the page names the file, or the program whose table of lines it is."""
+    program = name.replace(".lines", ".btl")
+    return any(name in step.text or program in step.text for step in steps((tree / page).read_text(encoding="utf-8")) if isinstance(step, Command))
 
 
 def wrong_block(tree, programs, page, words, text):
