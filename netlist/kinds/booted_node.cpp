@@ -254,7 +254,11 @@ std::string BootedNode::state_of_program() const {
                                                : fmt::format("exited with status {}", host_->end.exit_status());
     if (outside_)
         return "was served by another program";
-    return device_.is_idle() ? "waits" : "runs";
+    if (!device_.is_idle())
+        return "runs";
+    return host_ && transputer::waiting_processes(device_.core()).empty()
+               ? "has no process left, and did not tell the host to exit (so.exit in occam)"
+               : "waits";
 }
 
 const transputer::CodeLines& BootedNode::lines() const {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 namespace placedpar::occam {
 
@@ -33,8 +34,18 @@ void add_workspaces(const Frame& frame, std::int64_t base, std::vector<CodeWorks
         if (each->is_parallel && each->parallels.size() == 1)
             add_workspaces(*each, base, to);
         else
-            to.push_back({at - each->below, at + each->words(), each->name});
+            to.push_back({at - each->below, at + each->words(), each->name, each->place});
     }
+}
+
+/// Tells instances of one PROC apart by their places.
+void make_names_unique(std::vector<CodeWorkspace>& workspaces) {
+    std::map<std::string, int> counts;
+    for (const CodeWorkspace& each : workspaces)
+        ++counts[each.name];
+    for (CodeWorkspace& each : workspaces)
+        if (counts[each.name] > 1)
+            each.name += " " + each.place;
 }
 
 } // namespace
@@ -74,6 +85,7 @@ Code Generator::generate(const Declaration& main) {
     code.workspace_words = static_cast<std::uint64_t>(level.main.words() + level.main.below);
     code.first_workspace_words = static_cast<std::uint64_t>(level.main.words());
     add_workspaces(routine.level->main, -4 - routine.level->main.words(), code.workspaces);
+    make_names_unique(code.workspaces);
     code.vector_space_bytes = static_cast<std::uint64_t>(memory * 4);
     if (4 * code.workspace_words + code.bytes.size() + code.vector_space_bytes > most_bytes_of_program)
         refuse(main.at, fmt::format("the program needs {} bytes of workspace and {} of vector space, more than a "

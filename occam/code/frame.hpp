@@ -58,7 +58,8 @@ struct Frame {
     std::vector<int> position;                  ///< of each local word
     std::int64_t size = 0;                      ///< words of the frame
     std::vector<std::vector<Frame*>> parallels; ///< the components of each PAR
-    std::string name;                           ///< of a component of a PAR
+    std::string name;                           ///< of a component of a PAR: of the PROC that it is an instance of
+    std::string place;                          ///< of a component: its line and column, "12:3"
     bool is_parallel = false;                   ///< the component is a PAR itself
 };
 

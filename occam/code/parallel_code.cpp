@@ -22,7 +22,8 @@ Frame& Generator::new_component(const Process& p) {
     while (const auto* scope = std::get_if<Scope>(&inner->form))
         inner = scope->process.get();
     const auto* instance = std::get_if<Instance>(&inner->form);
-    frame.name = instance ? instance->name : fmt::format("{}:{}", p.at.line, p.at.column);
+    frame.place = fmt::format("{}:{}", inner->at.line, inner->at.column);
+    frame.name = instance ? instance->name : frame.place;
     frame.is_parallel = std::holds_alternative<Parallel>(inner->form);
     frame.need_below(words_of_scheduler);
     return frame;

@@ -103,6 +103,33 @@ class Programs(unittest.TestCase):
 """, "--listing")
         self.assertRegex(listing.stdout, r"test\.occ:3:")
 
+    def test_reports_tell_instances_of_one_proc_apart(self):
+        done = self.run_text("""PROC both ()
+  PROC partner (CHAN OF INT out, in)
+    INT x:
+    SEQ
+      out ! 1
+      in ? x
+  :
+  CHAN OF INT a, b:
+  PAR
+    partner (a, b)
+    partner (b, a)
+:
+""")
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertIn("wait cycle: root.partner 10:5 -> root.partner 11:5 -> root.partner 10:5", done.stdout + done.stderr)
+
+    def test_a_program_that_ends_without_telling_the_host_is_named(self):
+        done = self.run_text("""#INCLUDE "hostio.inc"
+PROC hello (CHAN OF SP fs, ts)
+  #USE "hostio.lib"
+  so.write.string.nl (fs, ts, "hello")
+:
+""")
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertIn("has no process left, and did not tell the host to exit (so.exit in occam)", done.stdout + done.stderr)
+
     def test_a_program_for_a_terminal_gets_keyboard_and_screen(self):
         done = self.run_text("""PROC echo (CHAN BYTE keyboard?, screen!, error!)
   BYTE ch:
