@@ -118,7 +118,7 @@ class Programs(unittest.TestCase):
 :
 """)
         self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
-        self.assertIn("wait cycle: root.partner 10:5 -> root.partner 11:5 -> root.partner 10:5", done.stdout + done.stderr)
+        self.assertIn("wait cycle: root.partner 11:5 -> root.partner 10:5 -> root.partner 11:5", done.stdout + done.stderr)
 
     def test_a_program_that_ends_without_telling_the_host_is_named(self):
         done = self.run_text("""#INCLUDE "hostio.inc"

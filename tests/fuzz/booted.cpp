@@ -127,7 +127,7 @@ private:
     std::vector<Wire*> wires_;
 };
 
-void require_sense(const transputer::Node& node, Time limit) {
+void require_sense(transputer::Node& node, Time limit) {
     require(node.time_busy() <= limit, "no transputer is busy for longer than the run");
     const bool stopped = node.activity() == transputer::Node::Activity::stopped;
     require(!transputer::print_analysis(node.core(), {}).empty(), "every state can be shown");
