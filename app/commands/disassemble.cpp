@@ -39,7 +39,7 @@ std::string not_a_position(const std::string& text) {
 }
 
 /// Throws UserError if the range has no bytes of the file.
-transputer::FileRange range_of(const DisassembleOptions& options, std::size_t bytes) {
+transputer::FileRange typed_range(const DisassembleOptions& options, std::size_t bytes) {
     const transputer::FileRange range{.from = position_of(options.from).value_or(0),
                                       .until = position_of(options.until).value_or(bytes)};
     if (range.from >= std::min(range.until, bytes))
@@ -50,7 +50,7 @@ transputer::FileRange range_of(const DisassembleOptions& options, std::size_t by
 
 ExitCode disassemble_file(const DisassembleOptions& options) {
     const std::vector<std::uint8_t> file = read_bootable(options.file);
-    const transputer::FileRange range = range_of(options, file.size());
+    const transputer::FileRange range = typed_range(options, file.size());
     print_out(fmt::format("{}: {}, disassembled for a {}\n"
                           "+: position in the file. ?: nothing in the loader leads here, so it may be data. The last "
                           "column has the cycles of a block, with code and data on the chip.\n",
