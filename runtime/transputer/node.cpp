@@ -51,6 +51,8 @@ void Node::happen() noexcept {
         return listen();
     if (is_halted())
         return;
+    if (!start_.empty())
+        return begin(std::exchange(start_, {}), 0);
     if (std::exchange(is_idle_, false)) {
         busy_ += core_.local_time() - core_.time_at(0);
         core_.pass_idle_time(kernel_.now());
@@ -344,7 +346,9 @@ void Node::begin(std::span<const std::uint8_t> code, int link) {
 
 void Node::start(const Image& image) {
     core_.copy_to_memory(image.offset, image.code);
-    begin(image.start, 0);
+    activity_ = Activity::booted;
+    start_ = image.start;
+    kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
 }
 
 /// A process that stops leaves the address of its next instruction below its workspace.

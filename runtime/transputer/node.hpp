@@ -200,6 +200,7 @@ private:
     std::optional<int> heard_link_; ///< the link whose command is being obeyed
     Listening listening_ = Listening::for_command;
     std::vector<std::uint8_t> heard_;
+    std::vector<std::uint8_t> start_; ///< what an image begins with, until the run begins
     std::function<void()> when_stopped_ = [] {}, when_idle_ = [] {};
     const CodeLines* lines_ = nullptr;
     std::unique_ptr<ProcessTrace> process_trace_; ///< null until a boot, and if the run is not traced

@@ -25,7 +25,9 @@ class OccamNetworks(unittest.TestCase):
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
                 self.assertEqual(done.stdout, plain.stdout)
                 self.assertEqual(json.loads(report.read_text(encoding="utf-8"))["outcome"], "completed")
-                json.loads(trace.read_text(encoding="utf-8"))
+                events = json.loads(trace.read_text(encoding="utf-8"))["traceEvents"]
+                process = {"table.cfs": "root.phil[2]", "spread.cfs": "left.phil[3]", "mixed.cfs": ""}[name]
+                self.assertTrue(any(process in str(event.get("args", "")) for event in events), process)
                 for command in (("check",), ("show",), ("show", "--format", "json"), ("show", "--format", "dot"),
                                 ("show", "--format", "svg"), ("explain",)):
                     done = placedpar(*command[:1], NETWORKS / name, *command[1:])
