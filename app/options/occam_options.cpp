@@ -28,8 +28,8 @@ bool leaves_out(const OccamOptions& options, std::string_view name) {
         const std::string_view each = rest.substr(0, rest.find(','));
         rest.remove_prefix(std::min(rest.size(), each.size() + 1));
         if (std::ranges::find(names_of_checks, each) == names_of_checks.end())
-            throw UserError(
-                fmt::format("--no-checks: \"{}\" is no check; there are usage, alias, range and all", each));
+            throw UserError(fmt::format(
+                "--no-checks: \"{}\" is not the name of a check: the names are usage, alias, range and all", each));
         found |= each == name;
     }
     return found;

@@ -17,8 +17,6 @@ namespace placedpar {
 
 namespace {
 
-bool is_emulated(const Node& node) { return transputer::model_named(node.type).has_value(); }
-
 const DraftProcess* process_on(const Completion& c, std::size_t node) {
     for (const DraftProcess& process : c.draft.processes)
         if (process.node == node)
@@ -45,19 +43,7 @@ bool has_host(const Network& network, std::size_t node) {
 
 /// Checks that a node's code can be executed. `booted` is the node with the file by which this one is reached.
 void check_type(Completion& c, const Node& node, const Node& booted) {
-    const std::vector<SecondPlace> reason{{"the file is named here", booted.boot_stated}};
-    if (!is_emulated(node))
-        c.reporter.error(
-            node.declared,
-            fmt::format("\"{}\" is a {}, whose code cannot be executed: T414, T425, T400, T800 and T805 can", node.name,
-                        node.type),
-            "", reason);
-    else if (const std::int64_t bytes = node.integer("memory"); bytes < 2048 || bytes > 0xffff'ff00 || bytes % 256 != 0)
-        c.reporter.error(node.declared,
-                         fmt::format("\"{}\" has {} bytes of memory, but code can be executed with 2K to "
-                                     "just below 4G, in steps of 256 bytes",
-                                     node.name, bytes),
-                         "", reason);
+    check_executes(c, node, {{"the file is named here", booted.boot_stated}});
 }
 
 void check_boot(Completion& c, std::size_t index) {
@@ -132,6 +118,21 @@ void reach(Completion& c, std::size_t from) {
 }
 
 } // namespace
+
+void check_executes(Completion& c, const Node& node, const std::vector<SecondPlace>& reason) {
+    if (!transputer::model_named(node.type))
+        c.reporter.error(node.declared,
+                         fmt::format("\"{}\" is {}, whose code cannot be executed: T414, T425, T400, T800 and T805 can",
+                                     node.name,
+                                     node.kind->name == "processor" ? "a " + node.type : std::string(node.kind->noun)),
+                         "", reason);
+    else if (const std::int64_t bytes = node.integer("memory"); bytes < 2048 || bytes > 0xffff'ff00 || bytes % 256 != 0)
+        c.reporter.error(node.declared,
+                         fmt::format("\"{}\" has {} bytes of memory, but code can be executed with 2K to "
+                                     "just below 4G, in steps of 256 bytes",
+                                     node.name, bytes),
+                         "", reason);
+}
 
 void complete_booted(Completion& c) {
     mark_code_nodes(c);

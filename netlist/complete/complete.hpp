@@ -62,6 +62,8 @@ void check_switched(Completion& completion);
 void complete_faults(Completion& completion);
 /// checks.cpp: runs the checks that kinds define. REQUIRES: nothing was refused.
 void complete_checks(Completion& completion);
+/// booted.cpp: checks that a node's code can be executed. `reason`: the place that asks for it.
+void check_executes(Completion& completion, const Node& node, const std::vector<SecondPlace>& reason);
 /// images.cpp: marks the nodes with processes that are code, and checks them. Called by complete_booted().
 void mark_code_nodes(Completion& completion);
 /// images.cpp: makes the images of these nodes. REQUIRES: nothing was refused.

@@ -71,18 +71,7 @@ namespace {
 void check_code_type(Completion& c, const DraftProcess& process, const Node& node) {
     const std::vector<SecondPlace> reason{
         {fmt::format("\"{}\", whose kind is made of a file, is placed here", process.name), process.placed}};
-    if (!transputer::model_named(node.type))
-        c.reporter.error(node.declared,
-                         fmt::format("\"{}\" is {}, whose code cannot be executed: T414, T425, T400, T800 and T805 can",
-                                     node.name,
-                                     node.kind->name == "processor" ? "a " + node.type : std::string(node.kind->noun)),
-                         "", reason);
-    else if (const std::int64_t bytes = node.integer("memory"); bytes < 2048 || bytes > 0xffff'ff00 || bytes % 256 != 0)
-        c.reporter.error(node.declared,
-                         fmt::format("\"{}\" has {} bytes of memory, but code can be executed with 2K to "
-                                     "just below 4G, in steps of 256 bytes",
-                                     node.name, bytes),
-                         "", reason);
+    check_executes(c, node, reason);
 }
 
 } // namespace

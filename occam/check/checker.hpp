@@ -213,6 +213,7 @@ private:
     void output_tag(Output&, const Place&, const ProtocolType&);
     const ProtocolTag* tag_of(const ProtocolType&, const std::string& name, const Place&);
     bool has_items(const Place&, std::size_t given, std::size_t wanted);
+    bool has_form(Item&, const ProtocolItem& wanted, const char* hint);
 
     Program& program_;
     Reporter& reporter_;

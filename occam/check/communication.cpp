@@ -71,6 +71,25 @@ bool Checker::has_items(const Place& place, std::size_t given, std::size_t wante
     return false;
 }
 
+/// Checks that an item is a counted array if the protocol has one here, and the types. Returns false if it is not.
+bool Checker::has_form(Item& item, const ProtocolItem& wanted, const char* hint) {
+    if (!wanted.count != !item.counted_array) {
+        report(item.value.at,
+               wanted.count
+                   ? "the protocol has a counted array here: " + name_of(*wanted.count) + "::" + name_of(*wanted.type)
+                   : "the protocol has no counted array here, but " + name_of(*wanted.type),
+               wanted.count ? hint : "");
+        return false;
+    }
+    if (!item.counted_array) {
+        agrees(item.value, wanted.type, "this item of the protocol");
+        return true;
+    }
+    agrees(item.value, wanted.count, "the count");
+    agrees(*item.counted_array, wanted.type, "the counted array");
+    return true;
+}
+
 void Checker::input_item(Item& item, const ProtocolItem* wanted) {
     const Type* const type = variable(item.value, "input to");
     if (item.counted_array)
@@ -82,18 +101,7 @@ void Checker::input_item(Item& item, const ProtocolItem* wanted) {
             report(item.value.at, "the count of an array must be an integer, not " + name_of(*type), "");
         return;
     }
-    if (!wanted->count != !item.counted_array)
-        return report(item.value.at,
-                      wanted->count ? "the protocol has a counted array here: " + name_of(*wanted->count) +
-                                          "::" + name_of(*wanted->type)
-                                    : "the protocol has no counted array here, but " + name_of(*wanted->type),
-                      wanted->count ? "write the variable of the count, :: and the array" : "");
-    if (!item.counted_array) {
-        agrees(item.value, wanted->type, "this item of the protocol");
-        return;
-    }
-    agrees(item.value, wanted->count, "the count");
-    agrees(*item.counted_array, wanted->type, "the counted array");
+    has_form(item, *wanted, "write the variable of the count, :: and the array");
 }
 
 void Checker::input_items(const Place& place, std::vector<Item>& items, const std::vector<ProtocolItem>& wanted,
@@ -190,18 +198,8 @@ void Checker::output_item(Item& item, const ProtocolItem* wanted) {
         value(*item.counted_array);
     if (!wanted)
         return;
-    if (!wanted->count != !item.counted_array)
-        return report(item.value.at,
-                      wanted->count ? "the protocol has a counted array here: " + name_of(*wanted->count) +
-                                          "::" + name_of(*wanted->type)
-                                    : "the protocol has no counted array here, but " + name_of(*wanted->type),
-                      wanted->count ? "write the count, :: and the array" : "");
-    if (!item.counted_array) {
-        agrees(item.value, wanted->type, "this item of the protocol");
+    if (!has_form(item, *wanted, "write the count, :: and the array") || !item.counted_array)
         return;
-    }
-    agrees(item.value, wanted->count, "the count");
-    agrees(*item.counted_array, wanted->type, "the counted array");
     const Type& array = plain(*item.counted_array->type);
     if (item.value.constant && array.count &&
         (item.value.constant->bits < 0 || item.value.constant->bits > *array.count))

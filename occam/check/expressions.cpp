@@ -325,7 +325,7 @@ const Type* Checker::form_of(Expression& expression, Subscript& subscript) {
     if (is_mistaken(*type))
         return mistaken();
     if (form.kind != Type::Kind::array) {
-        report(expression.at, "a subscript of what is no array: " + name_of(*type), "");
+        report(expression.at, "only an array can have a subscript, but this is " + name_of(*type), "");
         return mistaken();
     }
     if (!subscript.index->constant || is_mistaken(*subscript.index->type))
@@ -351,7 +351,7 @@ const Type* Checker::form_of(Expression& expression, Segment& segment) {
     if (is_mistaken(*type))
         return mistaken();
     if (form.kind != Type::Kind::array) {
-        report(expression.at, "a segment of what is no array: " + name_of(*type), "");
+        report(expression.at, "only an array has segments, but this is " + name_of(*type), "");
         return mistaken();
     }
     const auto known = [](const ExpressionBox& box) -> std::optional<std::int64_t> {

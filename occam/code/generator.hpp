@@ -196,6 +196,8 @@ private:
     void wide_binary(const BinaryOperation&, const Cell& to);
     void wide_sum(const Wide&, const Wide&, bool checked, const Cell& to);
     void wide_difference(const Wide&, const Wide&, bool checked, const Cell& to);
+    void wide_by_parts(const Wide&, const Wide&, transputer::Operation lower, transputer::Operation upper,
+                       const Cell& to);
     void wide_product(const Wide&, const Wide&, const Cell& to);
     void wide_routine(WideRoutine, const Wide&, const Wide&, const Cell& to);
     void wide_shift(const BinaryOperation&, const Cell& to);

@@ -89,30 +89,24 @@ void Generator::wide_unary(const UnaryOperation& operation, const Cell& to) {
 }
 
 void Generator::wide_sum(const Wide& a, const Wide& b, bool checked, const Cell& to) {
-    constant(0);
-    load_part(a, 0);
-    load_part(b, 0);
-    op(Operation::lsum);
-    stack_ = 1;
-    store(to);
-    load_part(a, 1);
-    load_part(b, 1);
-    op(checked ? Operation::ladd : Operation::lsum);
-    stack_ = 1;
-    settle();
-    store(to.after(1));
+    wide_by_parts(a, b, Operation::lsum, checked ? Operation::ladd : Operation::lsum, to);
 }
 
 void Generator::wide_difference(const Wide& a, const Wide& b, bool checked, const Cell& to) {
+    wide_by_parts(a, b, Operation::ldiff, checked ? Operation::lsub : Operation::ldiff, to);
+}
+
+/// Combines the lower words, then the upper ones with the carry.
+void Generator::wide_by_parts(const Wide& a, const Wide& b, Operation lower, Operation upper, const Cell& to) {
     constant(0);
     load_part(a, 0);
     load_part(b, 0);
-    op(Operation::ldiff);
+    op(lower);
     stack_ = 1;
     store(to);
     load_part(a, 1);
     load_part(b, 1);
-    op(checked ? Operation::lsub : Operation::ldiff);
+    op(upper);
     stack_ = 1;
     settle();
     store(to.after(1));

@@ -253,7 +253,7 @@ void WordScanner::take_escape(std::string& bytes, bool first_of_string) {
     } else {
         error(position_ - 1,
               c == 'l' || c == 'L' ? std::string("\"*l\", the length, can only be the first character of a string")
-                                   : fmt::format("there is no escape \"*{}\"",
+                                   : fmt::format("\"*{}\" is not an escape of a string",
                                                  position_ < line_.size() ? std::string(1, c) : std::string()),
               "escapes are *c *n *t *s *' *\" ** and *#0D");
         bytes += '?';

@@ -167,7 +167,7 @@ PROC hello (CHAN OF SP fs, ts)
         self.assertIn("the main procedure cannot have this parameter", done.stderr)
         done = self.run_text("PROC main ()\n  SKIP\n:\n", "--no-checks", "bounds")
         self.assertEqual(done.returncode, 1)
-        self.assertIn('--no-checks: "bounds" is no check; there are usage, alias, range and all', done.stderr)
+        self.assertIn('--no-checks: "bounds" is not the name of a check: the names are usage, alias, range and all', done.stderr)
 
     def test_usage_is_checked_unless_it_is_left_out(self):
         text = "PROC main ()\n  INT x:\n  PAR\n    x := 1\n    x := 2\n:\n"
