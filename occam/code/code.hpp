@@ -18,6 +18,7 @@ struct CodeOptions {
     bool run_time_checks = true; ///< also of overflow
     bool vector_space = true;    ///< arrays outside of the workspace
     bool ends_run = true;        ///< a main procedure without channels tells the host at its end
+    bool awaits_high = true;     ///< a PRI PAR of the main procedure waits for its component of high priority
 };
 
 /// Code at an offset came from a place of a file.
@@ -37,6 +38,14 @@ struct CodeWorkspace {
     std::int64_t from = 0, until = 0;
     std::string name;  ///< of the PROC that it is an instance of, with its place if there are several; or its place
     std::string place; ///< of the component: line and column, "12:3"
+    bool carries = false; ///< it carries messages of other processes; the compiler does not know
+};
+
+/// A channel that the main procedure declares outside of its process.
+struct CodeChannel {
+    std::int64_t word = 0;  ///< from the first workspace pointer, or from the start of memory if it is placed
+    bool is_placed = false; ///< at an address
+    std::string name;
 };
 
 /// Code of a program that can stand anywhere in memory.
@@ -50,6 +59,7 @@ struct Code {
     std::vector<CodeLine> lines;             ///< in order of offsets
     std::vector<CodeName> names;
     std::vector<CodeWorkspace> workspaces; ///< in order of the text; empty if several PARs share the words
+    std::vector<CodeChannel> channels;
 };
 
 } // namespace placedpar::occam

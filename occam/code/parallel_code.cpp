@@ -105,7 +105,7 @@ void Generator::component(const Process& p, Frame& frame, Frame& parent) {
 /// on after the PAR, so it goes on at low priority.
 void Generator::priority_parallel(const Parallel& each) {
     const Label done = emitter_.new_label(), start = emitter_.new_label(), low = emitter_.new_label();
-    join(done, 2);
+    join(done, is_main_ && !options_.awaits_high ? 1 : 2);
     Frame& parent = *frame_;
     const std::vector<Frame*> frames = {&new_component(each.processes[0]), &new_component(each.processes[1])};
     emitter_.address(start);

@@ -180,15 +180,16 @@ public:
         const std::lock_guard lock(mutex_);
         const auto first = std::ranges::find_if(
             network.processes, [&](const ProcessInstance& process) { return process.is_code && process.node == node; });
+        const Location& at = first == network.processes.end() ? network.nodes[node].declared : first->declared;
         try {
             return compiled(network, node, reporter);
         } catch (const RefusedInput& refused) {
             const std::string text = refused.what();
-            reporter.error(first->declared,
+            reporter.error(at,
                            fmt::format("the code of the processes on \"{}\" cannot be made", network.nodes[node].name),
                            text.substr(0, text.find('\n')));
         } catch (const UserError& refused) {
-            reporter.error(first->declared, refused.what());
+            reporter.error(at, refused.what());
         }
         return nullptr;
     }
@@ -231,44 +232,70 @@ private:
         return known;
     }
 
-    /// Names the workspaces by the processes of the netlist, which are in the order of text_of_image().
-    static void name_workspaces(Code& code, const Network& network, std::size_t node) {
-        std::vector<std::string> names;
-        for (const bool high : {true, false})
-            for (const ProcessInstance& process : network.processes)
-                if (process.node == node && process.high_priority == high)
-                    names.push_back(process.name);
-        for (std::size_t i = 0; names.size() == code.workspaces.size() && i < names.size(); ++i)
-            code.workspaces[i].name = names[i];
+    /// Names the workspaces by the components of the text.
+    static void name_workspaces(Code& code, const TextOfImage& text) {
+        const std::vector<Component>& all = text.components;
+        for (std::size_t i = 0; all.size() == code.workspaces.size() && i < all.size(); ++i) {
+            if (!all[i].name.empty())
+                code.workspaces[i].name = all[i].name;
+            code.workspaces[i].carries = all[i].carries;
+        }
+    }
+
+    /// Returns rows of transputer::CodeLines that give channels their names in the network. If a channel leads to
+    /// another processor, its two ends have the same name, though words of two memories are between them.
+    static std::string channel_rows(const Code& code, const TextOfImage& text, transputer::Word first_workspace) {
+        std::string rows;
+        for (const CodeChannel& each : code.channels)
+            if (const auto found = text.channels.find(each.name); found != text.channels.end())
+                rows += fmt::format("channel #{:X} {}\n",
+                                    (each.is_placed ? transputer::most_negative : first_workspace) +
+                                        static_cast<transputer::Word>(4 * each.word),
+                                    found->second);
+        return rows;
+    }
+
+    ProgramOfProcess program_of(const ProcessInstance& process) const {
+        const KindOfFile& kind = *newest(process.kind);
+        return {kind.path, kind.file->program.get(), kind.procedure};
+    }
+
+    /// Sets what the files of the node's processes ask for, and returns the folders of one of them.
+    Folders read_options(const Network& network, std::size_t node, CodeOptions& options) const {
+        Folders folders;
+        for (const ProcessInstance& process : network.processes)
+            if (process.is_code && process.node == node) {
+                const KindOfFile& kind = *newest(process.kind);
+                const SourceOptions& asked = kind.file->options;
+                options.range_checks &= asked.range_checks && asked.run_time_checks;
+                options.run_time_checks &= asked.run_time_checks;
+                options.vector_space &= asked.vector_space;
+                folders = kind.folders;
+            }
+        return folders;
     }
 
     std::shared_ptr<const transputer::Image> compiled(const Network& network, std::size_t node,
                                                       Reporter& reporter) const {
         CodeOptions options{.ends_run = false};
         options.model = *transputer::model_named(network.nodes[node].type);
-        Folders folders;
-        const auto program_of = [&](const ProcessInstance& process) {
-            const KindOfFile& kind = *newest(process.kind);
-            const SourceOptions& asked = kind.file->options;
-            options.range_checks &= asked.range_checks && asked.run_time_checks;
-            options.run_time_checks &= asked.run_time_checks;
-            options.vector_space &= asked.vector_space;
-            folders = kind.folders;
-            return ProgramOfProcess{kind.path, kind.file->program.get(), kind.procedure};
-        };
-        const std::string text = text_of_image(network, node, program_of);
-        const auto main = std::make_shared<const SourceFile>(fmt::format("<{}>", network.nodes[node].name), text);
+        const Folders folders = read_options(network, node, options);
+        const TextOfImage text =
+            text_of_image(network, node, [this](const ProcessInstance& process) { return program_of(process); });
+        options.awaits_high = !text.carries;
+        const auto main = std::make_shared<const SourceFile>(fmt::format("<{}>", network.nodes[node].name), text.text);
         const FileOfPrograms file = parsed_and_checked(main, folders, false);
         pass_errors_on(file, "the processor is declared here", network.nodes[node].declared, reporter);
         if (file.failed)
             return nullptr;
         Code code = compile(*file.program, *main_procedure(*file.program), options);
-        name_workspaces(code, network, node);
+        name_workspaces(code, text);
         transputer::Image image = image_of(code, options);
         const std::uint32_t memory_start = transputer::traits_of(options.model).memory_start;
+        const std::string table = channel_rows(code, text, transputer::most_negative + image.workspace) +
+                                  place_table(code, *file.program, image.offset - memory_start);
         image.lines =
-            std::make_shared<const transputer::CodeLines>(place_table(code, *file.program, image.offset - memory_start),
-                                                          "", transputer::most_negative + memory_start);
+            std::make_shared<const transputer::CodeLines>(table, "", transputer::most_negative + memory_start);
         return std::make_shared<const transputer::Image>(std::move(image));
     }
 

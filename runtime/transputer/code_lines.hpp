@@ -22,6 +22,8 @@ struct CodeLinesError : std::runtime_error {
 ///     code FROM UNTIL LINE COLUMN FILE   the code in [FROM, UNTIL) is of this place; no two rows overlap
 ///     entry ADDRESS NAME                 a procedure begins here
 ///     process FROM UNTIL NAME            a process whose workspace is in [FROM, UNTIL); no two rows overlap
+///     carrier FROM UNTIL NAME            the same, of a process that carries messages of other processes
+///     channel ADDRESS NAME               the word of a channel
 ///     node NAME                          the rows that follow are for the node of this name
 ///     end                                the last row
 ///
@@ -44,15 +46,21 @@ public:
     std::string entry(Word address) const;
     /// Returns the name of the process that has this workspace; "" if the table has none.
     std::string process(Word workspace) const;
+    /// Returns whether the process that has this workspace carries messages of other processes. Reports of deadlocks
+    /// leave such processes out: the processes at the ends of the channel are those that wait.
+    bool is_carrier(Word workspace) const;
+    /// Returns the name of the channel whose word this is; "" if the table has none.
+    std::string channel(Word word) const;
 
 private:
     struct Row {
         Word from, until; ///< of an entry `until` is `from`
         std::string text;
         std::size_t line; ///< of the table
+        bool is_carrier = false;
     };
     class Reader;
-    std::vector<Row> code_, entries_, processes_; ///< by address
+    std::vector<Row> code_, entries_, processes_, channels_; ///< by address
 };
 
 } // namespace placedpar::transputer
