@@ -192,12 +192,11 @@ private:
             return !n_.connections[hop.connection].over_bus && !n_.connections[hop.connection].at_run_time;
         };
         if (const auto other = std::ranges::find_if_not(route, is_wire); other != route.end())
-            c_.reporter.error(channel.connected,
-                              fmt::format("the channel \"{}\" of code can lead over a wire only, and not over {}",
-                                          channel.name,
-                                          n_.connections[other->connection].over_bus
-                                              ? "a bus"
-                                              : "a switch that is set during the run"));
+            c_.reporter.error(
+                channel.connected,
+                fmt::format("the channel \"{}\" of code can lead over a wire only, and not over {}", channel.name,
+                            n_.connections[other->connection].over_bus ? "a bus"
+                                                                       : "a switch that is set during the run"));
         else if (is_between_code(n_, channel))
             return;
         else if (route.size() > 1)

@@ -76,7 +76,9 @@ Network with_code_inside(Network network) {
 }
 
 bool is_between_code(const Network& network, const NetworkChannel& channel) {
-    const auto is_code = [&](const ChannelEnd& end) { return !end.at_edge() && network.processes[end.process].is_code; };
+    const auto is_code = [&](const ChannelEnd& end) {
+        return !end.at_edge() && network.processes[end.process].is_code;
+    };
     return is_code(channel.from) && is_code(channel.to);
 }
 

@@ -36,8 +36,9 @@ struct CodeName {
 /// They count from the first workspace pointer, and are below it.
 struct CodeWorkspace {
     std::int64_t from = 0, until = 0;
-    std::string name;  ///< of the PROC that it is an instance of, with its place if there are several; or its place
-    std::string place; ///< of the component: line and column, "12:3"
+    std::string name;     ///< of the PROC that it is an instance of, with its place if there are several; or its place
+    std::string place;    ///< of the component: line and column, "12:3"
+    std::string entry;    ///< name of its code, among Code::names
     bool carries = false; ///< it carries messages of other processes; the compiler does not know
 };
 

@@ -34,7 +34,7 @@ void add_workspaces(const Frame& frame, std::int64_t base, std::vector<CodeWorks
         if (each->is_parallel && each->parallels.size() == 1)
             add_workspaces(*each, base, to);
         else
-            to.push_back({at - each->below, at + each->words(), each->name, each->place});
+            to.push_back({at - each->below, at + each->words(), each->name, each->place, each->entry});
     }
 }
 
@@ -106,7 +106,8 @@ std::vector<CodeChannel> Generator::channels_of_main(const Declaration& main, st
             std::holds_alternative<Variable>(each.form) && each.type->kind == Type::Kind::channel) {
             const Storage& storage = bindings_.at(&each);
             const bool is_placed = storage.base == Storage::Base::absolute;
-            channels.push_back({is_placed ? storage.offset / 4 : base + coordinate_of(storage.cell), is_placed, each.name});
+            channels.push_back(
+                {is_placed ? storage.offset / 4 : base + coordinate_of(storage.cell), is_placed, each.name});
         }
     return channels;
 }

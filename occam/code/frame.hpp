@@ -60,6 +60,7 @@ struct Frame {
     std::vector<std::vector<Frame*>> parallels; ///< the components of each PAR
     std::string name;                           ///< of a component of a PAR: of the PROC that it is an instance of
     std::string place;                          ///< of a component: its line and column, "12:3"
+    std::string entry;                          ///< of a component of a PAR: the name of its code
     bool is_parallel = false;                   ///< the component is a PAR itself
 };
 

@@ -56,7 +56,8 @@ void Generator::parallel(const Process& p, const Parallel& each) {
     Frame& parent = *frame_;
     const Kept vector(level_->vector_now);
     for (std::size_t i = 0; i < frames.size(); ++i) {
-        emitter_.name(fmt::format("{}PAR {}:{}", path_, each.processes[i].at.line, i));
+        frames[i]->entry = fmt::format("{}PAR {}:{}", path_, each.processes[i].at.line, i);
+        emitter_.name(frames[i]->entry);
         if (i == 0)
             adjust(parent, *frames[0]);
         else

@@ -232,14 +232,18 @@ private:
         return known;
     }
 
-    /// Names the workspaces by the components of the text.
-    static void name_workspaces(Code& code, const TextOfImage& text) {
+    /// Names the workspaces and the code of the components of the text.
+    static void name_components(Code& code, const TextOfImage& text) {
         const std::vector<Component>& all = text.components;
+        std::map<std::string, std::string> names; // by those that the compiler has given
         for (std::size_t i = 0; all.size() == code.workspaces.size() && i < all.size(); ++i) {
-            if (!all[i].name.empty())
-                code.workspaces[i].name = all[i].name;
             code.workspaces[i].carries = all[i].carries;
+            if (!all[i].name.empty())
+                code.workspaces[i].name = names[code.workspaces[i].entry] = all[i].name;
         }
+        for (CodeName& each : code.names)
+            if (const auto found = names.find(each.name); found != names.end())
+                each.name = found->second;
     }
 
     /// Returns rows of transputer::CodeLines that give channels their names in the network. If a channel leads to
@@ -289,7 +293,7 @@ private:
         if (file.failed)
             return nullptr;
         Code code = compile(*file.program, *main_procedure(*file.program), options);
-        name_workspaces(code, text);
+        name_components(code, text);
         transputer::Image image = image_of(code, options);
         const std::uint32_t memory_start = transputer::traits_of(options.model).memory_start;
         const std::string table = channel_rows(code, text, transputer::most_negative + image.workspace) +

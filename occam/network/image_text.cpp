@@ -3,7 +3,7 @@
 #include "netlist/kinds/file_kinds.hpp"
 #include "netlist/network/names.hpp"
 #include "occam/network/kind.hpp"
-#include "occam/network/ways.hpp"
+#include "text/user_error.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -165,20 +165,19 @@ private:
     }
 
     bool has_terminal(const ProcessInstance& process) const {
-        return std::ranges::any_of(
-            std::get<Procedure>(program_of_(process).procedure->form).parameters,
-            [&](const DeclarationBox& each) { return uses_terminal(process, *each); });
+        return std::ranges::any_of(std::get<Procedure>(program_of_(process).procedure->form).parameters,
+                                   [&](const DeclarationBox& each) { return uses_terminal(process, *each); });
     }
 
     std::string component(const ProcessInstance& process) {
         const ProgramOfProcess program = program_of_(process);
         if (!has_terminal(process))
             return instance(process, program, "");
-        const bool reads =
-            std::ranges::any_of(std::get<Procedure>(program.procedure->form).parameters, [&](const DeclarationBox& each) {
-                return uses_terminal(process, *each) && each->name == "keyboard" &&
-                       each->direction != Direction::unused;
-            });
+        const bool reads = std::ranges::any_of(std::get<Procedure>(program.procedure->form).parameters,
+                                               [&](const DeclarationBox& each) {
+                                                   return uses_terminal(process, *each) && each->name == "keyboard" &&
+                                                          each->direction != Direction::unused;
+                                               });
         declare_server("netlist.fs", first_input_link);
         declare_server("netlist.ts", 0);
         return fmt::format("CHAN OF BYTE netlist.keyboard, netlist.screen, netlist.error:\n"

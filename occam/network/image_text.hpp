@@ -1,34 +1,21 @@
 #pragma once
 
 #include "netlist/network/network.hpp"
-#include "occam/language/tree.hpp"
-#include "occam/network/multiplexer.hpp"
-#include "text/user_error.hpp"
+#include "occam/network/ways.hpp"
 
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 namespace placedpar::occam {
 
-/// A procedure of a file, as the program of a process.
-struct ProgramOfProcess {
-    std::string path; ///< of the file
-    const Program* program = nullptr;
-    const Declaration* procedure = nullptr;
-};
-
-/// Returns the program of a process.
-using ProgramOf = std::function<ProgramOfProcess(const ProcessInstance&)>;
-
 /// The program of a node, with the names that reports use.
 struct TextOfImage {
     std::string text;
     std::vector<Component> components;           ///< of its PARs, in order of the text, without their texts
     std::map<std::string, std::string> channels; ///< names in the network, by those in the text
-    bool carries = false; ///< components of high priority carry messages, and never end
+    bool carries = false;                        ///< components of high priority carry messages, and never end
 };
 
 /// Returns a program in occam that is all processes on a node that are code: a PAR of instances, with channels between

@@ -73,8 +73,8 @@ private:
     std::string declaration(const ProtocolItem& item, const std::string& variable) const {
         if (!item.count)
             return fmt::format("{} {}:\n", name_of(*item.type), variable);
-        return fmt::format("{0} {1}.count:\n[{2}]{3} {1}:\n", name_of(*item.count), variable, longest_array(channel_, item),
-                           name_of(*item.type->element));
+        return fmt::format("{0} {1}.count:\n[{2}]{3} {1}:\n", name_of(*item.count), variable,
+                           longest_array(channel_, item), name_of(*item.type->element));
     }
 
     const CarriedChannel& channel_;
@@ -189,7 +189,8 @@ private:
         const std::vector<MessageForm> forms = forms_of(*channel.protocol);
         std::string outputs;
         for (std::size_t i = 0; i < forms.size(); ++i) {
-            inputs += fmt::format("{}\n  {} ! {}(BYTE)\n", variables.behind(tag_on_wire(channel, forms[i]), i), name, i);
+            inputs +=
+                fmt::format("{}\n  {} ! {}(BYTE)\n", variables.behind(tag_on_wire(channel, forms[i]), i), name, i);
             const std::string output =
                 fmt::format("{} ! {}\n", name_of_channel(channel.number), variables.behind(forms[i].tag, i));
             outputs += forms.size() == 1 ? output : fmt::format("  {}(BYTE)\n    {}", i, output);

@@ -36,7 +36,7 @@ struct CarriedChannel {
 
 /// A wire that carries several channels in a direction, as one of its two nodes sees it.
 struct SharedWire {
-    int link = 0; ///< of the node
+    int link = 0;                                  ///< of the node
     std::vector<CarriedChannel> leaving, arriving; ///< by number
 };
 

@@ -2,6 +2,7 @@
 
 #include "netlist/network/names.hpp"
 #include "occam/network/kind.hpp"
+#include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +15,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// The links by which a channel comes to a node and leaves it.
+/// The links over which a channel arrives at a node, and leaves it.
 struct Passage {
     std::optional<std::size_t> arrives_over, leaves_over; ///< connections
     int in = 0, out = 0;                                  ///< links
@@ -71,7 +72,8 @@ private:
         if (!is_between_code(n_, channel))
             return;
         const CarriedChannel carried = carried_channel(number);
-        const bool is_carried = is_shared(way.arrives_over) || is_shared(way.leaves_over) || (way.arrives_over && way.leaves_over);
+        const bool is_carried =
+            is_shared(way.arrives_over) || is_shared(way.leaves_over) || (way.arrives_over && way.leaves_over);
         if (is_carried && carried.protocol->kind == ProtocolType::Kind::any)
             refuse_any(channel);
         if (is_shared(way.arrives_over))

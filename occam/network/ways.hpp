@@ -1,14 +1,26 @@
 #pragma once
 
 #include "netlist/network/network.hpp"
-#include "occam/network/image_text.hpp"
+#include "occam/language/tree.hpp"
 #include "occam/network/multiplexer.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <map>
+#include <string>
 #include <vector>
 
 namespace placedpar::occam {
+
+/// A procedure of a file, as the program of a process.
+struct ProgramOfProcess {
+    std::string path; ///< of the file
+    const Program* program = nullptr;
+    const Declaration* procedure = nullptr;
+};
+
+/// Returns the program of a process.
+using ProgramOf = std::function<ProgramOfProcess(const ProcessInstance&)>;
 
 /// The channels of code that lead over wires of a node.
 struct WaysOverNode {

@@ -130,7 +130,7 @@ private:
     void absorb(std::size_t process, std::uint32_t value) { sums_[process] = sums_[process] * 33 + value; }
 
     static const char* protocol(Form form) {
-        constexpr std::array names = {"INT",        "BYTE",      "[5]INT", "INT::[]BYTE",
+        constexpr std::array names = {"INT",         "BYTE",      "[5]INT", "INT::[]BYTE",
                                       "BYTE::[]INT", "INT; BYTE", "MIXED",  "INT64"};
         return names[static_cast<std::size_t>(form)];
     }

@@ -114,7 +114,7 @@ rep y = 0 for n
   }
 connect t[0][0].link[0] to host;
 process cell[9], total;
-use "grid.occ#cell" for cell[i]; use "grid.occ#total" for total;
+use "grid.occ#cell" for cell; use "grid.occ#total" for total;
 place total on t[0][0];
 rep i = 0 for 9 {
   cell[i] (number = i, rounds = 4);
@@ -177,7 +177,7 @@ val n {};
 T800 (memory = 64K) t[n + 1];
 {}
 process farmer, worker[n];
-use "farm.occ#farmer" for farmer; use "farm.occ#worker" for worker[i];
+use "farm.occ#farmer" for farmer; use "farm.occ#worker" for worker;
 place farmer on t[0];
 rep i = 0 for n {{
   place worker[i] on t[i + 1];
