@@ -22,6 +22,7 @@ BELOW = {
     "netlist/complete": ["netlist/elaborate"],
     "netlist/print": ["netlist/kinds"],
     "netlist": ["netlist/complete", "netlist/print"],
+    "native": ["netlist"],
     "occam/language": ["text"],
     "occam/check": ["occam/language"],
     "occam/code": ["occam/check", "runtime/transputer"],
