@@ -37,7 +37,8 @@ double nanoseconds_there_and_back(std::size_t threads, long times) {
         crossings.emplace_back(there.output, group.member(0), there.input, group.member(1));
         crossings.emplace_back(back.output, group.member(1), back.input, group.member(0));
     }
-    Channel<long>&there_in = threads == 2 ? there.input : there.output, &back_in = threads == 2 ? back.input : back.output;
+    Channel<long>&there_in = threads == 2 ? there.input : there.output,
+    &back_in = threads == 2 ? back.input : back.output;
     long last = 0;
     simulations.front().process("ping", [&] {
         for (long i = 0; i < times; ++i) {

@@ -11,8 +11,8 @@ namespace placedpar::native {
 /// Joins the two halves of a channel between two kernels: the outputter's kernel has the one, the inputter's the other.
 ///
 /// 1. The outputter offers its message, which stays where it is, and waits.
-/// 2. The inputter's kernel takes an offered message when its process inputs, and notifies the outputter's kernel. An ALT
-/// that does not take it leaves the offer.
+/// 2. The inputter's kernel takes an offered message when its process inputs, and notifies the outputter's kernel. An
+/// ALT that does not take it leaves the offer.
 ///
 /// So the communication is synchronous, and no message is copied more than once.
 class Crossing {
@@ -74,9 +74,9 @@ private:
     Offered offered_{*this};
     Taken taken_{*this};
     std::atomic<Offer> offer_{Offer::none};
-    std::atomic<bool> is_posted_{false};  ///< `offered_` is in the inbox
-    Process* outputter_ = nullptr;        ///< who waits; of the outputter's kernel
-    Process* inputter_ = nullptr;         ///< who waits; of the inputter's kernel
+    std::atomic<bool> is_posted_{false}; ///< `offered_` is in the inbox
+    Process* outputter_ = nullptr;       ///< who waits; of the outputter's kernel
+    Process* inputter_ = nullptr;        ///< who waits; of the inputter's kernel
 };
 
 } // namespace placedpar::native

@@ -39,8 +39,7 @@ void Group::wake_all() {
 void Group::note_if_quiet() {
     const bool is_quiet = std::ranges::all_of(members_, [&](const Member& member) {
         return member.state_ == Member::State::stopped ||
-               (member.state_ == Member::State::asleep && member.inbox_.empty() &&
-                member.quiet_heard_ == times_quiet_);
+               (member.state_ == Member::State::asleep && member.inbox_.empty() && member.quiet_heard_ == times_quiet_);
     });
     if (!is_quiet)
         return;
@@ -82,9 +81,7 @@ Surroundings::Rest Member::rest(Time due) {
     sleeps_ = true;
     state_ = due == Time::max() ? State::asleep : State::asleep_for_time;
     group_.note_if_quiet();
-    const auto is_woken = [&] {
-        return !inbox_.empty() || group_.interrupted_ || group_.times_quiet_ != quiet_heard_;
-    };
+    const auto is_woken = [&] { return !inbox_.empty() || group_.interrupted_ || group_.times_quiet_ != quiet_heard_; };
     if (due == Time::max())
         woken_.wait(lock, is_woken);
     else

@@ -47,6 +47,11 @@ void require_native(const Network& network) {
         if (node.runs_own_code)
             throw UserError(fmt::format("{}: \"{}\" executes the code of a transputer, which cannot run natively",
                                         node.declared.text(), node.name));
+    for (const LinkConnection& wire : network.connections)
+        if (wire.at_run_time)
+            throw UserError(fmt::format("{}: a switch makes this connection during the run, and a native run has no "
+                                        "switches",
+                                        wire.connected.text()));
     if (!network.faults.empty())
         throw UserError(fmt::format("{}: a native run has no faults, for it has no machine that could fail",
                                     network.faults.front().stated.text()));
@@ -151,7 +156,9 @@ private:
         const auto ends = [&](Ending how) {
             return std::ranges::any_of(strands_, [how](const Strand& each) { return each.result->ending == how; });
         };
-        return ends(Ending::interrupted) ? Ending::interrupted : ends(Ending::stuck) ? Ending::stuck : Ending::completed;
+        return ends(Ending::interrupted) ? Ending::interrupted
+               : ends(Ending::stuck)     ? Ending::stuck
+                                         : Ending::completed;
     }
 
     /// Puts the processes of a deadlock into the order of the netlist.
@@ -174,8 +181,8 @@ private:
             if (strand.result->deadlock)
                 report.result.deadlock = std::move(strand.result->deadlock);
             std::ranges::copy(strand.software->measurements(), std::back_inserter(measurements));
-            report.processors.push_back({fmt::format("thread {}", i), "thread",
-                                         strand.result->time - group_.member(i).rested(), Time{}});
+            report.processors.push_back(
+                {fmt::format("thread {}", i), "thread", strand.result->time - group_.member(i).rested(), Time{}});
         }
         report.measurements = in_order_of_netlist(std::move(measurements), network_);
         for (std::size_t i = 0; i < network_.processes.size(); ++i)

@@ -398,12 +398,11 @@ std::string print_never_ran(const std::vector<std::string>& names) {
 
 std::string print_report(const RunReport& report, const Network& network, const GenerationLog& searches) {
     bool stopped = report.result.ending == Ending::time_limit;
-    std::string out =
-        fmt::format("{}: {} {} {}{}\n", network.source_path, print_ending(report.result.ending),
-                    report.is_native ? "natively, after" : "at", to_string(report.result.time),
-                    stopped ? "; the figures below cover the time until then" : "") +
-        (report.is_native ? "" : fmt::format("fingerprint: {:016x}\n", report.result.fingerprint)) +
-        print_set(network) + print_faults(report.faults) + print_switches(report.switches);
+    std::string out = fmt::format("{}: {} {} {}{}\n", network.source_path, print_ending(report.result.ending),
+                                  report.is_native ? "natively, after" : "at", to_string(report.result.time),
+                                  stopped ? "; the figures below cover the time until then" : "") +
+                      (report.is_native ? "" : fmt::format("fingerprint: {:016x}\n", report.result.fingerprint)) +
+                      print_set(network) + print_faults(report.faults) + print_switches(report.switches);
     if (report.result.deadlock)
         out +=
             (report.result.ending == Ending::stuck ? "\n" : "\nin a deadlock while other processes could continue:\n") +

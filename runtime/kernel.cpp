@@ -204,7 +204,10 @@ void Kernel::run_among(Surroundings& surroundings, std::uint32_t number) {
 [[gnu::noinline]] bool Kernel::rest() {
     switch (surroundings_->rest(hot_.future.empty() ? Time::max() : hot_.future.next_time())) {
     case Surroundings::Rest::over: break;
-    case Surroundings::Rest::quiet: read_wall_clock(); go_on_after_work(); break;
+    case Surroundings::Rest::quiet:
+        read_wall_clock();
+        go_on_after_work();
+        break;
     case Surroundings::Rest::forever: read_wall_clock(); return false;
     }
     return true;

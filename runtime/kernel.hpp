@@ -170,9 +170,9 @@ public:
         shuffle_.emplace(seed, "ready queue");
         hot_.rare_conditions.set(RareConditions::shuffled);
     }
-    /// Runs natively, as one of the kernels of a run: time is that of the wall clock, and others send messages. An event
-    /// that is due happens between two turns of processes, and the run is over when all its kernels have nothing to do.
-    /// `number`: of the kernel in the run. REQUIRES: called before the run; the surroundings outlive it.
+    /// Runs natively, as one of the kernels of a run: time is that of the wall clock, and others send messages. An
+    /// event that is due happens between two turns of processes, and the run is over when all its kernels have nothing
+    /// to do. `number`: of the kernel in the run. REQUIRES: called before the run; the surroundings outlive it.
     void run_among(Surroundings& surroundings, std::uint32_t number);
     /// Returns the surroundings of a native run; null in virtual time.
     Surroundings* surroundings() const { return surroundings_; }
@@ -277,8 +277,8 @@ private:
     Population population_;
     Fibers fibers_;
     End end_;
-    std::uint64_t ranks_ = 0;             ///< number of ranks that were given out
-    std::optional<RandomStream> shuffle_; ///< set if RareConditions::shuffled is set
+    std::uint64_t ranks_ = 0;              ///< number of ranks that were given out
+    std::optional<RandomStream> shuffle_;  ///< set if RareConditions::shuffled is set
     Surroundings* surroundings_ = nullptr; ///< not null if RareConditions::native is set
     std::uint32_t number_ = 0;
 };

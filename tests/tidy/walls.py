@@ -72,7 +72,7 @@ BELOW = {
     "app": ["explore", "observe/page"],
     "app/generation": ["gaprocs", "picture"],
     "app/record": ["explore/study", "hydraulics/plant"],
-    "app/options": ["app"],
+    "app/options": ["app", "native"],
     "app/exercise": ["app"],
     "app/identify": ["app/options", "identification/report"],
     "app/mpi": ["explore/study"],
