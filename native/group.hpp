@@ -59,8 +59,8 @@ private:
 /// The kernels of a native run, one for each thread. Finds out when none of them has anything to do.
 ///
 /// A kernel sleeps under one mutex, and only if its inbox is empty. If all kernels sleep without a time to wake, or
-/// have stopped, and all inboxes are empty, then nothing can wake any of them: whoever posts a message is awake until
-/// it has posted. So the last one that goes to sleep finds it out, for certain and at once.
+/// have stopped, and all inboxes are empty, then nothing can wake any of them: a kernel that posts a message is awake
+/// until it has posted. So the last one that goes to sleep finds it out, for certain and at once.
 class Group {
 public:
     Group() : begun_(std::chrono::steady_clock::now()) {}
