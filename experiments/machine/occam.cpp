@@ -1,0 +1,164 @@
+#include "experiments/kit/experiment_runs.hpp"
+#include "experiments/kit/printing_run.hpp"
+#include "runtime/fingerprint.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Programs in occam beside those that INMOS's compiler made in 1991, and beside the thesis's programs.
+
+namespace placedpar {
+
+namespace {
+
+constexpr const char* inmos = "INMOS";
+
+struct WayToCompile {
+    const char* column;
+    occam::CodeOptions options;
+};
+constexpr std::array ways_to_compile{
+    WayToCompile{"mode halt", {.model = transputer::Model::t800}},
+    WayToCompile{"unchecked", {.model = transputer::Model::t800, .range_checks = false, .run_time_checks = false}},
+    WayToCompile{"mode stop", {.model = transputer::Model::t800, .mode = occam::ErrorMode::stop}},
+};
+
+/// A program, what it prints, and its ticks of 64 us as INMOS's occam compiler 2.01 made it in each of the three ways,
+/// on the emulated T800 with all memory on the chip.
+struct ProgramOfInmos {
+    const char* name;
+    double result;
+    std::array<double, ways_to_compile.size()> ticks;
+};
+constexpr std::array programs_of_inmos{
+    ProgramOfInmos{"ring-seq", 20015, {3453, 3453, 4015}},
+    ProgramOfInmos{"ring-par", 20015, {4281, 4281, 4844}},
+    ProgramOfInmos{"sieve", 1028, {9383, 8207, 11345}},
+    ProgramOfInmos{"matrix32", 1290, {5061, 4936, 5831}},
+    ProgramOfInmos{"two-clients", 150015000, {3219, 3219, 3610}},
+};
+
+/// Returns the ticks that a program prints behind its result. Throws UserError if the result is wrong.
+double ticks_of(const ProgramOfInmos& program, const WayToCompile& way, const ReplayContext& context,
+                Fingerprint& fingerprint) {
+    context.progress(fmt::format("{}, {}", program.name, way.column));
+    const PrintedRun run = run_occam(context.examples / "occam/beside-inmos" / fmt::format("{}.occ", program.name),
+                                     way.options, 1, context);
+    fingerprint.mix(run.fingerprint);
+    const std::vector<double> numbers = run.numbers();
+    if (numbers.size() != 2 || numbers[0] != program.result)
+        throw UserError(fmt::format("{} did not print {} and its ticks, but\n{}", program.name, program.result,
+                                    run.text));
+    return numbers[1];
+}
+
+Comparison compare_with_inmos(const ReplayContext& context, Fingerprint& fingerprint) {
+    Comparison table{.name = "time beside that of INMOS's compiler of 1991", .against = inmos, .judged = true};
+    std::array<double, ways_to_compile.size()> deviations{};
+    for (const ProgramOfInmos& program : programs_of_inmos)
+        for (std::size_t way = 0; way < ways_to_compile.size(); ++way) {
+            const double ticks = ticks_of(program, ways_to_compile[way], context, fingerprint);
+            Cell cell = compared_cell(program.name, ways_to_compile[way].column, "ticks", program.ticks[way], ticks, 0);
+            cell.tolerance_percent = 6;
+            table.add(cell);
+            deviations[way] += 100 * (ticks / program.ticks[way] - 1) / programs_of_inmos.size();
+        }
+    for (std::size_t way = 0; way < ways_to_compile.size(); ++way)
+        table.add(judged_cell("mean difference", ways_to_compile[way].column, "%", 0, deviations[way], 3, 1));
+    table.notes = "Both codes ran on the emulated T800 with all memory on the chip; a tick has 64 us.\n";
+    return table;
+}
+
+// The thesis's programs
+
+constexpr std::array memories{std::pair{"memory of 3 cycles", 3}, std::pair{"all on the chip", 1}};
+
+Comparison compare_evaluations(const ReplayContext& context, Fingerprint& fingerprint) {
+    Comparison table{.name = "an evaluation of the error, equations 3.5 to 3.8"};
+    for (const auto& [column, cycles] : memories) {
+        context.progress(fmt::format("boom, {}", column));
+        const PrintedRun run = run_occam(context.examples / "occam/genetic/boom.occ",
+                                         {.model = transputer::Model::t800}, cycles, context);
+        fingerprint.mix(run.fingerprint);
+        for (const char* way : {"REAL64, orifices known", "REAL32, orifices known", "REAL64, as printed",
+                                "REAL64, squares by DPOWER"})
+            table.add(compared_cell(way, column, "us", 72, run.number_behind(std::string(way) + ":"), 1));
+    }
+    table.notes = "72 us are 86.4 ms (Table E.1) by 120 strings and 10 samples. All code and data are predicted, none "
+                  "is fitted.\n";
+    return table;
+}
+
+struct TimeOfTable {
+    const char* row;
+    std::array<double, 4> known;
+};
+constexpr std::array times_of_table{
+    TimeOfTable{"T_exe", {97.0, 54.0, 39.7, 32.8}},    TimeOfTable{"T_sr", {86.4, 43.3, 29.5, 22.5}},
+    TimeOfTable{"P_time2", {86.4, 43.3, 29.0, 21.8}},  TimeOfTable{"C_time2", {0.0, 0.6, 1.28, 1.89}},
+    TimeOfTable{"S_time2", {10.5, 10.5, 10.5, 10.5}},
+};
+
+/// Returns the hash of all generations that ga.master computes, as the program in occam prints it. Slaves do not change
+/// it.
+std::string generations_in_cpp(const ReplayContext& context) {
+    std::string hash = run_to_the_end(context.examples / "thesis/table-e1/cluster.cfs", {{"slaves", "0"}}, context)
+                           .measured_text("master", "populations");
+    std::ranges::transform(hash, hash.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    return fmt::format("populations #{}#{}", hash.substr(0, 8), hash.substr(8));
+}
+
+/// Compares the times of a cluster whose programs are in occam. `generator`: of random numbers; 0 gives the generations
+/// of ga.master.
+Comparison compare_cluster(const char* name, int generator, const ReplayContext& context, Fingerprint& fingerprint) {
+    Comparison table{.name = name, .judged = generator == 0};
+    for (std::size_t slaves = 0; slaves < 4; ++slaves) {
+        const std::string column = fmt::format("{} slave{}", slaves, slaves == 1 ? "" : "s");
+        context.progress(fmt::format("{}, {}", name, column));
+        const PrintedRun run = run_printing(
+            context.examples / "occam/genetic/cluster.cfs",
+            {{"slaves", fmt::format("{}", slaves)}, {"generator", fmt::format("{}", generator)},
+             {"seed", fmt::format("{}", context.seed)}},
+            context);
+        fingerprint.mix(run.fingerprint);
+        for (const TimeOfTable& time : times_of_table)
+            table.add(compared_cell(time.row, column, "ms", time.known[slaves], run.number_behind(time.row), 2));
+        if (generator == 0)
+            table.add(judged_by(Judge::own,
+                                judged_cell("generations of ga.master", column, "", 1,
+                                            run.text.find(generations_in_cpp(context)) != run.text.npos, 0, 0)));
+    }
+    return table;
+}
+
+Replay replay_occam(const ReplayContext& context) {
+    Fingerprint fingerprint;
+    Replay replay{.comparisons = {compare_with_inmos(context, fingerprint), compare_evaluations(context, fingerprint)}};
+    replay.comparisons.push_back(
+        compare_cluster("Table E.1, with the random numbers of ga.master", 0, context, fingerprint));
+    replay.comparisons.push_back(
+        compare_cluster("Table E.1, with congruential random numbers", 1, context, fingerprint));
+    replay.comparisons[2].notes = "generations of ga.master: 1 if the hashes of all strings of 80 generations are "
+                                  "equal\n";
+    replay.fingerprint = fingerprint.value();
+    return replay;
+}
+
+} // namespace
+
+extern const Experiment occam_experiment{
+    .name = "occam",
+    .about = "programs in occam beside INMOS's compiler, and beside the times of the thesis's programs",
+    .chapter = "machine",
+    .number = 6,
+    .run = replay_occam,
+};
+
+} // namespace placedpar
