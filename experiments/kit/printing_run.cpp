@@ -80,9 +80,9 @@ PrintedRun run_occam(const std::filesystem::path& path, const occam::CodeOptions
     const std::string netlist = fmt::format("T800 (memory = 2M, memorycycles = {}) root;\nconnect root.link[0] to "
                                             "host;\nuse \"{}\" for root;\n",
                                             memory_cycles, path.filename().string());
-    return run_with_screen(load_network(ParsedNetlist::of_text(netlist, path.string(), read), {},
-                                        known_kinds(problems), context.warn),
-                           problems, context);
+    return run_with_screen(
+        load_network(ParsedNetlist::of_text(netlist, path.string(), read), {}, known_kinds(problems), context.warn),
+        problems, context);
 }
 
 PrintedRun run_printing(const std::filesystem::path& netlist, const Overrides& overrides,
