@@ -129,7 +129,7 @@ constexpr std::array times_of_table{
 std::string hash_in_cpp(const RunReport& report, const char* process) {
     std::string hash = report.measured_text(process, "populations");
     std::ranges::transform(hash, hash.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    return fmt::format("populations #{}#{}\n", hash.substr(0, 8), hash.substr(8));
+    return fmt::format("populations #{}#{}", hash.substr(0, 8), hash.substr(8));
 }
 
 /// Makes a cell of 1 if the program has bred the same strings as the process in C++, otherwise 0.
@@ -137,24 +137,42 @@ Cell cell_of_generations(const char* row, const std::string& column, const Print
     return judged_by(Judge::own, judged_cell(row, column, "", 1, run.text.find(hash) != run.text.npos, 0, 0));
 }
 
-/// Compares the times of a cluster whose programs are in occam. `generator`: of random numbers; 0 gives the generations
-/// of ga.master.
-Comparison compare_cluster(const char* name, int generator, const ReplayContext& context, Fingerprint& fingerprint) {
-    Comparison table{.name = name, .judged = generator == 0};
+/// A cluster whose programs are in occam. The usual generator gives the strings of ga.master; the congruential one
+/// takes less time.
+struct SearchOfCluster {
+    const char* name;
+    const char* population;
+    const char* generator;
+    bool has_strings_of_cpp;
+};
+constexpr std::array searches_of_clusters{
+    SearchOfCluster{"Table E.1, 120 individuals, with the random numbers of ga.master", "120", "0", true},
+    SearchOfCluster{"Table E.1, 120 individuals, with congruential random numbers", "120", "1", false},
+    SearchOfCluster{"Table E.1, 30 individuals, with congruential random numbers", "30", "1", false},
+};
+
+PrintedRun run_cluster(const SearchOfCluster& search, std::size_t slaves, const ReplayContext& context) {
+    return run_printing(context.examples / "occam/genetic/cluster.cfs",
+                        {{"slaves", fmt::format("{}", slaves)},
+                         {"population", search.population},
+                         {"generator", search.generator},
+                         {"seed", fmt::format("{}", context.seed)}},
+                        context);
+}
+
+/// Compares the times with those of the thesis.
+Comparison compare_cluster(const SearchOfCluster& search, const ReplayContext& context, Fingerprint& fingerprint) {
+    Comparison table{.name = search.name, .judged = search.has_strings_of_cpp};
     const RunReport in_cpp =
         run_to_the_end(context.examples / "thesis/table-e1/cluster.cfs", {{"slaves", "0"}}, context);
-    for (std::size_t slaves = 0; slaves < 4; ++slaves) {
+    for (std::size_t slaves = 0; slaves < times_of_table.front().known.size(); ++slaves) {
         const std::string column = fmt::format("{} slave{}", slaves, slaves == 1 ? "" : "s");
-        context.progress(fmt::format("{}, {}", name, column));
-        const PrintedRun run = run_printing(context.examples / "occam/genetic/cluster.cfs",
-                                            {{"slaves", fmt::format("{}", slaves)},
-                                             {"generator", fmt::format("{}", generator)},
-                                             {"seed", fmt::format("{}", context.seed)}},
-                                            context);
+        context.progress(fmt::format("{}, {}", table.name, column));
+        const PrintedRun run = run_cluster(search, slaves, context);
         fingerprint.mix(run.fingerprint);
         for (const TimeOfTable& time : times_of_table)
             table.add(compared_cell(time.row, column, "ms", time.known[slaves], run.number_behind(time.row), 2));
-        if (generator == 0)
+        if (search.has_strings_of_cpp)
             table.add(cell_of_generations("generations of ga.master", column, run, hash_in_cpp(in_cpp, "master")));
     }
     return table;
@@ -177,10 +195,8 @@ Comparison compare_islands(const ReplayContext& context, Fingerprint& fingerprin
 Replay replay_occam(const ReplayContext& context) {
     Fingerprint fingerprint;
     Replay replay{.comparisons = {compare_with_inmos(context, fingerprint), compare_evaluations(context, fingerprint)}};
-    replay.comparisons.push_back(
-        compare_cluster("Table E.1, with the random numbers of ga.master", 0, context, fingerprint));
-    replay.comparisons.push_back(
-        compare_cluster("Table E.1, with congruential random numbers", 1, context, fingerprint));
+    for (const SearchOfCluster& search : searches_of_clusters)
+        replay.comparisons.push_back(compare_cluster(search, context, fingerprint));
     replay.comparisons.push_back(compare_islands(context, fingerprint));
     replay.fingerprint = fingerprint.value();
     return replay;
