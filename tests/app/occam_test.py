@@ -170,6 +170,34 @@ PROC hello (CHAN OF SP fs, ts)
         self.assertEqual(self.run_text(text, "--no-checks", "usage,alias", command="check").returncode, 0)
 
 
+class GeneticAlgorithm(unittest.TestCase):
+    """Compares the strings that programs in occam breed with those of the processes in C++."""
+
+    def hashes(self, netlist, seed, settings):
+        options = [word for name, value in settings.items() for word in ("--set", f"{name}={value}")]
+        done = placedpar("run", EXAMPLES / netlist, "--seed", seed, *options)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        found = re.findall(r"populations +(#?[0-9a-fA-F]+(?:#[0-9a-fA-F]+)?)", done.stdout)
+        return sorted(each.replace("#", "").lower() for each in found)
+
+    def test_a_master_and_slaves_breed_the_strings_of_cpp(self):
+        for population, slaves, seed in ((31, 2, 5), (30, 3, 9), (7, 1, 2), (120, 0, 12)):
+            settings = {"population": population, "slaves": slaves}
+            with self.subTest(**settings):
+                ours = self.hashes("occam/genetic/cluster.cfs", seed, settings | {"seed": seed})
+                self.assertEqual(len(ours), 1)
+                self.assertEqual(ours, self.hashes("thesis/table-e1/cluster.cfs", seed, settings))
+
+    def test_islands_breed_the_strings_of_cpp(self):
+        for clusters, period, seed in ((2, 2, 3), (3, 1, 8), (5, 4, 1)):
+            settings = {"clusters": clusters, "population": 20}
+            with self.subTest(**settings):
+                ours = self.hashes("occam/genetic/islands.cfs", seed, settings | {"seed": seed, "period": period})
+                self.assertEqual(len(ours), clusters)
+                self.assertEqual(ours, self.hashes("thesis/figure-e2/figure-e2.cfs", seed,
+                                                   settings | {"slaves": 0, "exchange_every": period}))
+
+
 @unittest.skipUnless(D7205, "PLACEDPAR_D7205 names no folder of the occam toolset")
 class Toolset(unittest.TestCase):
     CONFIGURATION = """VAL m IS 1024 * 1024 :
