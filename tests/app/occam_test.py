@@ -197,6 +197,14 @@ class GeneticAlgorithm(unittest.TestCase):
                 self.assertEqual(ours, self.hashes("thesis/figure-e2/figure-e2.cfs", seed,
                                                    settings | {"slaves": 0, "exchange_every": period}))
 
+    def test_islands_with_slaves_breed_the_strings_of_cpp(self):
+        for clusters, slaves, seed in ((4, 3, 1), (2, 2, 6)):
+            settings = {"clusters": clusters, "slaves": slaves}
+            with self.subTest(**settings):
+                ours = self.hashes("occam/genetic/figure-e2.cfs", seed, settings | {"seed": seed})
+                self.assertEqual(len(ours), clusters)
+                self.assertEqual(ours, self.hashes("thesis/figure-e2/figure-e2.cfs", seed, settings))
+
 
 @unittest.skipUnless(D7205, "PLACEDPAR_D7205 names no folder of the occam toolset")
 class Toolset(unittest.TestCase):
