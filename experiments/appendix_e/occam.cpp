@@ -140,14 +140,16 @@ Cell cell_of_generations(const char* row, const std::string& column, const Print
 /// takes less time.
 struct SearchOfCluster {
     const char* name;
+    const char* numbers; ///< the random numbers
     const char* population;
     const char* generator;
     bool has_strings_of_cpp;
 };
 constexpr std::array searches_of_clusters{
-    SearchOfCluster{"Table E.1, 120 individuals, with the random numbers of ga.master", "120", "0", true},
-    SearchOfCluster{"Table E.1, 120 individuals, with congruential random numbers", "120", "1", false},
-    SearchOfCluster{"Table E.1, 30 individuals, with congruential random numbers", "30", "1", false},
+    SearchOfCluster{"Table E.1, 120 individuals, with the random numbers of ga.master", "numbers of ga.master", "120",
+                    "0", true},
+    SearchOfCluster{"Table E.1, 120 individuals, with congruential random numbers", "congruential", "120", "1", false},
+    SearchOfCluster{"Table E.1, 30 individuals, with congruential random numbers", "congruential", "30", "1", false},
 };
 
 PrintedRun run_cluster(const SearchOfCluster& search, std::size_t slaves, const ReplayContext& context) {
@@ -178,16 +180,32 @@ Comparison compare_cluster(const SearchOfCluster& search, const ReplayContext& c
 }
 
 Comparison compare_islands(const ReplayContext& context, Fingerprint& fingerprint) {
-    Comparison table{.name = "four islands in a ring (algorithm B)", .against = "C++", .judged = true};
-    context.progress(table.name);
+    Comparison table{.name = "four islands in a ring", .against = "C++", .judged = true};
     const RunReport in_cpp =
         run_to_the_end(context.examples / "thesis/figure-e2/figure-e2.cfs", {{"slaves", "0"}}, context);
-    const PrintedRun run = run_printing(context.examples / "occam/genetic/islands.cfs",
-                                        {{"seed", fmt::format("{}", context.seed)}}, context);
-    fingerprint.mix(run.fingerprint);
-    for (const char* island : {"master[0]", "master[1]", "master[2]", "master[3]"})
-        table.add(cell_of_generations("generations of ga.island", island, run, hash_in_cpp(in_cpp, island)));
+    for (const auto& [row, netlist] : {std::pair{"without slaves (algorithm B)", "islands.cfs"},
+                                       std::pair{"with three slaves each (A + B)", "figure-e2.cfs"}}) {
+        context.progress(fmt::format("{}, {}", table.name, row));
+        const PrintedRun run = run_printing(context.examples / "occam/genetic" / netlist,
+                                            {{"seed", fmt::format("{}", context.seed)}}, context);
+        fingerprint.mix(run.fingerprint);
+        for (const char* island : {"master[0]", "master[1]", "master[2]", "master[3]"})
+            table.add(cell_of_generations(row, island, run, hash_in_cpp(in_cpp, island)));
+    }
     table.notes = "1: the hashes of all strings of 80 generations are equal\n";
+    return table;
+}
+
+/// Compares the machine of Figure E.2 with a single transputer.
+Comparison compare_speedup(const ReplayContext& context) {
+    Comparison table{.name = "speedup of sixteen transputers (A + B)"};
+    for (const SearchOfCluster& search : {searches_of_clusters[0], searches_of_clusters[1]}) {
+        const PrintedRun machine =
+            run_printing(context.examples / "occam/genetic/figure-e2.cfs",
+                         {{"generator", search.generator}, {"seed", fmt::format("{}", context.seed)}}, context);
+        const double speedup = run_cluster(search, 0, context).number_behind("T_exe") / machine.number_behind("T_exe");
+        table.add(compared_cell("speedup", search.numbers, "", 12, speedup, 2));
+    }
     return table;
 }
 
@@ -197,6 +215,7 @@ Replay replay_occam(const ReplayContext& context) {
     for (const SearchOfCluster& search : searches_of_clusters)
         replay.comparisons.push_back(compare_cluster(search, context, fingerprint));
     replay.comparisons.push_back(compare_islands(context, fingerprint));
+    replay.comparisons.push_back(compare_speedup(context));
     replay.fingerprint = fingerprint.value();
     return replay;
 }

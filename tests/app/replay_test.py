@@ -102,9 +102,9 @@ class Replay(unittest.TestCase):
         self.assertEqual(self.cell(document, "sieve", "mode stop")["INMOS"], 11345)
         for cell in ticks:
             self.assertEqual(cell["tolerance_percent"], 6)
-        evaluation, cluster, congruential, _, islands = document["other_readings"]
+        evaluation, cluster, congruential, _, islands, _ = document["other_readings"]
         judged = [cell for cell in cluster["cells"] + islands["cells"] if "judged_by" in cell]
-        self.assertEqual([cell["simulated"] for cell in judged], [1] * 8)
+        self.assertEqual([cell["simulated"] for cell in judged], [1] * 12)
         self.assertEqual(len([cell for cell in evaluation["cells"] if "judged_by" in cell]), 3)
         # The same strings are evaluated in the same time, whatever the generator is.
         for slaves in ("0 slaves", "1 slave", "2 slaves", "3 slaves"):
