@@ -246,6 +246,8 @@ private:
     bool choice(const Choice&, Label done, bool is_last);
     void selection(const Case&);
     using Targets = std::vector<std::pair<std::int64_t, Label>>;
+    void go_to_target(const Expression& value, const Targets&, Label otherwise);
+    void select_wide(const Wide& selector, const Targets&, Label otherwise);
     void select(const Cell& selector, std::span<const Targets::value_type>, Label otherwise);
     void select_by_table(const Cell& selector, const Targets&, Label otherwise);
     void repetition(const While&);

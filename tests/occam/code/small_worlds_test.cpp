@@ -199,19 +199,18 @@ std::vector<WorldWait> waits_in(const transputer::Core& core, std::uint32_t leas
 
 void check_waits(const SmallWorld& world, const Wording& wording, const Interpreter::State& state,
                  const transputer::Core& core) {
-    const std::vector<WorldWait> expected = expected_waits(world, state);
+    std::vector<WorldWait> expected = expected_waits(world, state);
     std::uint32_t least = 100;
     for (const WorldWait& wait : expected)
         least = std::min(least, *std::ranges::min_element(wait.second));
-    const std::vector<WorldWait> found = waits_in(core, least);
-    REQUIRE(found.size() == expected.size());
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        CHECK(found[i].first == expected[i].first);
-        if (wording.has_channel_array)
-            CHECK(found[i].second == expected[i].second);
-        else
-            CHECK(found[i].second.size() == expected[i].second.size());
-    }
+    std::vector<WorldWait> found = waits_in(core, least);
+    for (std::vector<WorldWait>* waits : {&expected, &found})
+        if (!wording.has_channel_array) { // only the number of channels can be compared
+            for (WorldWait& wait : *waits)
+                std::ranges::fill(wait.second, 0U);
+            std::ranges::sort(*waits);
+        }
+    CHECK(found == expected);
 }
 
 void check_occam_world(const SmallWorld& world, const Wording& wording) {
