@@ -286,6 +286,7 @@ private:
     void store_top(const Expression& target);
     void input_items(const Expression& on, const std::vector<Item>&);
     void input_counted(const Expression& on, const Item&);
+    void check_upper_half(const Cell& lower);
     void transfer_elements(Operation, const Storage& array, const Cell& number, std::int64_t unit,
                            const Expression& on);
     void output(const Output&);

@@ -134,8 +134,8 @@ public:
     void fpur32tor64();
     void fpur64tor32();
     /// Makes FA a REAL32 by the lower bits of its exponent. The fraction keeps its length until it is used: sums,
-    /// products and fpuexpinc32 use all of it, and others cut it. So INMOS's occam compiler converts long integers, whose
-    /// halves are REAL64s, with one rounding. Sets no flag.
+    /// products and fpuexpinc32 use all of it, and others cut it. So INMOS's occam compiler converts long integers,
+    /// whose halves are REAL64s, with one rounding. Sets no flag.
     void fpunoround();
 
     void fpuabs();

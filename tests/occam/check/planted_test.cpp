@@ -82,7 +82,7 @@ std::vector<std::size_t> error_lines(const std::string& messages) {
     return lines;
 }
 
-std::string messages_of(const std::string& text) {
+std::string messages_of_check(const std::string& text) {
     Reporter reporter;
     const auto file = std::make_shared<SourceFile>("text.occ", text);
     const occam::Parsed parsed =
@@ -97,7 +97,7 @@ std::vector<std::filesystem::path> good_programs() {
     for (const char* folder :
          {"tests/occam/programs", "tests/occam/code/programs", "examples/occam", "docs/occam-course/answers"})
         for (const auto& file : test::occam_files(std::filesystem::path(PLACEDPAR_SOURCE_DIR) / folder, ".occ"))
-            if (messages_of(test::whole_file(file)).empty())
+            if (messages_of_check(test::whole_file(file)).empty())
                 files.push_back(file);
     return files;
 }
@@ -115,7 +115,7 @@ TEST_CASE("a single fault has few messages, and one of them is near it") {
             std::mt19937_64 random(seed);
             const std::size_t kind = seed % fault_names.size();
             const PlantedFault fault = planted(test::whole_file(file), kind, random);
-            const auto lines = error_lines(messages_of(fault.text));
+            const auto lines = error_lines(messages_of_check(fault.text));
             if (lines.empty()) // the program may be good still
                 continue;
             ++counts[kind].refused;

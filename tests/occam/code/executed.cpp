@@ -45,8 +45,9 @@ BootedCode::BootedCode(const occam::Code& code, const occam::CodeOptions& option
     const std::size_t loader = file.front();
     link_ = std::make_unique<BootLink>(
         std::vector<std::uint8_t>(file.begin() + 1 + static_cast<std::ptrdiff_t>(loader), file.end()));
-    core_ = std::make_unique<transputer::Core>(options.model, memory_bytes, transputer::CoreTiming{.memory_cycles = 1, .wraps = options.mode == occam::ErrorMode::stop},
-                                               *link_);
+    core_ = std::make_unique<transputer::Core>(
+        options.model, memory_bytes,
+        transputer::CoreTiming{.memory_cycles = 1, .wraps = options.mode == occam::ErrorMode::stop}, *link_);
     core_->copy_to_memory(transputer::traits_of(options.model).memory_start, {file.data() + 1, loader});
     core_->boot(static_cast<transputer::Word>(loader), 4);
 }

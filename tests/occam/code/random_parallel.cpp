@@ -70,100 +70,110 @@ ProgramStep RandomProgram::replicated_parallel() {
             }};
 }
 
-/// Sends values over a channel to a parallel process. The interpreter runs the sender first.
-ProgramStep RandomProgram::communication(int depth) {
-    enum Form : std::uint32_t { simple, sequence, counted, variant, forms };
-    const auto form = random_.below(forms);
-    const Basic type = any_type(), second = any_type();
-    const std::string channel = fresh("ch"), protocol = fresh("P");
-    const std::size_t queue = names_count_;
-    const Name x = declare(type, {}, "x"), y = declare(second, {}, "y"), text = declare(Basic::byte, {9}, "s"),
-               length = declare(Basic::integer, {}, "n");
-    const int messages = 1 + static_cast<int>(random_.below(3));
-    const bool by_alternation = random_.chance(0.4);
-    const auto sender = [&] {
-        std::string lines = "SEQ\n";
-        std::vector<std::function<void(ProgramMemory&)>> acts;
-        for (int i = 0; i < messages; ++i) {
-            if (random_.chance(0.5)) {
-                const ProgramStep before = step(depth - 1);
-                lines += indented(before.text, 2);
-                acts.push_back(before.act);
-            }
-            const ProgramTerm a = term(type, 2), b = term(second, 2);
-            const ProgramTerm count = masked(Basic::integer, variable_term(Basic::integer, 1), 3);
-            const bool has_both = random_.chance(0.5);
-            const std::string items[] = {a.text, a.text + "; " + b.text, count.text + "::\"abcdefghi\"",
-                                         has_both ? "both; " + a.text + "; " + b.text : "one; " + b.text};
-            lines += fmt::format("  {} ! {}\n", channel, items[form]);
-            acts.emplace_back([form, has_both, queue, a = a.value, b = b.value, n = count.value](ProgramMemory& memory) {
-                const ProgramValue none{}, is_both{has_both ? 1 : 0, 0};
-                const bool sends_first = form == simple || form == sequence || (form == variant && has_both);
-                const ProgramValue first = sends_first ? a(memory) : none;
-                const ProgramValue other = form == sequence || form == variant ? b(memory) : none;
-                memory.messages[queue].push_back({first, other, form == counted ? n(memory) : is_both});
-            });
-        }
-        return ProgramStep{lines, [acts](ProgramMemory& memory) {
-                               for (const auto& each : acts)
-                                   each(memory);
-                           }};
-    };
-    const auto receiver = [&] {
-        std::string lines = declaration(x) + declaration(y) + declaration(text) + declaration(length) + "SEQ\n";
-        std::vector<std::function<void(ProgramMemory&)>> acts;
-        std::vector<ProgramStep> first_values;
-        for (const Name& each : {x, y, text, length}) {
-            first_values.push_back(initialised(each));
-            lines += indented(first_values.back().text, 2);
-            acts.push_back(first_values.back().act);
-        }
-        for (const Name& each : {x, y, text, length})
-            names_.push_back(each);
-        for (int i = 0; i < messages; ++i) {
-            const ProgramStep then = block(depth - 1, 1);
-            const std::string items[] = {x.text, x.text + "; " + y.text, length.text + "::" + text.text, "CASE"};
-            const std::string behind = indented(then.text, 2);
-            const std::string variants = fmt::format("  both; {0}; {1}\n{2}  one; {1}\n    SKIP\n", x.text, y.text, indented(behind, 2));
-            const std::string input = fmt::format("{} ? {}\n", channel, items[form]);
-            if (by_alternation)
-                lines += "  ALT\n    FALSE & SKIP\n      STOP\n" +
-                         indented(input + (form == variant ? variants : behind), 4);
-            else
-                lines += indented(input + (form == variant ? variants : then.text), 2);
-            acts.emplace_back([form, queue, x = x.number, y = y.number, s = text.number, n = length.number,
-                               act = then.act](ProgramMemory& memory) {
+/// A channel with what passes over it.
+struct RandomProgram::Message {
+    enum Form : std::uint32_t { simple, sequence, counted, variant, forms } form{};
+    Basic type{}, second{};
+    std::string channel;
+    std::size_t queue = 0;
+    int count = 0;
+    bool by_alternation = false;
+    Name x{}, y{}, text{}, length{}; ///< into which it is received
+};
+
+ProgramStep RandomProgram::sender(const Message& m, int depth) {
+    std::vector<ProgramStep> steps;
+    for (int i = 0; i < m.count; ++i) {
+        if (random_.chance(0.5))
+            steps.push_back(step(depth - 1));
+        const ProgramTerm a = term(m.type, 2), b = term(m.second, 2);
+        const ProgramTerm count = masked(Basic::integer, variable_term(Basic::integer, 1), 3);
+        const bool has_both = random_.chance(0.5);
+        const std::string items[] = {a.text, a.text + "; " + b.text, count.text + "::\"abcdefghi\"",
+                                     has_both ? "both; " + a.text + "; " + b.text : "one; " + b.text};
+        steps.push_back(
+            {fmt::format("{} ! {}\n", m.channel, items[m.form]), [form = m.form, has_both, queue = m.queue, a = a.value,
+                                                                  b = b.value, n = count.value](ProgramMemory& memory) {
+                 const bool sends_first =
+                     form == Message::simple || form == Message::sequence || (form == Message::variant && has_both);
+                 const bool sends_second = form == Message::sequence || form == Message::variant;
+                 const ProgramValue first = sends_first ? a(memory) : ProgramValue{};
+                 const ProgramValue other = sends_second ? b(memory) : ProgramValue{};
+                 const ProgramValue third = form == Message::counted ? n(memory) : ProgramValue{has_both ? 1 : 0, 0};
+                 memory.messages[queue].push_back({first, other, third});
+             }});
+    }
+    return in_sequence(steps);
+}
+
+/// Makes the input of one message, and a process behind it.
+ProgramStep RandomProgram::reception(const Message& m, int depth) {
+    const ProgramStep then = block(depth - 1, 1);
+    const std::string items[] = {m.x.text, m.x.text + "; " + m.y.text, m.length.text + "::" + m.text.text, "CASE"};
+    const std::string variants =
+        fmt::format("  both; {0}; {1}\n{2}  one; {1}\n    SKIP\n", m.x.text, m.y.text, indented(then.text, 4));
+    std::string input = fmt::format("{} ? {}\n", m.channel, items[m.form]);
+    if (m.form == Message::variant)
+        input += variants;
+    else
+        input += m.by_alternation ? indented(then.text, 2) : then.text;
+    if (m.by_alternation)
+        input = "ALT\n  FALSE & SKIP\n    STOP\n" + indented(input, 2);
+    return {input, [form = m.form, queue = m.queue, x = m.x.number, y = m.y.number, s = m.text.number,
+                    n = m.length.number, act = then.act](ProgramMemory& memory) {
                 const std::vector<ProgramValue> message = memory.messages[queue].front();
                 memory.messages[queue].pop_front();
-                const bool is_one = form == variant && message[2].integer == 0;
-                if (form != counted && !is_one)
+                const bool is_one = form == Message::variant && message[2].integer == 0;
+                if (form != Message::counted && !is_one)
                     memory.named[x][0] = message[0];
-                if (form == sequence || form == variant)
+                if (form == Message::sequence || form == Message::variant)
                     memory.named[y][0] = message[1];
-                if (form == counted) {
+                if (form == Message::counted) {
                     memory.named[n][0] = message[2];
                     for (int at = 0; at < message[2].integer; ++at)
                         memory.named[s][static_cast<std::size_t>(at)].integer = "abcdefghi"[at];
                 }
                 if (!is_one)
                     act(memory);
-            });
-        }
-        return ProgramStep{lines, [acts](ProgramMemory& memory) {
-                               for (const auto& each : acts)
-                                   each(memory);
-                           }};
-    };
-    const auto [one, other] = apart(sender, receiver);
+            }};
+}
+
+ProgramStep RandomProgram::receiver(const Message& m, int depth) {
+    std::vector<ProgramStep> steps;
+    std::string declarations;
+    for (const Name& each : {m.x, m.y, m.text, m.length}) {
+        declarations += declaration(each);
+        steps.push_back(initialised(each));
+    }
+    for (const Name& each : {m.x, m.y, m.text, m.length})
+        names_.push_back(each);
+    for (int i = 0; i < m.count; ++i)
+        steps.push_back(reception(m, depth));
+    ProgramStep all = in_sequence(steps);
+    return {declarations + all.text, all.act};
+}
+
+/// Sends values over a channel to a parallel process. The interpreter runs the sender first.
+ProgramStep RandomProgram::communication(int depth) {
+    Message m{.form = static_cast<Message::Form>(random_.below(Message::forms)),
+              .type = any_type(),
+              .second = any_type(),
+              .channel = fresh("ch"),
+              .queue = names_count_,
+              .count = 1 + static_cast<int>(random_.below(3)),
+              .by_alternation = random_.chance(0.4)};
+    m.x = declare(m.type, {}, "x"), m.y = declare(m.second, {}, "y");
+    m.text = declare(Basic::byte, {9}, "s"), m.length = declare(Basic::integer, {}, "n");
+    const std::string protocol = fresh("P");
+    const auto [one, other] = apart([&] { return sender(m, depth); }, [&] { return receiver(m, depth); });
     const std::string protocols[] = {
-        name_of(type), fmt::format("{}; {}", name_of(type), name_of(second)), "INT::[]BYTE",
-        fmt::format("\n  CASE\n    both; {0}; {1}\n    one; {1}\n", name_of(type), name_of(second))};
-    const std::string head = form == variant ? fmt::format("PROTOCOL {}{}:\n", protocol, protocols[form])
-                                             : fmt::format("PROTOCOL {} IS {}:\n", protocol, protocols[form]);
+        " IS " + name_of(m.type), fmt::format(" IS {}; {}", name_of(m.type), name_of(m.second)), " IS INT::[]BYTE",
+        fmt::format("\n  CASE\n    both; {0}; {1}\n    one; {1}\n", name_of(m.type), name_of(m.second))};
+    const std::string head =
+        fmt::format("PROTOCOL {}{}:\nCHAN OF {} {}:\nPAR\n", protocol, protocols[m.form], protocol, m.channel);
     const bool sender_is_first = random_.chance(0.5);
     const auto acts = std::pair(one.act, other.act);
-    return {head + fmt::format("CHAN OF {} {}:\nPAR\n", protocol, channel) +
-                indented(sender_is_first ? one.text + other.text : other.text + one.text, 2),
+    return {head + indented(sender_is_first ? one.text + other.text : other.text + one.text, 2),
             [acts](ProgramMemory& memory) {
                 acts.first(memory);
                 acts.second(memory);

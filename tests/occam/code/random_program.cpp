@@ -60,8 +60,9 @@ std::string RandomProgram::log_procedures() const {
         text += fmt::format("PROC log.{0} (VAL {0} v)\n  log.INT (INT v)\n:\n", name_of(type));
     text += "PROC log.REAL32 (VAL REAL32 v)\n  VAL INT w RETYPES v:\n  log.INT (w)\n:\n";
     for (const Basic type : {Basic::int64, Basic::real64})
-        text += fmt::format("PROC log.{0} (VAL {0} v)\n  VAL [2]INT w RETYPES v:\n  SEQ i = 0 FOR 2\n    log.INT (w[i])\n:\n",
-                            name_of(type));
+        text += fmt::format(
+            "PROC log.{0} (VAL {0} v)\n  VAL [2]INT w RETYPES v:\n  SEQ i = 0 FOR 2\n    log.INT (w[i])\n:\n",
+            name_of(type));
     return text;
 }
 
@@ -74,8 +75,8 @@ void RandomProgram::add_function() {
     names_.push_back(function.first);
     names_.push_back(function.second);
     const std::string type = name_of(function.type);
-    std::string lines = fmt::format("{} FUNCTION {} (VAL {} {}, VAL INT {})", type, function.text, type, function.first.text,
-                                    function.second.text);
+    std::string lines = fmt::format("{} FUNCTION {} (VAL {} {}, VAL INT {})", type, function.text, type,
+                                    function.first.text, function.second.text);
     if (random_.chance(0.5)) {
         const ProgramTerm value = variable_term(function.type, 3);
         text += lines + fmt::format(" IS {}:\n", value.text);
@@ -100,8 +101,9 @@ void RandomProgram::add_function() {
 }
 
 void RandomProgram::add_procedure() {
-    ProcedureName procedure{fresh("p"), declare(any_type(), {}, "a"), declare(any_type(), {}, "b"),
-                            declare(any_type(), {4}, "d"), false, {}};
+    ProcedureName procedure{
+        fresh("p"), declare(any_type(), {}, "a"), declare(any_type(), {}, "b"), declare(any_type(), {4}, "d"), false,
+        {}};
     procedure.value.is_writable = false;
     names_ = unchanged_;
     for (const Name& each : {procedure.value, procedure.reference, procedure.array})

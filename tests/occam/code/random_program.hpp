@@ -29,10 +29,10 @@ struct ProgramError {};
 
 /// The interpreter's memory. No procedure calls itself, so each declaration has one place.
 struct ProgramMemory {
-    std::vector<std::vector<ProgramValue>> own;     ///< the variables, by number
-    std::vector<std::span<ProgramValue>> named;     ///< what each name stands for
+    std::vector<std::vector<ProgramValue>> own;                            ///< the variables, by number
+    std::vector<std::span<ProgramValue>> named;                            ///< what each name stands for
     std::map<std::size_t, std::deque<std::vector<ProgramValue>>> messages; ///< of each channel, in order
-    std::vector<std::int32_t> log;                  ///< words that the program has noted
+    std::vector<std::int32_t> log;                                         ///< words that the program has noted
 };
 inline constexpr std::size_t most_logged = 900;
 
@@ -57,6 +57,9 @@ struct ProgramStep {
     std::string text; ///< lines
     std::function<void(ProgramMemory&)> act;
 };
+
+/// Returns processes one after the other, below a SEQ.
+ProgramStep in_sequence(const std::vector<ProgramStep>&);
 
 /// A random program with an interpreter for it, which shares nothing with the compiler. `body` and `declarations` are
 /// for execute(). It notes values in `memory`: their number in the last word but one, and 1 in the last at its end.
@@ -136,6 +139,10 @@ private:
     ProgramStep parallel(int depth);
     ProgramStep replicated_parallel();
     ProgramStep communication(int depth);
+    struct Message;
+    ProgramStep sender(const Message&, int depth);
+    ProgramStep receiver(const Message&, int depth);
+    ProgramStep reception(const Message&, int depth);
     /// Makes two processes that write to different variables.
     std::pair<ProgramStep, ProgramStep> apart(const std::function<ProgramStep()>&, const std::function<ProgramStep()>&);
     // The program (random_program.cpp)
@@ -159,8 +166,8 @@ private:
     std::vector<Name> names_; ///< that are visible
     std::vector<FunctionName> functions_;
     std::vector<ProcedureName> procedures_;
-    std::vector<Name> unchanged_; ///< a variable of each type, which nothing changes
-    std::vector<std::size_t> cells_; ///< of each name
+    std::vector<Name> unchanged_;                  ///< a variable of each type, which nothing changes
+    std::vector<std::size_t> cells_;               ///< of each name
     std::size_t names_count_ = 0, subscripts_ = 0; ///< subscripts: around the present expression
     bool has_reals_, may_log_ = true, has_logged_ = false, is_in_function_ = false;
     std::function<void(ProgramMemory&)> act_;

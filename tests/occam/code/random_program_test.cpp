@@ -8,8 +8,8 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <cstdio>
+#include <cstdlib>
 #include <vector>
 
 using namespace placedpar;
@@ -44,7 +44,8 @@ void check_random_program(std::uint64_t seed, std::size_t& errors) {
     INFO(replay(seed), "\n", program.text);
     for (const occam::CodeOptions& options : ways(has_reals, expected.is_error)) {
         INFO(fmt::format("model {} mode {} range {} checks {} vector space {}", static_cast<int>(options.model),
-                         static_cast<int>(options.mode), options.range_checks, options.run_time_checks, options.vector_space));
+                         static_cast<int>(options.mode), options.range_checks, options.run_time_checks,
+                         options.vector_space));
         const Executed done = execute(program.text, options);
         REQUIRE(done.trouble == "");
         CHECK(done.halted == (expected.is_error && options.mode != occam::ErrorMode::stop));

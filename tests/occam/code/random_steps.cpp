@@ -20,20 +20,6 @@ namespace {
 
 using Act = std::function<void(ProgramMemory&)>;
 
-/// Returns processes one after the other, below a SEQ.
-ProgramStep sequence(const std::vector<ProgramStep>& steps) {
-    std::string text = "SEQ\n";
-    std::vector<Act> acts;
-    for (const ProgramStep& each : steps) {
-        text += indented(each.text, 2);
-        acts.push_back(each.act);
-    }
-    return {text, [acts](ProgramMemory& memory) {
-                for (const Act& each : acts)
-                    each(memory);
-            }};
-}
-
 /// Returns the bytes of a value in memory, as integers.
 std::vector<ProgramValue> bytes_of_value(const ProgramValue& value, Basic type) {
     std::vector<ProgramValue> bytes;
@@ -44,6 +30,19 @@ std::vector<ProgramValue> bytes_of_value(const ProgramValue& value, Basic type) 
 }
 
 } // namespace
+
+ProgramStep in_sequence(const std::vector<ProgramStep>& steps) {
+    std::string text = "SEQ\n";
+    std::vector<std::function<void(ProgramMemory&)>> acts;
+    for (const ProgramStep& each : steps) {
+        text += indented(each.text, 2);
+        acts.push_back(each.act);
+    }
+    return {text, [acts](ProgramMemory& memory) {
+                for (const auto& each : acts)
+                    each(memory);
+            }};
+}
 
 std::size_t RandomProgram::Name::cells() const {
     std::size_t all = 1;
@@ -82,7 +81,7 @@ ProgramStep RandomProgram::block(int depth, int steps) {
         }
         for (int i = 0; i < steps; ++i)
             all.push_back(step(depth));
-        return sequence(all);
+        return in_sequence(all);
     });
     return {text + inner.text, inner.act};
 }
@@ -182,7 +181,8 @@ ProgramStep RandomProgram::array_assignment() {
     const auto at = random_.below(size - count + 1), start = random_.below(from.sizes[0] - count + 1);
     const bool whole = size == from.sizes[0] && random_.chance(0.5);
     return {whole ? fmt::format("{} := {}\n", to.text, from.text)
-                  : fmt::format("[{} FROM {} FOR {}] := [{} FROM {} FOR {}]\n", to.text, at, count, from.text, start, count),
+                  : fmt::format("[{} FROM {} FOR {}] := [{} FROM {} FOR {}]\n", to.text, at, count, from.text, start,
+                                count),
             [at, start, count, to = to.number, from = from.number](ProgramMemory& memory) {
                 const auto source = memory.named[from].subspan(start, count);
                 std::ranges::copy(std::vector(source.begin(), source.end()), memory.named[to].subspan(at).begin());
@@ -193,7 +193,8 @@ ProgramStep RandomProgram::log() {
     const Basic type = any_type();
     const ProgramTerm value = term(type, 3);
     has_logged_ = true;
-    return {fmt::format("log.{} ({})\n", name_of(type), value.text), [type, value = value.value](ProgramMemory& memory) {
+    return {fmt::format("log.{} ({})\n", name_of(type), value.text),
+            [type, value = value.value](ProgramMemory& memory) {
                 for (const std::int32_t word : words_of_value(value(memory), type))
                     if (memory.log.size() < most_logged)
                         memory.log.push_back(word);
@@ -234,7 +235,8 @@ ProgramStep RandomProgram::selection(int depth) {
             continue;
         const ProgramStep then = is_dense ? assignment() : block(depth - 1, 1);
         const std::string own = type == Basic::integer ? "" : "(" + name_of(type) + ")";
-        text += fmt::format("  {}{}{}\n", i, own, i % 3 == 1 ? fmt::format(", {}{}", 100 + i, own) : "") + indented(then.text, 4);
+        text += fmt::format("  {}{}{}\n", i, own, i % 3 == 1 ? fmt::format(", {}{}", 100 + i, own) : "") +
+                indented(then.text, 4);
         options[i] = then.act;
     }
     Act otherwise = [](ProgramMemory&) { throw ProgramError{}; };
@@ -255,9 +257,11 @@ ProgramStep RandomProgram::loop(int depth) {
     const ProgramStep body = block(depth - 1, 2);
     const auto times = random_.below(4);
     const bool has_condition = random_.chance(0.5);
-    const std::string text = fmt::format("INT {0}:\nSEQ\n  {0} := {1}\n  WHILE ({0} > 0){2}\n    SEQ\n      {0} := {0} - 1\n",
-                                         counter, times, has_condition ? " AND " + also.text : "");
-    return {text + indented(body.text, 6), [times, has_condition, also = also.value, act = body.act](ProgramMemory& memory) {
+    const std::string text =
+        fmt::format("INT {0}:\nSEQ\n  {0} := {1}\n  WHILE ({0} > 0){2}\n    SEQ\n      {0} := {0} - 1\n", counter,
+                    times, has_condition ? " AND " + also.text : "");
+    return {text + indented(body.text, 6),
+            [times, has_condition, also = also.value, act = body.act](ProgramMemory& memory) {
                 for (auto left = times; left > 0 && (!has_condition || also(memory).integer != 0); --left)
                     act(memory);
             }};
@@ -297,10 +301,11 @@ ProgramStep RandomProgram::abbreviation(int depth) {
     if (whole.sizes.size() == 1 && whole.sizes[0] > 3 && random_.chance(0.4)) {
         const auto start = random_.below(whole.sizes[0] - 2);
         sizes = {3};
-        place = {fmt::format("[{} FROM {} FOR 3]", whole.text, start),
-                 [start, number = whole.number](ProgramMemory& memory) { return memory.named[number].subspan(start, 3); },
-                 whole.number,
-                 {}};
+        place = {
+            fmt::format("[{} FROM {} FOR 3]", whole.text, start),
+            [start, number = whole.number](ProgramMemory& memory) { return memory.named[number].subspan(start, 3); },
+            whole.number,
+            {}};
     }
     Name own = declare(whole.type, sizes, "e");
     const ProgramStep body = with_names({own}, [&] {
@@ -353,17 +358,18 @@ ProgramStep RandomProgram::retyping(int depth) {
             std::erase_if(names_, [&](const Name& each) { return each.number == whole.number; });
         return block(depth - 1, 2);
     });
-    return {fmt::format("{}[{}]BYTE {} RETYPES {}:\n", is_value ? "VAL " : "", size, own.text, whole.text) + body.text,
-            [is_value, type = whole.type, from = whole.number, number = own.number, act = body.act](ProgramMemory& memory) {
-                std::vector<ProgramValue> bytes = bytes_of_value(memory.named[from][0], type);
-                memory.named[number] = bytes;
-                act(memory);
-                WideInteger value = 0;
-                for (std::size_t i = bytes.size(); i-- > 0;)
-                    value = value << 8 | bytes[i].integer;
-                if (!is_value)
-                    memory.named[from][0].integer = wrapped_to(value, type);
-            }};
+    return {
+        fmt::format("{}[{}]BYTE {} RETYPES {}:\n", is_value ? "VAL " : "", size, own.text, whole.text) + body.text,
+        [is_value, type = whole.type, from = whole.number, number = own.number, act = body.act](ProgramMemory& memory) {
+            std::vector<ProgramValue> bytes = bytes_of_value(memory.named[from][0], type);
+            memory.named[number] = bytes;
+            act(memory);
+            WideInteger value = 0;
+            for (std::size_t i = bytes.size(); i-- > 0;)
+                value = value << 8 | bytes[i].integer;
+            if (!is_value)
+                memory.named[from][0].integer = wrapped_to(value, type);
+        }};
 }
 
 ProgramStep RandomProgram::instance() {
@@ -385,7 +391,8 @@ ProgramStep RandomProgram::instance() {
         return assignment();
     const Name array = one_of(arrays);
     const auto start = random_.below(array.sizes[0] - 3);
-    std::erase_if(names_, [&](const Name& each) { return each.number == reference.name || each.number == array.number; });
+    std::erase_if(names_,
+                  [&](const Name& each) { return each.number == reference.name || each.number == array.number; });
     const ProgramTerm value = term(called.value.type, 2);
     names_ = before;
     has_logged_ = has_logged_ || called.logs;
@@ -425,7 +432,8 @@ ProgramStep RandomProgram::initialised(const Name& name) {
         value = term(name.type, 1);
         return ProgramStep{};
     });
-    return {head + std::string(2 * indices.size(), ' ') + fmt::format("{}{} := {}\n", name.text, subscripts, value.text),
+    return {head + std::string(2 * indices.size(), ' ') +
+                fmt::format("{}{} := {}\n", name.text, subscripts, value.text),
             [value = value.value, name, indices](ProgramMemory& memory) {
                 std::vector<std::vector<ProgramValue>> at(indices.size(), std::vector<ProgramValue>(1));
                 for (std::size_t cell = 0; cell < name.cells(); ++cell) {

@@ -68,8 +68,9 @@ ProgramTerm joined(const ProgramTerm& left, const char* symbol, const ProgramTer
 
 ProgramTerm literal_term(WideInteger value, Basic type) {
     const auto number = static_cast<std::int64_t>(value);
-    std::string text = number < 0 ? fmt::format("(-{}({}))", std::uint64_t{0} - static_cast<std::uint64_t>(number), name_of(type))
-                                  : fmt::format("{}({})", number, name_of(type));
+    std::string text =
+        number < 0 ? fmt::format("(-{}({}))", std::uint64_t{0} - static_cast<std::uint64_t>(number), name_of(type))
+                   : fmt::format("{}({})", number, name_of(type));
     if (type == Basic::boolean)
         text = value != 0 ? "TRUE" : "FALSE";
     if (type == Basic::integer)
@@ -79,7 +80,7 @@ ProgramTerm literal_term(WideInteger value, Basic type) {
 
 template <class T>
 bool compares(std::size_t which, T a, T b) {
-    const std::array<bool, 6> results{a == b, a != b, a < b, a > b, a <= b, a >= b};
+    const std::array<bool, 6> results{a == b, a != b, a<b, a> b, a <= b, a >= b};
     return results[which];
 }
 
@@ -89,7 +90,12 @@ ProgramTerm RandomProgram::literal(Basic type) {
     if (is_real_type(type)) {
         const double value = (static_cast<double>(random_.below(2001)) - 1000) / 64;
         const std::string digits = fmt::format("{:.17E}({})", std::abs(value), name_of(type));
-        return {value < 0 ? "(-" + digits + ")" : digits, [value](ProgramMemory&) { return ProgramValue{0, value}; }, true, {}};
+        return {value < 0 ? "(-" + digits + ")" : digits,
+                [value](ProgramMemory&) {
+                    return ProgramValue{0, value};
+                },
+                true,
+                {}};
     }
     if (type == Basic::boolean)
         return literal_term(random_.below(2), type);
@@ -139,8 +145,9 @@ ProgramTerm RandomProgram::term(Basic type, int depth) {
 /// Returns the lowest bits of a term: a small number that is not negative.
 ProgramTerm RandomProgram::masked(Basic type, const ProgramTerm& operand, int bits) {
     const WideInteger mask = (WideInteger{1} << bits) - 1;
-    return joined(operand, "/\\", literal_term(mask, type),
-                  [](const ProgramValue& a, const ProgramValue& b) { return ProgramValue{a.integer & b.integer, 0}; });
+    return joined(operand, "/\\", literal_term(mask, type), [](const ProgramValue& a, const ProgramValue& b) {
+        return ProgramValue{a.integer & b.integer, 0};
+    });
 }
 
 ProgramTerm RandomProgram::integer_operation(Basic type, int depth) {
@@ -150,8 +157,10 @@ ProgramTerm RandomProgram::integer_operation(Basic type, int depth) {
     constexpr std::array<const char*, 6> symbols{"/\\", "\\/", "><", "PLUS", "MINUS", "TIMES"};
     if (!is_byte && random_.chance(0.1))
         return {fmt::format("(~{})", left.text),
-                [value = left.value](ProgramMemory& memory) { return ProgramValue{~value(memory).integer, 0}; }, false,
-                left.reads};
+                [value = left.value](ProgramMemory& memory) {
+                    return ProgramValue{~value(memory).integer, 0};
+                },
+                false, left.reads};
     return joined(left, symbols[which], right, [which, type](const ProgramValue& a, const ProgramValue& b) {
         const WideInteger x = a.integer, y = b.integer;
         switch (which) {
@@ -177,11 +186,13 @@ ProgramTerm RandomProgram::checked_operation(Basic type, int depth) {
     if (is_small)
         right = masked(type, right, which == 2 ? bits / 2 - 1 : which > 2 ? 3 : bits - 2);
     if (is_small && (which == 3 || which == 4))
-        right = joined(right, "\\/", literal_term(1, type),
-                       [](const ProgramValue& a, const ProgramValue&) { return ProgramValue{a.integer | 1, 0}; });
+        right = joined(right, "\\/", literal_term(1, type), [](const ProgramValue& a, const ProgramValue&) {
+            return ProgramValue{a.integer | 1, 0};
+        });
     if (is_small && which == 1 && type == Basic::byte)
-        left = joined(left, "\\/", literal_term(128, type),
-                      [](const ProgramValue& a, const ProgramValue&) { return ProgramValue{a.integer | 128, 0}; });
+        left = joined(left, "\\/", literal_term(128, type), [](const ProgramValue& a, const ProgramValue&) {
+            return ProgramValue{a.integer | 128, 0};
+        });
     constexpr std::array<const char*, 5> symbols{"+", "-", "*", "/", "\\"};
     return joined(left, symbols[which], right, [which, type](const ProgramValue& a, const ProgramValue& b) {
         const WideInteger x = a.integer, y = b.integer;
@@ -200,11 +211,12 @@ ProgramTerm RandomProgram::shift(Basic type, int depth) {
     if (random_.chance(0.5))
         places = masked(Basic::integer, variable_term(Basic::integer, depth - 1), bits == 64 ? 6 : bits == 32 ? 5 : 4);
     const bool is_left = random_.chance(0.5);
-    return joined(left, is_left ? "<<" : ">>", places, [is_left, bits, type](const ProgramValue& a, const ProgramValue& b) {
-        const WideInteger raw = a.integer & ((WideInteger{1} << bits) - 1);
-        const int n = static_cast<int>(b.integer);
-        return ProgramValue{wrapped_to(is_left ? (n >= bits ? 0 : raw << n) : raw >> n, type), 0};
-    });
+    return joined(left, is_left ? "<<" : ">>", places,
+                  [is_left, bits, type](const ProgramValue& a, const ProgramValue& b) {
+                      const WideInteger raw = a.integer & ((WideInteger{1} << bits) - 1);
+                      const int n = static_cast<int>(b.integer);
+                      return ProgramValue{wrapped_to(is_left ? (n >= bits ? 0 : raw << n) : raw >> n, type), 0};
+                  });
 }
 
 ProgramTerm RandomProgram::real_operation(Basic type, int depth) {
@@ -212,16 +224,17 @@ ProgramTerm RandomProgram::real_operation(Basic type, int depth) {
     const ProgramTerm left = variable_term(type, depth - 1);
     const ProgramTerm right = which > 1 && random_.chance(0.8) ? literal(type) : term(type, depth - 1);
     constexpr std::array<const char*, 4> symbols{"+", "-", "*", "/"};
-    ProgramTerm result = joined(left, symbols[which], right, [which, type](const ProgramValue& a, const ProgramValue& b) {
-        if (which == 3 && b.real == 0)
-            throw ProgramError{};
-        const auto computed = [&](auto x, auto y) -> double {
-            return which == 0 ? x + y : which == 1 ? x - y : which == 2 ? x * y : x / y;
-        };
-        return type == Basic::real32
-                   ? fitted_real(computed(static_cast<float>(a.real), static_cast<float>(b.real)), type)
-                   : fitted_real(computed(a.real, b.real), type);
-    });
+    ProgramTerm result =
+        joined(left, symbols[which], right, [which, type](const ProgramValue& a, const ProgramValue& b) {
+            if (which == 3 && b.real == 0)
+                throw ProgramError{};
+            const auto computed = [&](auto x, auto y) -> double {
+                return which == 0 ? x + y : which == 1 ? x - y : which == 2 ? x * y : x / y;
+            };
+            return type == Basic::real32
+                       ? fitted_real(computed(static_cast<float>(a.real), static_cast<float>(b.real)), type)
+                       : fitted_real(computed(a.real, b.real), type);
+        });
     return result;
 }
 
@@ -233,8 +246,8 @@ ProgramTerm RandomProgram::conversion(Basic to, int depth) {
             const Basic other = to == Basic::real32 ? Basic::real64 : Basic::real32;
             const ProgramTerm from = variable_term(other, depth - 1);
             return {fmt::format("({} {}{})", name_of(to), to == Basic::real32 ? "ROUND " : "", from.text),
-                    [to, value = from.value](ProgramMemory& memory) { return fitted_real(value(memory).real, to); }, false,
-                    from.reads};
+                    [to, value = from.value](ProgramMemory& memory) { return fitted_real(value(memory).real, to); },
+                    false, from.reads};
         }
         const Basic type = one_of(for_reals);
         const ProgramTerm from = variable_term(type, depth - 1);
@@ -275,7 +288,9 @@ ProgramTerm RandomProgram::condition(int depth) {
     if (which == 0) {
         const ProgramTerm operand = term(Basic::boolean, depth - 1);
         return {fmt::format("(NOT {})", operand.text),
-                [value = operand.value](ProgramMemory& memory) { return ProgramValue{1 - value(memory).integer, 0}; },
+                [value = operand.value](ProgramMemory& memory) {
+                    return ProgramValue{1 - value(memory).integer, 0};
+                },
                 operand.is_constant, operand.reads};
     }
     const ProgramTerm left = variable_term(Basic::boolean, depth - 1), right = term(Basic::boolean, depth - 1);
@@ -320,14 +335,17 @@ ProgramTerm RandomProgram::call(const FunctionName& function, int depth) {
             false, both(first.reads, second.reads)};
 }
 
-/// Returns a variable that is no array.
+/// Returns a scalar variable.
 ProgramTerm RandomProgram::scalar_term(Basic type) {
     std::vector<Name> fitting;
     for (const Name& each : names_)
         if (each.type == type && each.sizes.empty())
             fitting.push_back(each);
     const Name& name = one_of(fitting);
-    return {name.text, [number = name.number](ProgramMemory& memory) { return memory.named[number][0]; }, false, {name.number}};
+    return {name.text,
+            [number = name.number](ProgramMemory& memory) { return memory.named[number][0]; },
+            false,
+            {name.number}};
 }
 
 /// Returns a subscript, which is in range but rarely.
@@ -341,8 +359,9 @@ ProgramTerm RandomProgram::subscript(std::uint32_t size) {
     if (random_.chance(0.001))
         return any;
     const ProgramTerm index = masked(Basic::integer, any, 10);
-    return joined(index, "\\", literal_term(size, Basic::integer),
-                  [](const ProgramValue& a, const ProgramValue& b) { return ProgramValue{a.integer % b.integer, 0}; });
+    return joined(index, "\\", literal_term(size, Basic::integer), [](const ProgramValue& a, const ProgramValue& b) {
+        return ProgramValue{a.integer % b.integer, 0};
+    });
 }
 
 ProgramSpot RandomProgram::element(const Name& name) {
@@ -368,7 +387,8 @@ ProgramSpot RandomProgram::element(const Name& name) {
 }
 
 bool RandomProgram::has_spot(Basic type, bool is_written) const {
-    return std::ranges::any_of(names_, [&](const Name& each) { return each.type == type && (each.is_writable || !is_written); });
+    return std::ranges::any_of(
+        names_, [&](const Name& each) { return each.type == type && (each.is_writable || !is_written); });
 }
 
 /// REQUIRES: has_spot(type, is_written).

@@ -3,8 +3,8 @@
 
 #include "runtime/transputer/fpu.hpp"
 
-#include "tests/runtime/transputer/exact_reals.hpp"
 #include "runtime/random.hpp"
+#include "tests/runtime/transputer/exact_reals.hpp"
 #include "tests/runtime/transputer/real_values.hpp"
 #include "tests/seeds.hpp"
 
