@@ -69,9 +69,10 @@ private:
     std::unordered_set<const Declaration*> seen_;
 };
 
-/// Adds an index behind those that its own replicator needs.
-void add_in_order(const Declaration* index, const Replicators& replicators, std::vector<const Declaration*>& ordered) {
-    if (std::ranges::find(ordered, index) != ordered.end())
+/// Adds an index that has no value yet, behind those that its own replicator needs.
+void add_in_order(const Declaration* index, const Replicators& replicators, const IndexValues& values,
+                  std::vector<const Declaration*>& ordered) {
+    if (values.contains(index) || std::ranges::find(ordered, index) != ordered.end())
         return;
     std::vector<const Declaration*> outer;
     if (const auto found = replicators.find(index); found != replicators.end() && found->second) {
@@ -80,7 +81,7 @@ void add_in_order(const Declaration* index, const Replicators& replicators, std:
         collector.add(found->second->count);
     }
     for (const Declaration* const each : outer)
-        add_in_order(each, replicators, ordered);
+        add_in_order(each, replicators, values, ordered);
     ordered.push_back(index);
 }
 
@@ -227,11 +228,9 @@ Overlap overlap_of(const Region& a, const Region& b) {
 }
 
 Overlap overlap_of(const Access& a, const Access& b, const Replicators& replicators) {
-    std::vector<const Declaration*> used, indices;
-    add_indices(a, used);
-    add_indices(b, used);
-    for (const Declaration* const each : used)
-        add_in_order(each, replicators, indices);
+    std::vector<const Declaration*> indices;
+    add_indices(a, indices);
+    add_indices(b, indices);
     Overlap worst = Overlap::none;
     IndexValues values;
     for_each_value(indices, replicators, most_comparisons, values, [&](const IndexValues& given) {
@@ -243,7 +242,10 @@ Overlap overlap_of(const Access& a, const Access& b, const Replicators& replicat
 
 void for_each_value(const std::vector<const Declaration*>& indices, const Replicators& replicators, std::size_t most,
                     IndexValues& values, const std::function<bool(const IndexValues&)>& call) {
-    visit_values(indices, 0, replicators, most, values, call);
+    std::vector<const Declaration*> ordered;
+    for (const Declaration* const each : indices)
+        add_in_order(each, replicators, values, ordered);
+    visit_values(ordered, 0, replicators, most, values, call);
 }
 
 } // namespace placedpar::occam
