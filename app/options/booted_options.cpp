@@ -77,11 +77,13 @@ bool is_empty_program(const std::filesystem::path& file) {
            std::filesystem::is_regular_file(file, error) && std::filesystem::is_empty(file, error);
 }
 
-/// Returns a netlist with one transputer that the file boots.
+/// Returns a netlist with one transputer that the file boots. In mode stop a process may read outside of the memory
+/// before it stops, which must have no effect.
 std::string netlist_around(const std::filesystem::path& file, const BootedOptions& options) {
+    const bool wraps = is_occam(file) && options.occam.mode == "stop";
     return fmt::format(
-        "{} (memory = {}, memorycycles = {}) root;\nconnect root.link[0] to host;\nuse \"{}\" for root;\n",
-        options.processor, options.memory, options.memory_cycles, file.filename().string());
+        "{} (memory = {}, memorycycles = {}{}) root;\nconnect root.link[0] to host;\nuse \"{}\" for root;\n",
+        options.processor, options.memory, options.memory_cycles, wraps ? ", wraps = 1" : "", file.filename().string());
 }
 
 void refuse_for_netlists(const Options& typed, const NetlistOptions& netlist, const BootedOptions& options,

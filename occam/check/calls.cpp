@@ -46,13 +46,14 @@ void Checker::argument(Expression& expression, const Formal& formal, const std::
 
 void Checker::arguments(const Place& place, const std::string& name, std::vector<Expression>& given,
                         const std::vector<Formal>& formals) {
+    const bool are_all = given.size() == formals.size();
     for (std::size_t i = 0; i < given.size(); ++i) {
-        if (i < formals.size() && formals[i].type && innermost(*formals[i].type).kind != Type::Kind::mistaken)
+        if (are_all && formals[i].type && innermost(*formals[i].type).kind != Type::Kind::mistaken)
             argument(given[i], formals[i], name);
         else
             check(given[i]);
     }
-    if (given.size() == formals.size())
+    if (are_all)
         return;
     std::string hint;
     for (const Formal& formal : formals) {
@@ -88,7 +89,7 @@ void Checker::form_of(Process& process, Instance& instance) {
     const auto* predefined = found ? std::get_if<Predefined>(&found->form) : nullptr;
     const bool is_procedure =
         found && (std::holds_alternative<Procedure>(found->form) || (predefined && predefined->results.empty()));
-    if (found && !is_procedure) {
+    if (found && !is_procedure && is_first(found, "procedure")) {
         const bool is_function = predefined || std::holds_alternative<Function>(found->form);
         report(process.at, "\"" + instance.name + "\" is not a procedure",
                is_function ? "assign its result: x := " + instance.name + " (...)" : "", found);

@@ -5,9 +5,11 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace placedpar::occam {
@@ -74,6 +76,8 @@ private:
     // Names (names.cpp)
     void report(const Place&, std::string message, std::string hint = "", const Declaration* other = nullptr);
     void report(const Place&, std::string message, std::string hint, std::vector<SecondPlace> others);
+    /// Returns whether this mistake in the use of a declaration is the first: later ones follow from the same cause.
+    bool is_first(const Declaration*, std::string mistake);
     Declaration* find(const std::string& name, const Place&);
     void report_unknown(const std::string& name, const Place&);
     void add(Declaration&);
@@ -225,7 +229,8 @@ private:
     std::unordered_map<const Declaration*, Place> directed_at_;  ///< the first use of a channel parameter
     std::unordered_map<const TypeText*, const Type*> resolved_;  ///< several declarations may share a text
     std::unordered_map<std::string, Declaration*> predefined_;
-    std::unordered_set<std::string> reported_; ///< unknown names
+    std::unordered_set<std::string> reported_;                      ///< unknown names
+    std::set<std::pair<const Declaration*, std::string>> mistakes_; ///< that is_first() has seen
     std::vector<const ProtocolType*> named_protocols_;
     struct Pending {
         const DeclarationList* list;

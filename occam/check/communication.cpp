@@ -52,6 +52,8 @@ void Checker::mark_direction(const Declaration& declaration, Direction direction
     const Place first = directed_at_.emplace(&declaration, is_directed ? own.at : place).first->second;
     if (!is_directed || own.direction == direction || !is_limited)
         return;
+    if (!is_first(&declaration, "direction"))
+        return;
     report(place,
            "the channel \"" + own.name + "\" is used " + how_direction(direction) + " here, and " +
                how_direction(own.direction) + " elsewhere",
@@ -149,6 +151,8 @@ const ProtocolTag* Checker::tag_of(const ProtocolType& protocol, const std::stri
     const auto found = std::ranges::find(protocol.tags, name, &ProtocolTag::name);
     if (found != protocol.tags.end())
         return &*found;
+    if (!is_first(protocol.declared, name))
+        return nullptr;
     std::vector<std::string> names;
     for (const ProtocolTag& tag : protocol.tags)
         names.push_back(tag.name);

@@ -161,6 +161,9 @@ void Checker::parameters(DeclarationList& list) {
             report(each->at, "the parameter \"" + each->name + "\" is declared twice", "", earlier->second);
     }
     declare(list);
+    for (const DeclarationBox& each : list)
+        if (names[each->name] != each.get()) // its type may be that of another parameter
+            each->type = mistaken();
 }
 
 void Checker::enter_routine(Routine routine) {

@@ -93,8 +93,10 @@ bool Checker::agrees(Expression& expression, const Type* wanted, const std::stri
         return true;
     if (adapt(expression, *wanted) && fits(*wanted, *expression.type))
         return true;
-    report(expression.at, role + " must be " + name_of(*wanted) + ", not " + name_of(*expression.type),
-           conversion_hint(expression, *wanted));
+    const auto* use = std::get_if<NameUse>(&expression.form);
+    if (!use || is_first(use->meaning, name_of(*wanted)))
+        report(expression.at, role + " must be " + name_of(*wanted) + ", not " + name_of(*expression.type),
+               conversion_hint(expression, *wanted));
     expression.type = mistaken();
     return false;
 }
@@ -153,7 +155,8 @@ const Type* Checker::form_of(Expression& expression, NameUse& use) {
         return mistaken();
     const std::string kind = kind_of(*found);
     if (!kind.empty()) {
-        report(expression.at, "\"" + use.name + "\" has no value: it is " + kind, "", found);
+        if (is_first(found, "value"))
+            report(expression.at, "\"" + use.name + "\" has no value: it is " + kind, "", found);
         return mistaken();
     }
     expression.constant = found->constant;

@@ -93,6 +93,10 @@ void Checker::report(const Place& place, std::string message, std::string hint, 
     report(place, std::move(message), std::move(hint), std::move(others));
 }
 
+bool Checker::is_first(const Declaration* declaration, std::string mistake) {
+    return mistakes_.emplace(declaration, std::move(mistake)).second;
+}
+
 Declaration* Checker::find(const std::string& name, const Place& place) {
     if (Declaration* const found = names_.find(name))
         return found;

@@ -3,6 +3,7 @@
 #include "occam/check/constant.hpp"
 
 #include <algorithm>
+#include <unordered_set>
 #include <variant>
 
 namespace placedpar::occam {
@@ -31,47 +32,121 @@ const Expression* value_behind(const NameUse& use) {
     return abbreviation && abbreviation->is_value ? &abbreviation->value : nullptr;
 }
 
-void add_indices_of(const Expression& expression, std::vector<const Declaration*>& indices) {
-    if (expression.constant)
-        return;
-    if (const auto* use = std::get_if<NameUse>(&expression.form)) {
-        const bool is_index = use->meaning && std::holds_alternative<ReplicatorIndex>(use->meaning->form);
-        if (is_index && std::ranges::find(indices, use->meaning) == indices.end())
-            indices.push_back(use->meaning);
-        if (const Expression* const value = value_behind(*use))
-            add_indices_of(*value, indices);
-    } else if (const auto* binary = std::get_if<BinaryOperation>(&expression.form)) {
-        add_indices_of(*binary->left, indices);
-        add_indices_of(*binary->right, indices);
-    } else if (const auto* unary = std::get_if<UnaryOperation>(&expression.form)) {
-        add_indices_of(*unary->operand, indices);
-    } else if (const auto* conversion = std::get_if<Conversion>(&expression.form)) {
-        add_indices_of(*conversion->operand, indices);
-    } else if (const auto* subscript = std::get_if<Subscript>(&expression.form)) {
-        add_indices_of(*subscript->index, indices);
+/// Collects the indices of replicators on which expressions depend, also through VAL abbreviations.
+class IndexCollector {
+public:
+    explicit IndexCollector(std::vector<const Declaration*>& indices) : indices_(indices) {}
+
+    void add(const Expression& expression) {
+        if (expression.constant)
+            return;
+        if (const auto* use = std::get_if<NameUse>(&expression.form)) {
+            add(*use);
+        } else if (const auto* binary = std::get_if<BinaryOperation>(&expression.form)) {
+            add(*binary->left);
+            add(*binary->right);
+        } else if (const auto* unary = std::get_if<UnaryOperation>(&expression.form)) {
+            add(*unary->operand);
+        } else if (const auto* conversion = std::get_if<Conversion>(&expression.form)) {
+            add(*conversion->operand);
+        } else if (const auto* subscript = std::get_if<Subscript>(&expression.form)) {
+            add(*subscript->index);
+        }
     }
+
+private:
+    void add(const NameUse& use) {
+        if (!use.meaning || !seen_.insert(use.meaning).second)
+            return;
+        const bool is_index = std::holds_alternative<ReplicatorIndex>(use.meaning->form);
+        if (is_index && std::ranges::find(indices_, use.meaning) == indices_.end())
+            indices_.push_back(use.meaning);
+        if (const Expression* const value = value_behind(use))
+            add(*value);
+    }
+
+    std::vector<const Declaration*>& indices_;
+    std::unordered_set<const Declaration*> seen_;
+};
+
+/// Adds an index that has no value yet, behind those that its own replicator needs.
+void add_in_order(const Declaration* index, const Replicators& replicators, const IndexValues& values,
+                  std::vector<const Declaration*>& ordered) {
+    if (values.contains(index) || std::ranges::find(ordered, index) != ordered.end())
+        return;
+    std::vector<const Declaration*> outer;
+    if (const auto found = replicators.find(index); found != replicators.end() && found->second) {
+        IndexCollector collector(outer);
+        collector.add(found->second->base);
+        collector.add(found->second->count);
+    }
+    for (const Declaration* const each : outer)
+        add_in_order(each, replicators, values, ordered);
+    ordered.push_back(index);
 }
 
 std::optional<std::int64_t> known(const Folded& folded) {
     return folded.error ? std::nullopt : std::optional(folded.bits);
 }
 
-std::optional<std::int64_t> value_in(const BinaryOperation& operation, const IndexValues& values) {
-    const std::optional<std::int64_t> left = value_of(*operation.left, values);
-    const std::optional<std::int64_t> right = left ? value_of(*operation.right, values) : std::nullopt;
-    return right ? known(fold(operation.operation, plain(*operation.left->type).basic, *left, *right)) : std::nullopt;
-}
+/// Evaluates an expression for some values of indices.
+class Evaluator {
+public:
+    explicit Evaluator(const IndexValues& values) : values_(values) {}
 
-/// Returns the value of an element of a constant table.
-std::optional<std::int64_t> value_in(const Subscript& subscript, const IndexValues& values) {
-    const std::optional<Constant>& table = subscript.array->constant;
-    const std::optional<std::int64_t> index = table ? value_of(*subscript.index, values) : std::nullopt;
-    const Type& array = plain(*subscript.array->type);
-    if (!index || !table->bytes || !array.count || *index < 0 || *index >= *array.count)
-        return std::nullopt;
-    const auto offset = static_cast<std::uint64_t>(*index) * bytes_of(*array.element);
-    return constant_of(*table->bytes, offset, *array.element).bits;
-}
+    std::optional<std::int64_t> value(const Expression& expression) {
+        if (expression.constant && !expression.constant->bytes)
+            return expression.constant->bits;
+        if (++steps_ > most_steps)
+            return std::nullopt;
+        if (const auto* use = std::get_if<NameUse>(&expression.form)) {
+            if (const auto known_index = values_.find(use->meaning); known_index != values_.end())
+                return known_index->second;
+            const Expression* const behind = value_behind(*use);
+            return behind ? value(*behind) : std::nullopt;
+        }
+        if (const auto* binary = std::get_if<BinaryOperation>(&expression.form))
+            return value_in(*binary);
+        if (const auto* subscript = std::get_if<Subscript>(&expression.form))
+            return value_in(*subscript);
+        const auto* unary = std::get_if<UnaryOperation>(&expression.form);
+        const auto* conversion = std::get_if<Conversion>(&expression.form);
+        const Expression* const operand = unary        ? unary->operand.get()
+                                          : conversion ? conversion->operand.get()
+                                                       : nullptr;
+        const std::optional<std::int64_t> known_operand = operand ? value(*operand) : std::nullopt;
+        if (!known_operand || plain(*expression.type).kind != Type::Kind::basic)
+            return std::nullopt;
+        const Basic basic = plain(*operand->type).basic;
+        return unary ? known(fold(unary->operation, basic, *known_operand))
+                     : known(convert(basic, plain(*expression.type).basic, conversion->rounding, *known_operand));
+    }
+
+private:
+    /// VAL abbreviations that name each other twice double the steps.
+    static constexpr std::size_t most_steps = 1000;
+
+    std::optional<std::int64_t> value_in(const BinaryOperation& operation) {
+        const std::optional<std::int64_t> left = value(*operation.left);
+        const std::optional<std::int64_t> right = left ? value(*operation.right) : std::nullopt;
+        return right ? known(fold(operation.operation, plain(*operation.left->type).basic, *left, *right))
+                     : std::nullopt;
+    }
+
+    /// Returns the value of an element of a constant table.
+    std::optional<std::int64_t> value_in(const Subscript& subscript) {
+        const std::optional<Constant>& table = subscript.array->constant;
+        const std::optional<std::int64_t> index = table ? value(*subscript.index) : std::nullopt;
+        const Type& array = plain(*subscript.array->type);
+        if (!index || !table->bytes || !array.count || *index < 0 || *index >= *array.count)
+            return std::nullopt;
+        const auto offset = static_cast<std::uint64_t>(*index) * bytes_of(*array.element);
+        return constant_of(*table->bytes, offset, *array.element).bits;
+    }
+
+    const IndexValues& values_;
+    std::size_t steps_ = 0;
+};
 
 /// Narrows a region by a step. Returns the type of what is left; null if the step is not known.
 const Type* narrow(Region& region, const Type& type, const PathStep& step, const IndexValues& values) {
@@ -118,35 +193,16 @@ bool visit_values(const std::vector<const Declaration*>& indices, std::size_t ne
 } // namespace
 
 std::optional<std::int64_t> value_of(const Expression& expression, const IndexValues& values) {
-    if (expression.constant && !expression.constant->bytes)
-        return expression.constant->bits;
-    if (const auto* use = std::get_if<NameUse>(&expression.form)) {
-        if (const auto known_index = values.find(use->meaning); known_index != values.end())
-            return known_index->second;
-        const Expression* const value = value_behind(*use);
-        return value ? value_of(*value, values) : std::nullopt;
-    }
-    if (const auto* binary = std::get_if<BinaryOperation>(&expression.form))
-        return value_in(*binary, values);
-    if (const auto* subscript = std::get_if<Subscript>(&expression.form))
-        return value_in(*subscript, values);
-    const auto* unary = std::get_if<UnaryOperation>(&expression.form);
-    const auto* conversion = std::get_if<Conversion>(&expression.form);
-    const Expression* const operand = unary ? unary->operand.get() : conversion ? conversion->operand.get() : nullptr;
-    const std::optional<std::int64_t> value = operand ? value_of(*operand, values) : std::nullopt;
-    if (!value || plain(*expression.type).kind != Type::Kind::basic)
-        return std::nullopt;
-    const Basic basic = plain(*operand->type).basic;
-    return unary ? known(fold(unary->operation, basic, *value))
-                 : known(convert(basic, plain(*expression.type).basic, conversion->rounding, *value));
+    return Evaluator(values).value(expression);
 }
 
 void add_indices(const Access& access, std::vector<const Declaration*>& indices) {
+    IndexCollector collector(indices);
     for (const PathStep& step : access.steps) {
         if (step.index)
-            add_indices_of(*step.index, indices);
+            collector.add(*step.index);
         if (step.count)
-            add_indices_of(*step.count, indices);
+            collector.add(*step.count);
     }
 }
 
@@ -186,7 +242,10 @@ Overlap overlap_of(const Access& a, const Access& b, const Replicators& replicat
 
 void for_each_value(const std::vector<const Declaration*>& indices, const Replicators& replicators, std::size_t most,
                     IndexValues& values, const std::function<bool(const IndexValues&)>& call) {
-    visit_values(indices, 0, replicators, most, values, call);
+    std::vector<const Declaration*> ordered;
+    for (const Declaration* const each : indices)
+        add_in_order(each, replicators, values, ordered);
+    visit_values(ordered, 0, replicators, most, values, call);
 }
 
 } // namespace placedpar::occam

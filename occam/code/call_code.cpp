@@ -201,9 +201,11 @@ void Generator::call_with(Routine& routine, Arguments words) {
                          }});
     }
     level_->vector_most = std::max(level_->vector_most, vector_now + level.vector_most);
+    const int low = std::max(static_cast<int>(words.size()) - 3, 0);
     for (std::size_t i = 0; i < words.size(); ++i) {
         stack_ = 0;
-        if (words[i].depth <= (i >= 3 ? 2 : static_cast<int>(i) + 1))
+        // What needs three registers may be a call, which would store its own arguments over these in memory.
+        if (words[i].depth <= (low > 0 ? std::min(static_cast<int>(i) + 1, 2) : static_cast<int>(i) + 1))
             continue;
         words[i].load();
         const Cell saved = temporary();
@@ -211,7 +213,6 @@ void Generator::call_with(Routine& routine, Arguments words) {
         store(saved);
         words[i] = {1, [this, saved] { load(saved); }};
     }
-    const int low = std::max(static_cast<int>(words.size()) - 3, 0);
     frame_->need_low(low);
     for (int i = low; i-- > 0;) {
         stack_ = 0;

@@ -96,7 +96,9 @@ void Generator::input_counted(const Expression& on, const Item& item) {
     transfer(Operation::in, counter, on);
     const Storage array = pointer_to(locate(*item.counted_array));
     const std::int64_t unit = size_of(*plain(*array.type).element);
-    load(counter);
+    if (is_wide(*counter.type))
+        check_upper_half(counter.cell);
+    load(is_wide(*counter.type) ? Storage{.cell = counter.cell, .type = basic(Basic::int32)} : counter);
     if (options_.range_checks) {
         load_extent(outer_extent(array), 1);
         op(Operation::csub0);
@@ -110,8 +112,21 @@ void Generator::input_counted(const Expression& on, const Item& item) {
     transfer_elements(Operation::in, array, number, unit, on);
     mark(none);
     stack_ = 0;
+    if (is_wide(*counter.type))
+        return wide_store({.cell = counter.cell}, pointer_to(locate(item.value)));
     load(number);
     store_top(item.value);
+}
+
+/// An INT64 that counts elements has an upper half of 0.
+void Generator::check_upper_half(const Cell& lower) {
+    if (!options_.range_checks)
+        return;
+    load(lower.after(1));
+    constant(1);
+    op(Operation::csub0);
+    settle();
+    stack_ = 0;
 }
 
 void Generator::transfer_elements(Operation operation, const Storage& array, const Cell& number, std::int64_t unit,
@@ -191,14 +206,20 @@ void Generator::output_counted(const Expression& on, const Item& item) {
     const std::int64_t unit = size_of(*plain(*array.type).element);
     const Type& count_type = *item.value.type;
     const Storage number = in_workspace(count_type);
-    expression(item.value);
+    if (is_wide(count_type)) {
+        wide_store(wide(item.value), number);
+        check_upper_half(number.cell);
+        load(number.cell);
+    } else {
+        expression(item.value);
+    }
     if (options_.range_checks && !constant_of(item.value)) {
         load_extent(outer_extent(array), 1);
         op(Operation::csub0);
     }
     settle();
     store(number.cell);
-    if (size_of(count_type) == 2)
+    if (size_of(count_type) == 2 || is_wide(count_type))
         transfer(Operation::out, number, on);
     else
         output_word(

@@ -247,6 +247,8 @@ private:
     bool choice(const Choice&, Label done, bool is_last);
     void selection(const Case&);
     using Targets = std::vector<std::pair<std::int64_t, Label>>;
+    void go_to_target(const Expression& value, const Targets&, Label otherwise);
+    void select_wide(const Wide& selector, const Targets&, Label otherwise);
     void select(const Cell& selector, std::span<const Targets::value_type>, Label otherwise);
     void select_by_table(const Cell& selector, const Targets&, Label otherwise);
     void repetition(const While&);
@@ -285,6 +287,7 @@ private:
     void store_top(const Expression& target);
     void input_items(const Expression& on, const std::vector<Item>&);
     void input_counted(const Expression& on, const Item&);
+    void check_upper_half(const Cell& lower);
     void transfer_elements(Operation, const Storage& array, const Cell& number, std::int64_t unit,
                            const Expression& on);
     void output(const Output&);

@@ -1,6 +1,7 @@
 #include "occam/code/generator.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace placedpar::occam {
 
@@ -338,11 +339,7 @@ constexpr std::uint8_t bytes_of_jump = 4;
 } // namespace
 
 void Generator::selection(const Case& c) {
-    const Cell selector = temporary();
     const Label done = emitter_.new_label(), otherwise = emitter_.new_label();
-    expression(c.selector);
-    settle();
-    store(selector);
     Targets targets;
     std::vector<Label> labels;
     for (const Option& option : c.options) {
@@ -351,11 +348,7 @@ void Generator::selection(const Case& c) {
             targets.emplace_back(*constant_of(value), labels.back());
     }
     std::ranges::sort(targets);
-    if (targets.size() >= 12 &&
-        targets.back().first - targets.front().first < 2 * static_cast<std::int64_t>(targets.size()))
-        select_by_table(selector, targets, otherwise);
-    else
-        select(selector, targets, otherwise);
+    go_to_target(c.selector, targets, otherwise);
     bool has_else = false;
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const Option& option = c.options[i];
@@ -376,6 +369,37 @@ void Generator::selection(const Case& c) {
     }
     mark(done);
     clear_error();
+}
+
+void Generator::go_to_target(const Expression& value, const Targets& targets, Label otherwise) {
+    if (is_wide(*value.type))
+        return select_wide(wide(value), targets, otherwise);
+    const Cell selector = temporary();
+    expression(value);
+    settle();
+    store(selector);
+    const bool is_dense = targets.size() >= 12 && targets.front().first > std::numeric_limits<std::int32_t>::min() &&
+                          targets.back().first - targets.front().first < 2 * static_cast<std::int64_t>(targets.size());
+    if (is_dense)
+        select_by_table(selector, targets, otherwise);
+    else
+        select(selector, targets, otherwise);
+}
+
+/// Goes to the target of an INT64.
+void Generator::select_wide(const Wide& selector, const Targets& targets, Label otherwise) {
+    for (const auto& [value, label] : targets) {
+        stack_ = 0;
+        for (int part = 0; part < 2; ++part) {
+            load_part(selector, part);
+            load_part({.constant = value}, part);
+            op(Operation::diff);
+        }
+        op(Operation::or_);
+        jump_if_false(label);
+    }
+    stack_ = 0;
+    jump(otherwise);
 }
 
 /// Goes to the target of a value, by a binary search.

@@ -22,17 +22,19 @@ std::string without_folders(const std::string& name) {
 }
 
 /// Returns the names under which the text of a file may be stored. A compiled file, such as x.tco, is read from its
-/// source.
+/// source; so is x.module, which KRoC makes from x.occ.
 std::vector<std::string> file_names(const std::string& name, FileUse use) {
     static constexpr std::array<std::string_view, 3> sources = {".occ", ".inc", ".module"};
     std::string forward = name;
     std::ranges::replace(forward, '\\', '/');
     const std::string extension = lower_case(Path(forward).extension().string());
+    const std::string stem = extension.empty() ? forward : forward.substr(0, forward.size() - extension.size());
+    if (extension == ".module")
+        return {forward, stem + ".occ"};
     const bool is_source = std::ranges::find(sources, extension) != sources.end();
     if (use == FileUse::include || is_source)
         return extension.empty() ? std::vector{forward, forward + ".inc", forward + ".occ", forward + ".module"}
                                  : std::vector{forward};
-    const std::string stem = extension.empty() ? forward : forward.substr(0, forward.size() - extension.size());
     return {stem + ".occ", stem + ".module"};
 }
 

@@ -252,8 +252,6 @@ void Parser::parse_protocol(std::vector<DeclarationBox>& declarations) {
             parse_tags(protocol, below);
         });
     }
-    if (protocol.tags.empty())
-        reading_.reporter.error(at(head), "a protocol with CASE has at least one tag");
     add(declarations, name, std::move(protocol));
     end_body(head, fmt::format("PROTOCOL {}", name.text));
 }

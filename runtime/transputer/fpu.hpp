@@ -6,10 +6,14 @@
 
 namespace placedpar::transputer {
 
-enum class Length : std::uint8_t { real32, real64 };
+enum class Length : std::uint8_t {
+    real32,
+    real64,
+    unrounded ///< a REAL32 with the longer fraction of a REAL64: what fpunoround leaves
+};
 
 struct Real {
-    std::uint64_t bits = 0; ///< a REAL32 is in the lower half, and the upper half is 0
+    std::uint64_t bits = 0; ///< a REAL32 is in the lower half, and the upper half is 0; others have those of a REAL64
     Length length = Length::real32;
 
     friend bool operator==(const Real&, const Real&) = default;
@@ -70,7 +74,10 @@ public:
 
     /// These return what is stored. fpstnli32 stores the largest integer up to FA, modulo 2^32, and 0 for a NaN or
     /// infinity: programs take the halves of a long integer that way.
-    std::uint32_t fpstnlsn() { return std::uint32_t(pop().bits); }
+    std::uint32_t fpstnlsn() {
+        cut();
+        return std::uint32_t(pop().bits);
+    }
     std::uint64_t fpstnldb() { return pop().bits; }
     std::uint32_t fpstnli32();
 
@@ -126,7 +133,9 @@ public:
 
     void fpur32tor64();
     void fpur64tor32();
-    /// Cuts FA to a REAL32: the lower bits of the exponent and the upper ones of the fraction. Sets no flag.
+    /// Makes FA a REAL32 by the lower bits of its exponent. The fraction keeps its length until it is used: sums,
+    /// products and fpuexpinc32 use all of it, and others cut it. So INMOS's occam compiler converts long integers,
+    /// whose halves are REAL64s, with one rounding. Sets no flag.
     void fpunoround();
 
     void fpuabs();
@@ -145,6 +154,15 @@ private:
     template <typename T>
     bool combined_at_once(RealOperation operation, const Real& left, const Real& right);
     void combine(RealOperation operation, const Real& left, const Real& right);
+    void combine_unrounded(RealOperation operation, const Real& left, const Real& right);
+    /// Cuts the fractions of FA and FB to their lengths.
+    void cut() {
+        if (a_.length == Length::unrounded)
+            a_ = cut_off(a_);
+        if (b_.length == Length::unrounded)
+            b_ = cut_off(b_);
+    }
+    static Real cut_off(const Real& real);
     void combine_by_rules(RealOperation operation, const Real& left, const Real& right);
     void combine_two(RealOperation operation);
     void scale(float factor);
@@ -190,6 +208,8 @@ bool Fpu::combined_at_once(RealOperation operation, const Real& left, const Real
 
 /// FA := left op right. The right operand determines the length.
 inline void Fpu::combine(RealOperation operation, const Real& left, const Real& right) {
+    if (left.length == Length::unrounded || right.length == Length::unrounded)
+        return combine_unrounded(operation, left, right);
     if (rounding_ == Rounding::nearest) {
         if (right.length == Length::real32 ? combined_at_once<float>(operation, left, right)
                                            : combined_at_once<double>(operation, left, right))

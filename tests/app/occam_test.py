@@ -81,6 +81,18 @@ class Programs(unittest.TestCase):
 """)
         self.assertEqual(error.returncode, 1, error.stdout + error.stderr)
         self.assertRegex(error.stdout + error.stderr, r"stopped at .*test\.occ:6:\d+: ")
+        stopped = self.run_text("""PROC wild ()
+  [4]REAL64 a:
+  INT i:
+  SEQ
+    i := 200000000
+    SEQ k = 0 FOR 4
+      a[k] := 0.0(REAL64)
+    a[0] := a[i]
+:
+""", "--mode", "stop")
+        self.assertEqual(stopped.returncode, 2, stopped.stdout + stopped.stderr)
+        self.assertNotIn("uses the address", stopped.stdout + stopped.stderr)
         listing = self.run_text("""PROC short ()
   INT i:
   i := 4

@@ -171,11 +171,11 @@ void read_lines(const std::string& text) {
 } // namespace
 
 std::span<const Reader> readers() {
-    static const Reader all[] = {{"netlist", read_netlist},  {"options", read_options},
-                                 {"record", read_record},    {"machine", read_machine},
-                                 {"texts", show_texts},      {"requests", serve_requests},
-                                 {"code", disassemble_file}, {"program", assemble_program},
-                                 {"boot", boot_transputers}, {"lines", read_lines}};
+    static const Reader all[] = {
+        {"netlist", read_netlist},  {"options", read_options},     {"record", read_record},
+        {"machine", read_machine},  {"texts", show_texts},         {"requests", serve_requests},
+        {"code", disassemble_file}, {"program", assemble_program}, {"boot", boot_transputers},
+        {"lines", read_lines},      {"occam", compile_occam}};
     return all;
 }
 

@@ -19,6 +19,9 @@ std::span<const Reader> readers();
 /// Boots transputers with these bytes (booted.cpp).
 void boot_transputers(const std::string& bytes);
 
+/// Compiles a program of occam and runs it (occam.cpp).
+void compile_occam(const std::string& input);
+
 /// Throws std::logic_error if the claim about the read data does not hold.
 void require(bool holds, const char* claim);
 

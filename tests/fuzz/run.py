@@ -88,6 +88,10 @@ SEEDS = {
                      + bytes([3, 0x2A, 0xFB, 0x20, 0]) + bytes([0x44, 0x60, 0x5F, 0x21, 0xFB]) + b"text of a program" + bytes(20)],
     "program": lambda: files("examples/transputer/**/*.tas") + texts_of("tests/runtime/transputer/assembler_test.cpp"),
     "lines": lambda: texts_of("tests/runtime/transputer/code_lines_test.cpp"),
+    "occam": lambda: [bytes([how]) + text + b"\0" + bytes(range(7 * how, 7 * how + 10))
+                      for text in files("tests/occam/**/*.occ", "examples/occam/**/*.occ", "docs/occam-course/answers/*.occ")
+                      + matches(r"^== accepted: [^\n]*\n(.*?)(?=^== |\Z)", "tests/occam/check/verdicts/*.txt")
+                      for how in (0, 1, 3, 30)],
     "boot": lambda: [booted((link, packet(program) + bytes(range(40))), machine=bytes([model, 2 + 3 * (model % 2), model, model, 25]))
                      for program in PROGRAMS for model in range(5) for link in (0, 3)]
                     + [booted((0, PEEK + POKE + packet(program)), (1, bytes(60)), (2, packet(program)), (3, packet(program)), (4, PEEK),

@@ -110,7 +110,10 @@ public:
 
 private:
     bool may_grow(std::size_t process) const {
-        return !ended_[process] && world_.processes[process].size() < bounds_.longest;
+        std::size_t in_all = 0;
+        for (const auto& actions : world_.processes)
+            in_all += actions.size();
+        return !ended_[process] && world_.processes[process].size() < bounds_.longest && in_all < bounds_.most_in_all;
     }
     /// Returns the first process that may grow and whose last action some execution passes.
     std::optional<std::size_t> asked_for_more() const {

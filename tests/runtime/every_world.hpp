@@ -14,6 +14,7 @@ struct Bounds {
     bool polls = false;      ///< includes alternations with SKIP
     bool any_guards = false; ///< true: alternations may use any subset of the channels that lead to the process; false:
                              ///< all of them
+    std::size_t most_in_all = 45; ///< largest number of actions of all processes
 };
 
 /// Calls `check` once for every world within the bounds, with all networks and all programs. Worlds that differ only in

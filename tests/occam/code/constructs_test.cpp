@@ -98,6 +98,65 @@ SEQ
     expect_words(expected, "SEQ i = 0 FOR 20\n  CASE i\n" + options + "    ELSE\n      memory[i] := -1\n");
 }
 
+TEST_CASE("a counted array may have a count of any integer type") {
+    expect_words({3, 3, 3, 3, 0}, R"(PROC pass (VAL INT n, INT result)
+  CHAN OF INT16::[]BYTE a:
+  CHAN OF INT64::[]BYTE b:
+  CHAN OF BYTE::[]INT c:
+  [4]BYTE s:
+  [4]INT v:
+  INT16 i:
+  INT64 l:
+  BYTE y:
+  PAR
+    SEQ
+      a ! (INT16 n)::"abcd"
+      b ! (INT64 n)::"abcd"
+      c ! (BYTE n)::[1, 2, 3, 4]
+    SEQ
+      l := -1(INT64)
+      a ? i::s
+      b ? l::s
+      c ? y::v
+      result := ((INT i) /\ (INT l)) /\ (INT y)
+:
+SEQ
+  SEQ i = 0 FOR 4
+    pass (3, memory[i])
+  pass (0, memory[4])
+)");
+}
+
+TEST_CASE("CASE of an INT64 compares both halves") {
+    expect_words({1, 2, 3, 4, 4},
+                 R"(VAL [5]INT64 given IS [7(INT64), 4294967303(INT64), (-7(INT64)), 4294967289(INT64), 0(INT64)]:
+SEQ i = 0 FOR 5
+  CASE given[i]
+    7(INT64)
+      memory[i] := 1
+    4294967303(INT64), 8589934599(INT64)
+      memory[i] := 2
+    (-7(INT64))
+      memory[i] := 3
+    ELSE
+      memory[i] := 4
+)");
+}
+
+TEST_CASE("a call among the arguments of a call stores nothing over the others") {
+    expect_words({6}, R"([8]INT v:
+INT FUNCTION masked (VAL INT a, b, c, d) IS (a /\ b) + (c + d):
+INT64 FUNCTION sum (VAL INT64 a, VAL INT b) IS a + (INT64 b):
+INT64 s, one:
+SEQ
+  one := 1(INT64)
+  SEQ i = 0 FOR 8
+    v[i] := i
+  s := sum (one, v[masked (v[4], 7, 0, v[1])])
+  memory[0] := INT s
+)");
+}
+
 TEST_CASE("replicators with counts that are not constant, and none") {
     expect_words({0, 1, 3, 6, 4}, R"(INT n, s:
 SEQ

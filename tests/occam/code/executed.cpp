@@ -12,12 +12,8 @@
 
 namespace placedpar::test {
 
-namespace {
-
-constexpr std::uint32_t memory_bytes = 1 << 20, words_of_results = 1024;
-
 /// A link 0 that brings the rest of a bootable file.
-class BootLink final : public transputer::LinkEngines {
+class BootedCode::BootLink final : public transputer::LinkEngines {
 public:
     explicit BootLink(std::vector<std::uint8_t> bytes) : bytes_(std::move(bytes)) {}
     void begin_transfer(int channel, transputer::Word address, transputer::Word bytes) override {
@@ -42,6 +38,43 @@ private:
     std::optional<std::pair<transputer::Word, transputer::Word>> asked_;
 };
 
+BootedCode::BootedCode(const occam::Code& code, const occam::CodeOptions& options)
+    : results_(
+          static_cast<transputer::Word>(where_code_is(code, options) + code.bytes.size() + code.vector_space_bytes)) {
+    const std::vector<std::uint8_t> file = bootable(code, options);
+    const std::size_t loader = file.front();
+    link_ = std::make_unique<BootLink>(
+        std::vector<std::uint8_t>(file.begin() + 1 + static_cast<std::ptrdiff_t>(loader), file.end()));
+    core_ = std::make_unique<transputer::Core>(
+        options.model, memory_bytes,
+        transputer::CoreTiming{.memory_cycles = 1, .wraps = options.mode == occam::ErrorMode::stop}, *link_);
+    core_->copy_to_memory(transputer::traits_of(options.model).memory_start, {file.data() + 1, loader});
+    core_->boot(static_cast<transputer::Word>(loader), 4);
+}
+
+BootedCode::~BootedCode() = default;
+
+bool BootedCode::run(transputer::HalfCycles most) {
+    while (core_->stopped() == transputer::Stopped::nothing) {
+        const auto pause = core_->run(most);
+        if (pause == transputer::Core::Pause::limit)
+            return false;
+        if (pause != transputer::Core::Pause::idle)
+            continue;
+        if (core_->next_timer() != Time::max())
+            core_->pass_idle_time(std::max(core_->next_timer(), core_->local_time()));
+        else if (!link_->serve(*core_))
+            return true;
+    }
+    return true;
+}
+
+std::int32_t BootedCode::result(std::uint32_t index) const {
+    return static_cast<std::int32_t>(core_->memory().word(results_ + 4 * index));
+}
+
+const transputer::Core& BootedCode::core() const { return *core_; }
+
 occam::Code compiled_program(const std::string& text, const occam::CodeOptions& options) {
     Reporter reporter;
     const auto file = std::make_shared<SourceFile>("test.occ", text);
@@ -52,24 +85,6 @@ occam::Code compiled_program(const std::string& text, const occam::CodeOptions& 
         throw std::runtime_error(render(reporter.take()));
     return occam::compile(*parsed.program, *occam::main_procedure(*parsed.program), options);
 }
-
-/// Runs the core until nothing can happen any more.
-void run_to_end(transputer::Core& core, BootLink& link) {
-    constexpr transputer::HalfCycles most = 4'000'000'000;
-    while (core.stopped() == transputer::Stopped::nothing) {
-        const auto pause = core.run(most);
-        if (pause == transputer::Core::Pause::limit)
-            throw std::runtime_error("the program does not end");
-        if (pause != transputer::Core::Pause::idle)
-            continue;
-        if (core.next_timer() != Time::max())
-            core.pass_idle_time(std::max(core.next_timer(), core.local_time()));
-        else if (!link.serve(core))
-            return;
-    }
-}
-
-} // namespace
 
 std::string indented(std::string_view text, std::size_t blanks) {
     std::string result;
@@ -85,24 +100,19 @@ Executed execute(std::string_view body, const occam::CodeOptions& options, std::
     const std::string text = fmt::format("PROTOCOL SP IS INT16::[]BYTE:\n{}PROC main (CHAN OF SP fs, ts, []INT "
                                          "memory)\n{}:\n",
                                          declarations, indented(body, 2));
-    const occam::Code code = compiled_program(text, options);
-    std::vector<std::uint8_t> file = bootable(code, options);
-    const std::size_t loader = file.front();
-    BootLink link({file.begin() + 1 + static_cast<std::ptrdiff_t>(loader), file.end()});
-    transputer::Core core(options.model, memory_bytes, {.memory_cycles = 1}, link);
-    const transputer::Word start = transputer::traits_of(options.model).memory_start;
-    core.copy_to_memory(start, {file.data() + 1, loader});
-    core.boot(static_cast<transputer::Word>(loader), 4);
-    run_to_end(core, link);
+    BootedCode booted(compiled_program(text, options), options);
+    constexpr transputer::HalfCycles most = 4'000'000'000;
+    if (!booted.run(most))
+        throw std::runtime_error("the program does not end");
+    const transputer::Core& core = booted.core();
     Executed done;
     done.halted = core.stopped() == transputer::Stopped::by_error;
     if (core.stopped() != transputer::Stopped::nothing && !done.halted)
         done.trouble = core.why_stopped();
     done.cycles = core.busy() / 2;
-    const auto memory =
-        static_cast<transputer::Word>(where_code_is(code, options) + code.bytes.size() + code.vector_space_bytes);
-    for (transputer::Word i = 0; i < words_of_results; ++i)
-        done.results.push_back(static_cast<std::int32_t>(core.memory().word(memory + 4 * i)));
+    constexpr std::uint32_t words_of_results = 1024;
+    for (std::uint32_t i = 0; i < words_of_results; ++i)
+        done.results.push_back(booted.result(i));
     return done;
 }
 

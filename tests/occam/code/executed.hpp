@@ -4,11 +4,36 @@
 #include "runtime/transputer/core.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace placedpar::test {
+
+/// A transputer with 1 Mbyte that has been booted with code.
+class BootedCode {
+public:
+    static constexpr std::uint32_t memory_bytes = 1 << 20;
+
+    /// REQUIRES: the code and what it needs take at most half of the memory.
+    BootedCode(const occam::Code&, const occam::CodeOptions&);
+    ~BootedCode();
+    BootedCode(const BootedCode&) = delete;
+    BootedCode& operator=(const BootedCode&) = delete;
+
+    /// Runs until nothing can happen any more. Returns whether that comes before the limit.
+    bool run(transputer::HalfCycles most);
+    /// Returns a word of what the main procedure gets as its free memory.
+    std::int32_t result(std::uint32_t index) const;
+    const transputer::Core& core() const;
+
+private:
+    class BootLink;
+    std::unique_ptr<BootLink> link_;
+    std::unique_ptr<transputer::Core> core_;
+    transputer::Word results_;
+};
 
 /// What a program of occam has done on an emulated transputer.
 struct Executed {
@@ -23,6 +48,9 @@ struct Executed {
 /// Throws std::runtime_error with the messages if the program has errors; throws as compile() does.
 Executed execute(std::string_view body, const occam::CodeOptions& = {.model = transputer::Model::t800},
                  std::string_view declarations = "");
+
+/// Compiles a program. Throws std::runtime_error with the messages if it has errors; throws as compile() does.
+occam::Code compiled_program(const std::string& text, const occam::CodeOptions&);
 
 /// Returns the text with so many blanks in front of each line.
 std::string indented(std::string_view text, std::size_t blanks);
