@@ -181,6 +181,7 @@ private:
     Core core_;
     Time access_; ///< time of an access to a word of the memory
     HalfCycles access_half_cycles_;
+    Time longest_instruction_;
     std::array<Port, links> ports_;
     std::vector<hardware::Link*> wires_;
     Time least_word_time_ = Time::max(); ///< in which both directions of the fastest link move a word
