@@ -187,8 +187,7 @@ waits:  ldlp 0; mint; ldnlp 6; ldc 4; in; stopp              -- input of link 2
 delays: ldc 900; tin; stopp
     )",
                           std::chrono::milliseconds{1});
-    CHECK_EQ(found(run.node),
-             std::vector<std::string>{"t.#80000710 delayed timer", "t.#800007B0 inputs t.link[2]"});
+    CHECK_EQ(found(run.node), std::vector<std::string>{"t.#80000710 delayed timer", "t.#800007B0 inputs t.link[2]"});
     CHECK_EQ(run.seen.waiting("t"), found(run.node));
 }
 
