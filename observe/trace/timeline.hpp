@@ -86,6 +86,13 @@ private:
         std::vector<Awaited> awaited = {};
         bool awaits_timer = false;
     };
+    /// The last wait of a booted program's process for a channel that leads over a link to a process.
+    struct ProgramUse {
+        std::size_t track;
+        Time since;
+        std::optional<Time> ended = {};
+        std::vector<std::uint64_t> arriving = {}; ///< messages that end the wait
+    };
     struct Message {
         std::string channel;
         Time at;
@@ -112,6 +119,9 @@ private:
     void close_use(std::size_t track, Time now);
     void finish(Lane&, const RunResult&);
     void close(ProgramLane&, Time end, bool open);
+    void use_links(const ProgramLane&);
+    void leave_links(const ProgramLane&, Time now);
+    void pass(const AnyChannel&, Lane* from, Lane* to, Time now);
     void place(const MessageEnd&, std::size_t track, Time);
     void give_up(Lane&);
     bool write(Slice);
@@ -119,8 +129,9 @@ private:
     Tracks& tracks_;
     TraceWindow window_;
     TraceWriter& writer_;
-    std::map<std::uint32_t, Lane> lanes_;         ///< key: ordinal of a process that exists
-    std::map<std::string, ProgramLane> programs_; ///< key: name of the process
+    std::map<std::uint32_t, Lane> lanes_;            ///< key: ordinal of a process that exists
+    std::map<std::string, ProgramLane> programs_;    ///< key: name of the process
+    std::map<std::string, ProgramUse> program_uses_; ///< key: name of the channel
     std::map<std::size_t, Use> uses_; ///< for each track: the present use, or the last use if the track is idle
     std::map<std::uint64_t, Message> messages_; ///< messages with an end that is not known yet
     std::uint64_t message_count_ = 0;
