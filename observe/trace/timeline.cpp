@@ -123,6 +123,8 @@ void Timeline::begin(const Process& process, Time now) {
 }
 
 void Timeline::go_on(Lane& lane, Time now) {
+    if (is_waiting(lane.activity))
+        lane.waited_since = lane.since;
     turn_to(lane, Activity::ready, now);
     for (std::uint64_t message : std::exchange(lane.arriving, {}))
         lane.here.push_back({message, true});
@@ -177,7 +179,8 @@ void Timeline::communicated(const AnyChannel& channel, Time now) {
         to->here.push_back({message, true});
 }
 
-/// Notes a message between a process and a booted program, which moves its bytes and knows no messages.
+/// Notes a message between a process and a booted program, which moves its bytes and knows no messages. The process has
+/// just gone on.
 void Timeline::pass(const AnyChannel& channel, Lane* from, Lane* to, Time now) {
     const auto found = program_uses_.find(channel.name());
     if (found == program_uses_.end() || (!from && !to))
@@ -185,22 +188,16 @@ void Timeline::pass(const AnyChannel& channel, Lane* from, Lane* to, Time now) {
     ProgramUse& use = found->second;
     const std::uint64_t message = message_count_++;
     messages_.emplace(message, Message{channel.name(), now});
-    Lane& lane = from ? *from : *to;
-    if (!is_waiting(lane.activity))
-        turn_to(lane, Activity::ready, now);
-    if (from) {
-        from->here.push_back({message, false});
-        if (use.ended && *use.ended >= from->since)
-            place({message, true}, use.track, *use.ended);
-        else
-            use.arriving.push_back(message);
-        return;
-    }
-    place({message, false}, use.track, std::max(use.since, window_.from));
-    if (is_waiting(to->activity))
-        to->arriving.push_back(message);
-    else
+    if (to) {
+        turn_to(*to, Activity::ready, now);
         to->here.push_back({message, true});
+        return place({message, false}, use.track, std::max(use.since, window_.from));
+    }
+    place({message, false}, from->track, std::max(from->waited_since, window_.from));
+    if (use.ended && *use.ended >= from->waited_since)
+        place({message, true}, use.track, *use.ended);
+    else
+        use.arriving.push_back(message);
 }
 
 void Timeline::takes(const PlaceTaken& taken, Time now) {
