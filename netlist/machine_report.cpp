@@ -61,8 +61,8 @@ RunReport Machine::run(Time limit) {
         if (report.result.ending == Ending::stuck)
             for (std::size_t i = 0; i < parts_.nodes.size(); ++i)
                 std::ranges::move(ask(i, &MachineNode::program_waits), std::back_inserter(waits));
+        add_program_waits(*report.result.deadlock, waits, network_);
         add_places(*report.result.deadlock, network_);
-        add_program_waits(*report.result.deadlock, waits);
     }
     const std::uint64_t events = report.result.fingerprint;
     report.result.fingerprint = fingerprint_with(events, software_.measurements());

@@ -77,8 +77,6 @@ void consume_or_fail(ProcessEnvironment& environment) {
 /// Returns why a message on the channel cannot be given up; "" if it can.
 std::string why_not_given_up(const Network& network, const NetworkChannel& channel) {
     const ChannelPlacement& at = channel.placement;
-    if (channel.end_at_code())
-        return "leads to a transputer that executes its own code";
     if (at.in_packets)
         return "travels in packets, which routers carry to their end";
     if (at.broadcast_on != nowhere)

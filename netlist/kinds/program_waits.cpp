@@ -1,6 +1,10 @@
 #include "netlist/kinds/program_waits.hpp"
 
+#include "netlist/network/network.hpp"
+
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -8,37 +12,88 @@ namespace placedpar {
 
 namespace {
 
-/// Finds which process waits for which. A process is named by its number.
+/// Finds which process waits for which. A process is named by its number: first those of programs, then those of the
+/// report.
 class ProgramWaitGraph {
+    static constexpr std::size_t no_process = static_cast<std::size_t>(-1);
+
 public:
-    explicit ProgramWaitGraph(const std::vector<ProgramWait>& waits) : waits_(waits) {
+    ProgramWaitGraph(const Deadlock& deadlock, const std::vector<ProgramWait>& waits, const Network& network) {
+        for (const ProgramWait& each : waits)
+            add(each.process.path, each.awaited);
+        for (const StuckProcess& each : deadlock.processes)
+            add(each);
         for (std::size_t i = 0; i < waits.size(); ++i)
             for (const ProgramEnd& end : waits[i].ahead)
                 comes_to_[end].push_back(i);
+        for (const NetworkChannel& each : network.channels)
+            if (const ChannelEnd* code = each.end_at_code()) {
+                const ChannelEnd& user = code == &each.to ? each.from : each.to;
+                add_user({each.name, code == &each.to}, network.processes[user.process].name);
+            }
+        for (const StuckChannel& each : deadlock.channels)
+            if (!comes_to_.contains({each.name, true}) && !comes_to_.contains({each.name, false}))
+                for (const bool is_output : {true, false})
+                    add_user({each.name, is_output}, is_output ? each.outputter : each.inputter);
     }
 
-    /// Returns the processes whose code would use this end of a channel, other than the one that waits for it.
-    std::vector<std::size_t> partners(const ProgramEnd& end, std::size_t waiting) const {
+    const std::string& path(std::size_t process) const { return waiting_[process].path; }
+
+    /// Returns the processes that would use this end of a channel, other than one that waits for it.
+    std::vector<std::size_t> partners(const ProgramEnd& end, std::size_t waiting = no_process) const {
         const auto found = comes_to_.find(end);
         std::vector<std::size_t> result = found == comes_to_.end() ? std::vector<std::size_t>{} : found->second;
         std::erase(result, waiting);
         return result;
     }
 
+    /// Returns the process of the netlist that used this end until it ended, or "none found".
+    std::string ended_user(const ProgramEnd& end) const {
+        const auto found = ended_users_.find(end);
+        return found == ended_users_.end() ? "none found" : found->second + " (has ended)";
+    }
+
     /// Follows waits, depth first, until they return to a process on the way. Returns the circle; empty if there is
     /// none.
     std::vector<std::size_t> cycle() {
-        for (std::size_t i = 0; i < waits_.size(); ++i)
+        for (std::size_t i = 0; i < waiting_.size(); ++i)
             if (step_to(i); follow())
                 return cycle_;
         return {};
     }
 
 private:
+    struct Waiting {
+        std::string path;
+        std::vector<ProgramEnd> awaited;
+        std::vector<std::size_t> components = {}; ///< for which it waits
+    };
     struct WaitStep {
         std::size_t process;
         std::vector<std::size_t> partners;
     };
+
+    void add(const std::string& path, const std::vector<ProgramEnd>& awaited) {
+        numbers_.emplace(path, waiting_.size());
+        waiting_.push_back({path, awaited});
+    }
+
+    /// Adds a process of the report, which follows the process whose component it is.
+    void add(const StuckProcess& process) {
+        const auto parent = numbers_.find(process.path.substr(0, process.path.rfind('/')));
+        if (parent != numbers_.end())
+            waiting_[parent->second].components.push_back(waiting_.size());
+        add(process.path, {});
+        for (const std::string& channel : process.channels)
+            waiting_.back().awaited.push_back({channel, process.activity != Activity::outputting});
+    }
+
+    void add_user(const ProgramEnd& end, const std::string& user) {
+        if (const auto found = numbers_.find(user); found != numbers_.end())
+            comes_to_[end].push_back(found->second);
+        else
+            ended_users_.emplace(end, user);
+    }
 
     bool follow() {
         while (!way_.empty() && cycle_.empty()) {
@@ -61,38 +116,63 @@ private:
         if (!visited_.insert(process).second)
             return;
         on_way_[process] = way_.size();
-        way_.push_back({process, {}});
-        const std::vector<ProgramEnd>& awaited = waits_[process].awaited;
-        for (auto end = awaited.rbegin(); end != awaited.rend(); ++end)
-            for (const std::size_t partner : partners(*end, process))
-                way_.back().partners.push_back(partner);
+        way_.push_back({process, awaited_by(process)});
     }
 
-    const std::vector<ProgramWait>& waits_;
+    /// Returns the processes for which a process waits, the first to follow last.
+    std::vector<std::size_t> awaited_by(std::size_t process) const {
+        std::vector<std::size_t> result;
+        std::ranges::copy(waiting_[process].components, std::back_inserter(result));
+        const std::vector<ProgramEnd>& awaited = waiting_[process].awaited;
+        for (auto end = awaited.rbegin(); end != awaited.rend(); ++end)
+            std::ranges::copy(partners(*end, process), std::back_inserter(result));
+        return result;
+    }
+
+    std::vector<Waiting> waiting_;
+    std::map<std::string, std::size_t> numbers_; ///< by path
     std::map<ProgramEnd, std::vector<std::size_t>> comes_to_;
+    std::map<ProgramEnd, std::string> ended_users_;
     std::vector<WaitStep> way_;
     std::map<std::size_t, std::size_t> on_way_; ///< the place of a process on the way
     std::set<std::size_t> visited_;
     std::vector<std::size_t> cycle_;
 };
 
+/// Names processes of programs in the rows of channels that lead to them.
+void name_partners(std::vector<StuckChannel>& rows, const ProgramWaitGraph& graph) {
+    for (StuckChannel& row : rows) {
+        const bool outputs = row.waiting == "outputter";
+        if (const auto partners = graph.partners({row.name, !outputs}); !partners.empty())
+            (outputs ? row.inputter : row.outputter) = graph.path(partners.front());
+    }
+}
+
+/// Adds a row for a channel at which a process of a program waits. If a process of the netlist waits at the other end,
+/// too, since bytes were lost, its row gets the name of this one.
+void add_row(std::vector<StuckChannel>& rows, const std::string& own, const std::string& other, const ProgramEnd& end) {
+    const auto known = std::ranges::find(rows, end.channel, &StuckChannel::name);
+    if (known == rows.end())
+        rows.push_back({end.channel, end.is_output ? other : own, end.is_output ? own : other,
+                        end.is_output ? "inputter" : "outputter"});
+    else if ((known->waiting == "outputter") == end.is_output)
+        (end.is_output ? known->inputter : known->outputter) = own;
+}
+
 } // namespace
 
-void add_program_waits(Deadlock& deadlock, const std::vector<ProgramWait>& waits) {
-    ProgramWaitGraph graph(waits);
+void add_program_waits(Deadlock& deadlock, const std::vector<ProgramWait>& waits, const Network& network) {
+    ProgramWaitGraph graph(deadlock, waits, network);
     if (deadlock.cycle.empty())
         for (const std::size_t each : graph.cycle())
-            deadlock.cycle.push_back(waits[each].process.path);
-    std::set<ProgramEnd> listed;
+            deadlock.cycle.push_back(graph.path(each));
+    name_partners(deadlock.channels, graph);
     for (std::size_t i = 0; i < waits.size(); ++i) {
         deadlock.processes.push_back(waits[i].process);
         for (const ProgramEnd& end : waits[i].awaited) {
             const std::vector<std::size_t> partners = graph.partners(end, i);
-            const std::string& own = waits[i].process.path;
-            const std::string other = partners.empty() ? "none found" : waits[partners.front()].process.path;
-            if (listed.insert(end).second)
-                deadlock.channels.push_back({end.channel, end.is_output ? other : own, end.is_output ? own : other,
-                                             end.is_output ? "inputter" : "outputter"});
+            add_row(deadlock.channels, waits[i].process.path,
+                    partners.empty() ? graph.ended_user(end) : graph.path(partners.front()), end);
         }
     }
 }

@@ -8,9 +8,12 @@
 
 namespace placedpar {
 
+struct Network; // netlist/network/network.hpp
+
 /// An end of a channel that a booted program uses.
 struct ProgramEnd {
-    std::string channel; ///< "root.#80000100", or a direction of a link: "root.link[2] -> worker.link[1]"
+    std::string channel; ///< "root.#80000100", a direction of a link "root.link[2] -> worker.link[1]", or a channel of
+                         ///< the netlist that leads to a process
     bool is_output;
     auto operator<=>(const ProgramEnd&) const = default;
 };
@@ -22,7 +25,8 @@ struct ProgramWait {
     std::vector<ProgramEnd> ahead;   ///< the ends to which its own code would come next
 };
 
-/// Adds processes of booted programs to a report: the processes, their channels, and a cycle if the report has none.
-void add_program_waits(Deadlock&, const std::vector<ProgramWait>&);
+/// Adds processes of booted programs to a report: the processes, their channels, and a cycle if the report has none. A
+/// cycle can lead over processes of programs and of the netlist.
+void add_program_waits(Deadlock&, const std::vector<ProgramWait>&, const Network&);
 
 } // namespace placedpar

@@ -88,9 +88,28 @@ void Timeline::program_turns(const ProgramTurn& turn, Time now) {
     if (turn.activity == Activity::computing)
         use(processor, turn.process, now);
     close(lane, now, false);
+    leave_links(lane, now);
     lane = {lane.track, turn.activity, now, {}, turn.awaits_timer};
     for (const AwaitedByProgram& each : turn.awaited)
         lane.awaited.push_back({each.channel, each.partner});
+    use_links(lane);
+}
+
+/// Notes a wait for links. A link is its own partner.
+void Timeline::use_links(const ProgramLane& lane) {
+    for (const Awaited& each : lane.awaited)
+        if (each.channel == each.partner)
+            program_uses_.insert_or_assign(each.channel, ProgramUse{lane.track, lane.since});
+}
+
+/// Ends a wait for links, at which messages from processes arrive.
+void Timeline::leave_links(const ProgramLane& lane, Time now) {
+    for (const Awaited& each : lane.awaited)
+        if (const auto use = program_uses_.find(each.channel); use != program_uses_.end()) {
+            use->second.ended = now;
+            for (const std::uint64_t message : std::exchange(use->second.arriving, {}))
+                place({message, true}, lane.track, now);
+        }
 }
 
 void Timeline::close(ProgramLane& lane, Time end, bool open) {
@@ -104,6 +123,8 @@ void Timeline::begin(const Process& process, Time now) {
 }
 
 void Timeline::go_on(Lane& lane, Time now) {
+    if (is_waiting(lane.activity))
+        lane.waited_since = lane.since;
     turn_to(lane, Activity::ready, now);
     for (std::uint64_t message : std::exchange(lane.arriving, {}))
         lane.here.push_back({message, true});
@@ -143,7 +164,7 @@ void Timeline::communicated(const AnyChannel& channel, Time now) {
         return;
     Lane *from = lane_of(channel.outputter()), *to = lane_of(channel.inputter());
     if (!from || !to)
-        return;
+        return pass(channel, from, to, now);
     std::uint64_t message = message_count_++;
     messages_.emplace(message, Message{channel.name(), now});
     for (Lane* lane : {from, to})
@@ -156,6 +177,27 @@ void Timeline::communicated(const AnyChannel& channel, Time now) {
         to->arriving.push_back(message);
     else
         to->here.push_back({message, true});
+}
+
+/// Notes a message between a process and a booted program, which moves its bytes and knows no messages. The process has
+/// just gone on.
+void Timeline::pass(const AnyChannel& channel, Lane* from, Lane* to, Time now) {
+    const auto found = program_uses_.find(channel.name());
+    if (found == program_uses_.end() || (!from && !to))
+        return;
+    ProgramUse& use = found->second;
+    const std::uint64_t message = message_count_++;
+    messages_.emplace(message, Message{channel.name(), now});
+    if (to) {
+        turn_to(*to, Activity::ready, now);
+        to->here.push_back({message, true});
+        return place({message, false}, use.track, std::max(use.since, window_.from));
+    }
+    place({message, false}, from->track, std::max(from->waited_since, window_.from));
+    if (use.ended && *use.ended >= from->waited_since)
+        place({message, true}, use.track, *use.ended);
+    else
+        use.arriving.push_back(message);
 }
 
 void Timeline::takes(const PlaceTaken& taken, Time now) {

@@ -65,6 +65,7 @@ private:
         std::optional<Time> stopped = {};   ///< time at which the process stopped computing; empty while the process
                                             ///< computes
         std::optional<Time> last_end = {};  ///< end of its last slice
+        Time waited_since{};                ///< begin of its last wait
         std::size_t partner = Tracks::none; ///< track of the partner of the present wait
         std::vector<MessageEnd> here = {};  ///< ends of messages that belong to the next slice with a duration
         std::vector<std::uint64_t> arriving = {}; ///< messages that end the present wait
@@ -85,6 +86,13 @@ private:
         Time since{};
         std::vector<Awaited> awaited = {};
         bool awaits_timer = false;
+    };
+    /// The last wait of a booted program's process for a channel that leads over a link to a process.
+    struct ProgramUse {
+        std::size_t track;
+        Time since;
+        std::optional<Time> ended = {};
+        std::vector<std::uint64_t> arriving = {}; ///< messages that end the wait
     };
     struct Message {
         std::string channel;
@@ -112,6 +120,9 @@ private:
     void close_use(std::size_t track, Time now);
     void finish(Lane&, const RunResult&);
     void close(ProgramLane&, Time end, bool open);
+    void use_links(const ProgramLane&);
+    void leave_links(const ProgramLane&, Time now);
+    void pass(const AnyChannel&, Lane* from, Lane* to, Time now);
     void place(const MessageEnd&, std::size_t track, Time);
     void give_up(Lane&);
     bool write(Slice);
@@ -119,8 +130,9 @@ private:
     Tracks& tracks_;
     TraceWindow window_;
     TraceWriter& writer_;
-    std::map<std::uint32_t, Lane> lanes_;         ///< key: ordinal of a process that exists
-    std::map<std::string, ProgramLane> programs_; ///< key: name of the process
+    std::map<std::uint32_t, Lane> lanes_;            ///< key: ordinal of a process that exists
+    std::map<std::string, ProgramLane> programs_;    ///< key: name of the process
+    std::map<std::string, ProgramUse> program_uses_; ///< key: name of the channel
     std::map<std::size_t, Use> uses_; ///< for each track: the present use, or the last use if the track is idle
     std::map<std::uint64_t, Message> messages_; ///< messages with an end that is not known yet
     std::uint64_t message_count_ = 0;

@@ -122,6 +122,8 @@ public:
     void take(std::uint32_t bytes);
     /// Returns whether a first byte waits that no receiver has asked for.
     bool byte_waits() const;
+    /// Returns whether take() has got all its bytes, although the last one may still be on the wire.
+    bool is_taken();
     /// Forget what this end still has to give or take. Bytes that arrived of a part that was under way are lost, and
     /// the other end gets no further until it is reset, too. Return how many bytes of the part had arrived.
     std::uint32_t reset_giving();
@@ -210,6 +212,7 @@ private:
         ByteUser &sender, &receiver;
         std::uint32_t to_give = 0, to_take = 0; ///< bytes of the counts beyond the current part
         std::uint32_t agreed = 0;               ///< bytes of the current part that count for the receiver
+        std::uint32_t given = 0;                ///< the count of give()
         bool gives = false, takes = false;      ///< whether a give() or a take() has not ended
     };
     void tell_watchers() const;

@@ -35,7 +35,7 @@ void LinkDirection::give(std::uint32_t bytes) {
             fmt::format("{}: give() needs at least one byte, and a call of sent() for the preceding bytes", name_));
     tell_watchers();
     LinkCourse::Touch touch(course_);
-    counts_->to_give = bytes;
+    counts_->to_give = counts_->given = bytes;
     begin_part_by_counts(*touch);
     touch.begin_if_free(number_);
 }
@@ -103,11 +103,20 @@ void LinkDirection::end_of_taking() {
     counts_->receiver.taken();
 }
 
+bool LinkDirection::is_taken() {
+    LinkCourse::Touch touch(course_); // performs the steps that are due
+    const LinkState::Direction& direction = touch->directions[number_];
+    return counts_->takes && counts_->to_take == 0 && direction.ends == LinkState::Ends::agree &&
+           (direction.part_bytes == 0 || bytes_received() == direction.part_bytes);
+}
+
 std::uint32_t LinkDirection::reset_giving() {
     tell_watchers();
     LinkCourse::Touch touch(course_);
     const auto received = static_cast<std::uint32_t>(counts_->gives ? bytes_received() : 0);
     if (counts_->gives) {
+        sent_when_given_up_ =
+            counts_->given - counts_->to_give - touch->directions[number_].part_bytes + bytes_acknowledged();
         drop_output(touch);
         end_part(*touch);
         if (received == 0)

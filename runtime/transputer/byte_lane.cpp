@@ -1,5 +1,7 @@
 #include "runtime/transputer/byte_lane.hpp"
 
+#include "runtime/channel.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -11,6 +13,13 @@ ByteLane::ByteLane(hardware::LinkDirection& wire, ByteEnd& source, ByteEnd& sink
     source_.out = this;
     sink_.in = this;
 }
+
+void ByteLane::carry_bytes_of(AnyChannel& channel) {
+    wire_.carries_bytes_of(channel);
+    channel_ = &channel;
+}
+
+const std::string& ByteLane::name() const { return channel_ ? channel_->name() : wire_.name(); }
 
 void ByteLane::give(std::uint32_t bytes) {
     gives_ = true;
@@ -30,10 +39,19 @@ void ByteLane::reset_giving() {
     to_give_ = 0;
 }
 
-void ByteLane::reset_taking() {
-    move(std::min({wire_.reset_taking(), to_give_, to_take_}));
+std::uint32_t ByteLane::reset_taking() {
+    const std::uint32_t arrived = wire_.reset_taking();
+    move(std::min({arrived, to_give_, to_take_}));
     takes_ = false;
     to_take_ = 0;
+    return arrived;
+}
+
+bool ByteLane::store_early() {
+    if (!wire_.is_taken())
+        return false;
+    move(to_take_);
+    return true;
 }
 
 void ByteLane::move(std::uint32_t bytes) {

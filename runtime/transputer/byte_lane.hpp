@@ -46,11 +46,17 @@ public:
     void take(std::uint32_t bytes);
     /// Forget what this end still has to give or take: see LinkDirection::reset_giving.
     void reset_giving();
-    void reset_taking();
+    /// Returns how many bytes of the count under way, or of none, had arrived.
+    std::uint32_t reset_taking();
+    /// If take() has got all its bytes, stores them before the end of the last one. Returns whether it did.
+    bool store_early();
     bool has_byte() const { return wire_.byte_waits(); }
     bool is_giving() const { return gives_; }
     bool is_taking() const { return takes_; }
-    const std::string& name() const { return wire_.name(); }
+    /// States that the bytes are messages of this channel (LinkDirection::carries_bytes_of).
+    void carry_bytes_of(AnyChannel&);
+    /// Returns the name of the channel whose messages travel here, or else that of the direction.
+    const std::string& name() const;
     hardware::LinkDirection& wire() { return wire_; }
 
 private:
@@ -61,6 +67,7 @@ private:
 
     hardware::LinkDirection& wire_;
     ByteEnd &source_, &sink_;
+    const AnyChannel* channel_ = nullptr;     ///< the channel whose messages travel here; null if none does
     std::uint32_t to_give_ = 0, to_take_ = 0; ///< bytes of the counts that have not been moved
     bool gives_ = false, takes_ = false;
 };

@@ -19,7 +19,7 @@ void MessageEnd::carry(AnyChannel& channel, Transfer& transfer, MessageEnd& end,
         throw std::logic_error(
             fmt::format("messages of channel {} have no form in bytes, which {} moves", channel.name(), end.partner_));
     transfer.channel = &channel;
-    lane.wire().carries_bytes_of(channel);
+    lane.carry_bytes_of(channel);
     channel.put_on(end);
 }
 
@@ -27,6 +27,8 @@ void MessageEnd::carry_outputs(AnyChannel& channel) { carry(channel, outputs_, *
 void MessageEnd::carry_inputs(AnyChannel& channel) { carry(channel, inputs_, *this, *in); }
 
 bool MessageEnd::Transfer::begin(Process& self) noexcept {
+    if (given_up)
+        return false;
     ended = false;
     if (activity == Activity::outputting)
         end.out->give(part);
@@ -41,8 +43,20 @@ bool MessageEnd::Transfer::begin(Process& self) noexcept {
 
 void MessageEnd::Transfer::has_ended() {
     ended = true;
+    moved += part;
+    wake();
+}
+
+void MessageEnd::Transfer::wake() {
     if (Process* waiting = std::exchange(process, nullptr))
         waiting->kernel().make_ready(*waiting);
+}
+
+/// `of_part`: the bytes of the current part that this end has moved.
+void MessageEnd::Transfer::give_up(std::uint64_t of_part) {
+    given_up = true;
+    moved_when_given_up = moved + of_part;
+    wake();
 }
 
 /// Lets the running process move a part of a message, and waits for the end.
@@ -56,27 +70,62 @@ void MessageEnd::Transfer::move(AnyChannel& on, std::uint32_t bytes, const Sourc
 }
 
 void MessageEnd::output(AnyChannel& channel, const WireForm& form, const SourceLocation& where) {
+    outputs_.begin_message();
     outputs_.message = channel.message_in_bytes();
     bytes_read_ = 0;
     if (form.total() == 0 || std::cmp_not_equal(form.total(), outputs_.message.size()))
         throw std::logic_error(fmt::format("a message of channel {} has {} bytes, but its form on a wire has {}",
                                            channel.name(), outputs_.message.size(), form.total()));
-    for (std::size_t part = 0; part < form.parts(); ++part)
+    for (std::size_t part = 0; part < form.parts() && !outputs_.given_up; ++part)
         if (form[part] > 0)
             outputs_.move(channel, form[part], where);
-    channel.note_taken_by_device();
+    if (!outputs_.given_up)
+        channel.note_taken_by_device();
 }
 
 void MessageEnd::input(AnyChannel& channel, const SourceLocation& where) {
+    inputs_.begin_message();
     inputs_.message.clear();
     try {
         const AnyByteForm& form = *channel.byte_form();
-        while (const std::uint32_t bytes = form.next_part(inputs_.message))
+        while (const std::uint32_t bytes = inputs_.given_up ? 0 : form.next_part(inputs_.message))
             inputs_.move(channel, bytes, where);
-        channel.hand_over(inputs_.message);
+        if (!inputs_.given_up)
+            channel.hand_over(inputs_.message);
     } catch (const NoMessage& what) {
         throw NoMessage(fmt::format("{} sent no message of channel {}, but {}", partner_, channel.name(), what.what()));
     }
+}
+
+bool MessageEnd::give_up_output(AnyChannel& channel) {
+    if (!channel.output_waits() || outputs_.moved == outputs_.message.size())
+        return false;
+    out->reset_giving();
+    outputs_.give_up(out->wire().reset_output(channel));
+    return true;
+}
+
+/// Returns whether all bytes have arrived, although the process has not gone on yet.
+bool MessageEnd::has_whole_message(const AnyChannel& channel) {
+    try {
+        return (inputs_.ended || in->store_early()) && channel.byte_form()->next_part(inputs_.message) == 0;
+    } catch (const NoMessage&) {
+        return true;
+    }
+}
+
+bool MessageEnd::give_up_input(AnyChannel& channel) {
+    if (!channel.input_waits() || has_whole_message(channel))
+        return false;
+    const bool has_part = in->store_early();
+    const std::uint32_t arrived = in->reset_taking();
+    inputs_.give_up(has_part ? inputs_.part : arrived);
+    return true;
+}
+
+std::uint64_t MessageEnd::reset_input(AnyChannel&) {
+    const std::uint64_t came = in->reset_taking();
+    return std::max(std::exchange(inputs_.moved_when_given_up, 0), came);
 }
 
 void MessageEnd::read(std::span<std::uint8_t> to) {

@@ -45,7 +45,13 @@ public:
     bool input_is_lost(const AnyChannel& c) const override { return in->wire().input_is_lost(c); }
     bool output_must_be_reset(const AnyChannel& c) const override { return out->wire().output_must_be_reset(c); }
     bool input_must_be_reset(const AnyChannel& c) const override { return in->wire().input_must_be_reset(c); }
-    std::string why_not_given_up() const override { return "leads to a transputer that executes its own code"; }
+    std::string why_not_given_up() const override { return ""; }
+    /// Have the effect of `resetch` on this end, which forgets the rest of the message. If the other end has begun to
+    /// move it, too, the program must reset its channel before it moves further bytes.
+    bool give_up_output(AnyChannel&) override;
+    bool give_up_input(AnyChannel&) override;
+    std::uint64_t reset_output(AnyChannel&) override { return std::exchange(outputs_.moved_when_given_up, 0); }
+    std::uint64_t reset_input(AnyChannel&) override;
     std::string partner_device() const override { return partner_; }
 
 private:
@@ -55,6 +61,12 @@ private:
         bool begin(Process&) noexcept override;
         void move(AnyChannel&, std::uint32_t bytes, const SourceLocation&);
         void has_ended();
+        void wake();
+        void begin_message() {
+            given_up = ended = false;
+            moved = 0;
+        }
+        void give_up(std::uint64_t of_part);
         MessageEnd& end;
         Activity activity;
         AnyChannel* channel = nullptr; ///< the channel that uses the direction; null if there is none
@@ -63,8 +75,12 @@ private:
         SourceLocation where = {};
         Process* process = nullptr; ///< waits for the end of the part
         bool ended = false;
+        bool given_up = false;   ///< the current message
+        std::uint64_t moved = 0; ///< bytes of its parts that have ended
+        std::uint64_t moved_when_given_up = 0;
     };
 
+    bool has_whole_message(const AnyChannel&);
     static void carry(AnyChannel&, Transfer&, MessageEnd&, ByteLane&);
 
     void read(std::span<std::uint8_t>) override;

@@ -19,15 +19,23 @@ Word word_of(std::span<const std::uint8_t, 4> bytes) {
     return result;
 }
 
-/// Returns the least time in which both directions of a link move a word.
-Time time_of_word(const hardware::LinkTiming& timing) { return 4 * (timing.data() + timing.restart_latency()); }
+/// Returns the least time in which both directions of a link move a word. Each wire then carries only the bytes of its
+/// direction and the acknowledges of the other one.
+Time time_of_word(const hardware::LinkTiming& timing) { return 4 * (timing.data() + timing.acknowledge()); }
+
+/// Returns a time that no instruction exceeds, with a wait for the floating-point unit, and accesses to the memory. The
+/// instructions of the scheduler can take longer, but the core passes their cycles without their effect.
+Time longest_instruction(const CoreTiming& timing) {
+    return duration_of(128 + 8 * std::int64_t{timing.memory_cycles}, timing.clock_hz);
+}
 
 } // namespace
 
 Node::Node(Kernel& kernel, std::string name, Model model, std::uint64_t memory_bytes, const CoreTiming& timing)
     : kernel_(kernel), name_(std::move(name)), core_(model, memory_bytes, timing, *this),
       access_(duration_of(timing.memory_cycles, timing.clock_hz)),
-      access_half_cycles_(2 * static_cast<HalfCycles>(timing.memory_cycles)) {
+      access_half_cycles_(2 * static_cast<HalfCycles>(timing.memory_cycles)),
+      longest_instruction_(longest_instruction(timing)) {
     engines_.watcher = this;
     for (int i = 0; i < links; ++i)
         ports_[static_cast<std::size_t>(i)].belong_to(*this, i);
@@ -86,8 +94,11 @@ Core::Pause Node::run_to_limit() {
                                                         : Core::Links::take_accesses);
 }
 
+/// The core does not do several instructions at once if the last of them may go on at the end of the run, or when the
+/// node halts: what links do before it begins must be told to the core before that time.
 Time Node::horizon(Time most_ahead) const {
-    return std::min({later(kernel_.now(), most_ahead), halts_at_, analysed_at_, kernel_.limit()});
+    return std::min(later(kernel_.now(), most_ahead),
+                    std::min({halts_at_, analysed_at_, kernel_.limit()}) - longest_instruction_);
 }
 
 /// Returns whether the core can run ahead although a link may act on it meanwhile. It then comes back. While a link

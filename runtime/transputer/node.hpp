@@ -88,7 +88,8 @@ public:
     /// Returns the node's name with that of a process, or with the address of its workspace: "root.phil[2]",
     /// "root.#80000144".
     std::string name_of_process(Word workspace) const;
-    /// Returns the name that the table has; otherwise that of a direction of a link, or "root.event", or
+    /// Returns the name that the table has; otherwise that of a direction of a link, or of the C++ processes' channel
+    /// on it, or "root.event", or
     /// "root.#80000100".
     std::string name_of_channel(Word) const;
     Activity activity() const;
@@ -182,6 +183,7 @@ private:
     Core core_;
     Time access_; ///< time of an access to a word of the memory
     HalfCycles access_half_cycles_;
+    Time longest_instruction_;
     std::array<Port, links> ports_;
     std::vector<hardware::Link*> wires_;
     Time least_word_time_ = Time::max(); ///< in which both directions of the fastest link move a word

@@ -223,15 +223,28 @@ private:
         }
     }
 
-    /// Adds the process that waits at a link. The direction is the channel's, not the instruction's.
+    /// Adds the process that waits at a link. The direction is the channel's, not the instruction's. After analyse the
+    /// word may be an old one.
     void add_at_link(Word channel, int number) {
         const Word descriptor = *word_of_node(core_, channel), workspace = descriptor & ~Word{3};
         if (descriptor == not_a_process || !can_wait(workspace))
             return;
         const Operation operation = waits_at(core_, workspace);
         const bool alternates = operation == Operation::altwt || operation == Operation::taltwt;
+        if (operation == Operation::unknown || operation == Operation::tin ||
+            waits_elsewhere(descriptor, channel, alternates))
+            return;
         const Wait wait = alternates ? Wait::alternative : number < 4 ? Wait::output : Wait::input;
         process(workspace, (descriptor & 1) != 0, wait).channels.push_back(channel);
+    }
+
+    /// Returns whether the code tells that the process of a descriptor waits for other channels, which hold it.
+    bool waits_elsewhere(Word descriptor, Word channel, bool alternates) const {
+        const Word workspace = descriptor & ~Word{3};
+        const auto channels =
+            channels_before(core_, workspace, *word_of_node(core_, workspace - below::instruction), alternates);
+        return channels && std::ranges::find(*channels, channel) == channels->end() &&
+               std::ranges::any_of(*channels, [&](Word each) { return word_of_node(core_, each) == descriptor; });
     }
 
     void find_holders() {
