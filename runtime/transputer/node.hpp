@@ -89,8 +89,7 @@ public:
     /// "root.#80000144".
     std::string name_of_process(Word workspace) const;
     /// Returns the name that the table has; otherwise that of a direction of a link, or of the C++ processes' channel
-    /// on it, or "root.event", or
-    /// "root.#80000100".
+    /// on it, or "root.event", or "root.#80000100".
     std::string name_of_channel(Word) const;
     Activity activity() const;
     /// Returns the core, in its state at the present time.
