@@ -1,0 +1,190 @@
+#include "occam/configuration/configurer.hpp"
+
+#include <fmt/format.h>
+
+#include <variant>
+
+namespace placedpar::occam {
+
+/// Checks what can be known only when all parts have been executed.
+void Configurer::conclude() {
+    check_nodes();
+    find_processors();
+    if (reporter_.failed())
+        return;
+    if (configured_.processes.empty())
+        return reporter_.error({program_.files.front(), 0, 0}, "the configuration places no process on a processor");
+    for (const Element& channel : configured_.channel_order)
+        follow_arc(channel, configured_.channels[channel]);
+    connect_placed_links();
+    for (const Element& channel : configured_.channel_order)
+        check_channel(channel, configured_.channels[channel]);
+}
+
+/// Each node is either a processor, with a type and a memory, or is mapped onto one.
+void Configurer::check_nodes() {
+    for (std::size_t object = 0; object < configured_.objects.size(); ++object) {
+        const Object& each = configured_.objects[object];
+        if (innermost(*each.type).kind != Type::Kind::node)
+            continue;
+        for (std::size_t i = 0; i < count_of_elements(*each.type); ++i) {
+            const Element node{object, i};
+            const NodeState& state = configured_.nodes[node];
+            const bool is_processor = !state.type.empty() || state.memory_bytes != 0;
+            if (!is_processor && !state.onto)
+                checker_.report(each.at, fmt::format("the node \"{}\" has no type, and is not mapped", text(node)),
+                                "NETWORK sets the type of a processor; MAPPING maps other nodes onto processors");
+            else if (is_processor && state.onto)
+                checker_.report(state.onto_at, fmt::format("\"{}\" is mapped, but it is a processor", text(node)),
+                                "map another node onto it",
+                                {{"its type or memory is set here",
+                                  at(state.type.empty() ? state.memory_at : state.type_at)}});
+            else if (is_processor && state.type.empty())
+                checker_.report(state.memory_at, fmt::format("the type of \"{}\" is not set", text(node)),
+                                "write SET node (type, memsize := \"T800\", 2097152)");
+            else if (is_processor && state.memory_bytes == 0)
+                checker_.report(state.type_at, fmt::format("the memory of \"{}\" is not set", text(node)),
+                                "write SET node (type, memsize := \"T800\", 2097152)");
+        }
+    }
+}
+
+/// Replaces the nodes of processes by the processors that they are mapped onto.
+void Configurer::find_processors() {
+    for (const auto& [node, state] : configured_.nodes)
+        if (state.onto && configured_.nodes[*state.onto].onto)
+            checker_.report(state.onto_at,
+                            fmt::format("\"{}\" is mapped onto \"{}\", which is not a processor", text(node),
+                                        text(*state.onto)),
+                            "map it onto a node that has a type",
+                            {{"this node is mapped here", at(configured_.nodes[*state.onto].onto_at)}});
+    for (const WrittenWire& wire : configured_.wires)
+        for (const WireEnd& end : {wire.a, wire.b})
+            if (!end.is_edge && configured_.nodes[end.element].onto)
+                checker_.report(end.at, fmt::format("\"{}\" is not a processor, and has no links", text(end.element)),
+                                "connect the node that it is mapped onto",
+                                {{"it is mapped here", at(configured_.nodes[end.element].onto_at)}});
+    for (PlacedProcess& process : configured_.processes) {
+        const NodeState& state = configured_.nodes[process.node];
+        process.high_priority |= state.high_priority;
+        if (state.onto)
+            process.node = *state.onto;
+    }
+}
+
+/// Finds the link of a channel that is placed on an arc. One end of the arc is at a processor of the channel.
+void Configurer::follow_arc(const Element& channel, ChannelState& state) {
+    if (!state.arc)
+        return;
+    const auto wire = wire_of_arc_.find(*state.arc);
+    if (wire == wire_of_arc_.end())
+        return checker_.report(state.placed_at, fmt::format("the arc \"{}\" is in no connection", text(*state.arc)),
+                               "write CONNECT ... WITH and its name");
+    const WrittenWire& carrier = configured_.wires[wire->second];
+    for (const WireEnd& end : {carrier.a, carrier.b}) {
+        const auto is_at = [&](const std::optional<ChannelEnd>& one) {
+            return one && !end.is_edge && configured_.processes[one->process].node == end.element;
+        };
+        if (is_at(state.output) && !state.leaves)
+            state.leaves = end;
+        else if (is_at(state.input) && !state.arrives)
+            state.arrives = end;
+    }
+    const bool is_single = !state.output || !state.input;
+    if (!is_single &&
+        configured_.processes[state.output->process].node == configured_.processes[state.input->process].node)
+        return checker_.report(state.placed_at,
+                               fmt::format("the channel \"{}\" is placed on an arc, but both of its processes are on "
+                                           "\"{}\"",
+                                           text(channel), text(configured_.processes[state.output->process].node)),
+                               "leave the PLACE out: a channel within a processor needs no link");
+    if (carrier.b.is_edge && !is_single)
+        return checker_.report(state.placed_at,
+                               fmt::format("the channel \"{}\" is placed on an arc to an edge, but both of its ends are "
+                                           "used by processes",
+                                           text(channel)),
+                               "", {{"the other end of the arc is here", at(carrier.b.at)}});
+    if ((state.output && !state.leaves) || (state.input && !state.arrives)) {
+        const ChannelEnd& stray = state.output && !state.leaves ? *state.output : *state.input;
+        return checker_.report(state.placed_at,
+                               fmt::format("the arc \"{}\" does not lead to \"{}\", whose process uses the channel \"{}\"",
+                                           text(*state.arc), text(configured_.processes[stray.process].node),
+                                           text(channel)),
+                               "", {{"the process uses it here", at(stray.at)}});
+    }
+    state.leads_to_host = carrier.b.is_edge && carrier.b.element.object == 0;
+}
+
+void Configurer::check_channel(const Element& channel, ChannelState& state) {
+    if (state.output && state.input)
+        return;
+    const ChannelEnd& end = state.output ? *state.output : *state.input;
+    if (state.leaves || state.arrives)
+        return;
+    checker_.report(end.at, fmt::format("only one process uses the channel \"{}\"", text(channel)),
+                    "a channel leads from one process to another; PLACE leads it to the host");
+}
+
+/// Makes the wires that `PLACE c AT link` of two processors state.
+void Configurer::connect_placed_links() {
+    if (numbered_.empty())
+        return;
+    for (const Element& channel : configured_.channel_order)
+        connect_placed(channel, configured_.channels[channel]);
+}
+
+void Configurer::connect_placed(const Element& channel, ChannelState& state) {
+    const auto is_away = [&](const std::optional<WireEnd>& link, const std::optional<ChannelEnd>& end) {
+        return link && (!end || configured_.processes[end->process].node != link->element);
+    };
+    if (is_away(state.leaves, state.output) || is_away(state.arrives, state.input)) {
+        const bool is_output = is_away(state.leaves, state.output);
+        const WireEnd& link = is_output ? *state.leaves : *state.arrives;
+        return checker_.report(link.at,
+                               fmt::format("the channel \"{}\" is placed at {} of a link, but no process of \"{}\" {} it",
+                                           text(channel), is_output ? "the output" : "the input", text(link.element),
+                                           is_output ? "outputs to" : "inputs from"),
+                               "0 to 3 are the outputs of the links, 4 to 7 their inputs");
+    }
+    if (!state.output || !state.input) {
+        state.leads_to_host = state.leaves || state.arrives;
+        if (state.leads_to_host)
+            add_wire(state.leaves ? *state.leaves : *state.arrives, {.element = {0, 0}, .is_edge = true});
+        return;
+    }
+    if (configured_.processes[state.output->process].node == configured_.processes[state.input->process].node &&
+        !state.leaves && !state.arrives)
+        return;
+    if (!state.leaves || !state.arrives) {
+        const ChannelEnd& end = state.leaves ? *state.input : *state.output;
+        return checker_.report(end.at,
+                               fmt::format("the channel \"{}\" leads to another processor, but is not placed here",
+                                           text(channel)),
+                               fmt::format("write PLACE {} AT and the {} of a link in front of the process",
+                                           text(channel), state.leaves ? "input" : "output"));
+    }
+    add_wire(*state.leaves, *state.arrives);
+}
+
+/// Adds a wire unless it is known, and reports if a link leads to two places.
+void Configurer::add_wire(const WireEnd& a, const WireEnd& b) {
+    bool is_known = false;
+    for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
+        if (one.is_edge)
+            continue;
+        std::vector<WireEnd>& used = links_used_[one.element];
+        used.resize(4, WireEnd{.link = -1});
+        WireEnd& known = used[static_cast<std::size_t>(one.link)];
+        if (known.link >= 0 && (known.element != other.element || known.link != other.link))
+            return checker_.report(one.at,
+                                   fmt::format("link {} of \"{}\" leads to two places", one.link, text(one.element)), "",
+                                   {{"its channels lead elsewhere here", at(known.link_at)}});
+        is_known |= known.link >= 0;
+        known = other;
+        known.link_at = one.at;
+    }
+    if (!is_known)
+        configured_.wires.push_back({a, b});
+}
+
+} // namespace placedpar::occam
