@@ -129,6 +129,10 @@ std::string check_occam(const std::filesystem::path& path, std::span<const std::
 CompiledOccam compile_occam(const std::filesystem::path& path, std::span<const std::string> folders,
                             const OccamOptions& typed, transputer::Model model) {
     CheckedProgram program = checked(loaded(path), folders, typed);
+    if (program.program->is_configuration)
+        throw UserError(fmt::format("{}: the file is a configuration; compile makes a program for one transputer, and "
+                                    "run takes a configuration",
+                                    path.string()));
     if (!program.main)
         throw UserError(fmt::format("{}: the file has no PROC that could be run", path.string()));
     if (uses_terminal(*program.main))

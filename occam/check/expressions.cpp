@@ -157,6 +157,13 @@ const Type* Checker::form_of(Expression& expression, NameUse& use) {
         report(expression.at, "\"" + use.name + "\" has no value: it is " + kind, "", found);
         return mistaken();
     }
+    const bool is_outside = program_.is_configuration && !routines_.empty() && depths_[found] == 0 &&
+                            std::holds_alternative<Variable>(found->form);
+    if (is_outside && found->type && found->type->kind != Type::Kind::timer) {
+        report(expression.at, "a PROC of a configuration cannot use \"" + use.name + "\", which is outside of it",
+               "make it a parameter", found);
+        return mistaken();
+    }
     expression.constant = found->constant;
     return found->type ? found->type : mistaken();
 }

@@ -9,14 +9,19 @@ namespace placedpar::occam {
 /// Checks what can be known only when all parts have been executed.
 void Configurer::conclude() {
     check_nodes();
-    find_processors();
+    if (!reporter_.failed())
+        find_processors();
     if (reporter_.failed())
         return;
     if (configured_.processes.empty())
         return reporter_.error({program_.files.front(), 0, 0}, "the configuration places no process on a processor");
     for (const Element& channel : configured_.channel_order)
         follow_arc(channel, configured_.channels[channel]);
+    if (reporter_.failed())
+        return;
     connect_placed_links();
+    if (reporter_.failed())
+        return;
     for (const Element& channel : configured_.channel_order)
         check_channel(channel, configured_.channels[channel]);
 }

@@ -1,5 +1,7 @@
 #include "occam/language/parser.hpp"
 
+#include "text/counted.hpp"
+
 #include <fmt/format.h>
 
 #include <string>
@@ -114,7 +116,8 @@ SetNode Parser::parse_set() {
     expect(":=", "behind the attributes of SET");
     std::vector<Expression> values = parse_expressions();
     if (values.size() != set.settings.size())
-        refuse(assign, fmt::format("SET has {} values for {} attributes", values.size(), set.settings.size()));
+        refuse(assign, fmt::format("SET has {} for {}", counted(values.size(), "value"),
+                                   counted(set.settings.size(), "attribute")));
     for (std::size_t i = 0; i < values.size(); ++i)
         set.settings[i].value = std::move(values[i]);
     expect(")", "behind the values of SET");
