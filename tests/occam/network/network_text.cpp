@@ -51,8 +51,9 @@ Catalogue occam_catalogue() {
     return catalogue;
 }
 
-RunOfNetwork run_network(const std::filesystem::path& netlist, const Catalogue& catalogue, const Overrides& overrides) {
-    ReadResult read = read_netlist(netlist, catalogue, overrides);
+RunOfNetwork run_network(const std::filesystem::path& netlist, const Catalogue& catalogue, const Overrides& overrides,
+                         const ReadOptions& options) {
+    ReadResult read = read_netlist(netlist, catalogue, overrides, options);
     INFO(render(read));
     REQUIRE(read.network);
     RunOfNetwork run;

@@ -36,6 +36,7 @@ struct RunOfNetwork {
 };
 
 /// Runs a netlist. REQUIRES: it can be read.
-RunOfNetwork run_network(const std::filesystem::path& netlist, const Catalogue&, const Overrides& = {});
+RunOfNetwork run_network(const std::filesystem::path& netlist, const Catalogue&, const Overrides& = {},
+                         const ReadOptions& = {});
 
 } // namespace placedpar::test
