@@ -20,7 +20,7 @@ struct PartOrigin {
 /// A netlist that was made of a text in another language of configurations.
 struct MadeNetlist {
     std::shared_ptr<const SourceFile> text; ///< null if the other text is a netlist itself, or has errors
-    std::vector<PartOrigin> origins;            ///< by offset; the first one has offset 0
+    std::vector<PartOrigin> origins;        ///< by offset; the first one has offset 0
     std::vector<std::string> paths;         ///< of the files that it was made of, without the main one
 };
 

@@ -16,10 +16,8 @@ enum class Dialect { none, comment, program, toolset, development_system };
 
 constexpr const char* hint_for(Dialect dialect) {
     switch (dialect) {
-    case Dialect::development_system:
-        return "PLACED PAR is read if the name of the file ends in .occ or .pgm";
-    case Dialect::toolset:
-        return "a configuration in occam is read if the name of the file ends in .pgm";
+    case Dialect::development_system: return "PLACED PAR is read if the name of the file ends in .occ or .pgm";
+    case Dialect::toolset: return "a configuration in occam is read if the name of the file ends in .pgm";
     default:
         return "to run a program in occam, give its file a name that ends in .occ; a netlist makes a process of it by "
                "use "

@@ -50,8 +50,8 @@ struct WrittenWire {
 
 /// A port of a process, as an argument of its instance.
 struct ChannelEnd {
-    std::size_t process = 0; ///< index in Configured::processes
-    std::size_t port = 0;    ///< index in the ports of its kind
+    std::size_t process = 0;            ///< index in Configured::processes
+    std::size_t port = 0;               ///< index in the ports of its kind
     std::optional<std::size_t> element; ///< of an array of channels
     Place at;
 };

@@ -81,8 +81,8 @@ void Configurer::visit(Declaration& declaration) {
 void Configurer::declare(Declaration& declaration) {
     checker_.declare(declaration);
     const Type::Kind kind = innermost(*declaration.type).kind;
-    const bool has_elements = kind == Type::Kind::channel || kind == Type::Kind::node || kind == Type::Kind::arc ||
-                              kind == Type::Kind::edge;
+    const bool has_elements =
+        kind == Type::Kind::channel || kind == Type::Kind::node || kind == Type::Kind::arc || kind == Type::Kind::edge;
     const auto* const abbreviation = std::get_if<Abbreviation>(&declaration.form);
     if (has_elements && abbreviation)
         selections_[&declaration] = selection_of(abbreviation->value);
@@ -92,8 +92,9 @@ void Configurer::declare(Declaration& declaration) {
 }
 
 void Configurer::execute_part(Declaration& declaration, ConfigurationPart& part) {
-    part_ = declaration.name == "NETWORK" ? Part::network : declaration.name == "MAPPING" ? Part::mapping
-                                                                                            : Part::software;
+    part_ = declaration.name == "NETWORK"   ? Part::network
+            : declaration.name == "MAPPING" ? Part::mapping
+                                            : Part::software;
     has_config_ |= part_ == Part::software;
     execute(*part.process);
 }

@@ -86,6 +86,7 @@ private:
     std::optional<Element> node_of(Processor&);
     std::optional<Element> numbered_node(Processor&);
     const ProcessKind* kind_of_procedure(const Declaration&);
+    void argument(Expression&, const Declaration& parameter, const ProcessKind&, std::size_t& port, PlacedProcess&);
     void channel_argument(Expression&, const PortDescription&, ChannelEnd);
     void add_end(const Element& channel, const PortDescription&, const ChannelEnd&);
     std::optional<std::string> value_text(const Expression&) const;
@@ -93,9 +94,14 @@ private:
     // What is known at the end (conclusion.cpp)
     void conclude();
     void check_nodes();
+    void check_node(const Element&, const NodeState&, const Place& declared);
     void find_processors();
     void check_channel(const Element&, ChannelState&);
+    bool is_local(const ChannelState&) const;
     void follow_arc(const Element&, ChannelState&);
+    void check_arc(const Element&, const ChannelState&, const WrittenWire&);
+    bool is_at_its_process(const Element&, const std::optional<WireEnd>&, const std::optional<ChannelEnd>&,
+                           bool is_output);
     void connect_placed_links();
     void connect_placed(const Element&, ChannelState&);
     void add_wire(const WireEnd&, const WireEnd&);

@@ -87,27 +87,33 @@ std::string NetlistWriter::flat_name(const Element& element) const {
     return name;
 }
 
-/// Declares the processors of an object: as an array if all of them are alike, else each by itself.
-void NetlistWriter::write_nodes_of(std::size_t object) {
-    const Object& each = configured_.objects[object];
-    const std::size_t count = count_of_elements(*each.type);
+/// Returns whether all nodes of an object are processors of one type, with as much memory.
+bool NetlistWriter::are_nodes_alike(std::size_t object, std::size_t count) const {
     const NodeState& first = configured_.nodes.at({object, 0});
-    std::string dimensions;
-    for (const Type* type = each.type; type->kind == Type::Kind::array; type = type->element)
-        dimensions += fmt::format("[{}]", type->count.value_or(0));
     bool are_alike = !first.type.empty();
     for (std::size_t i = 1; i < count; ++i) {
         const NodeState& other = configured_.nodes.at({object, i});
         are_alike &= other.type == first.type && other.memory_bytes == first.memory_bytes;
     }
+    return are_alike;
+}
+
+/// Declares the processors of an object: as an array if all of them are alike, else each by itself.
+void NetlistWriter::write_nodes_of(std::size_t object) {
+    const Object& each = configured_.objects[object];
+    const std::size_t count = count_of_elements(*each.type);
+    const bool are_alike = are_nodes_alike(object, count);
+    std::string dimensions;
+    for (const Type* type = each.type; type->kind == Type::Kind::array; type = type->element)
+        dimensions += fmt::format("[{}]", type->count.value_or(0));
     const std::string common = are_alike ? new_name(each.name) : "";
     for (std::size_t i = 0; i < count; ++i) {
         const Element element{object, i};
         const NodeState& state = configured_.nodes.at(element);
         if (state.type.empty())
             continue;
-        elements_[element] = are_alike ? element_name(common, subscripts_of(configured_, element))
-                                       : new_name(flat_name(element));
+        elements_[element] =
+            are_alike ? element_name(common, subscripts_of(configured_, element)) : new_name(flat_name(element));
         if (are_alike && i > 0)
             continue;
         put(state.type + " (memory = ", state.type_at);
@@ -167,10 +173,9 @@ void NetlistWriter::write_values(std::size_t process) {
     if (placed.values.empty() && !placed.high_priority)
         return;
     put(processes_[process] + " (", placed.at);
-    bool is_first = true;
+    bool is_first = !placed.high_priority;
     if (placed.high_priority)
         put("priority = HIGH");
-    is_first = !placed.high_priority;
     for (const WrittenValue& each : placed.values) {
         put(std::exchange(is_first, false) ? "" : ", ");
         put(fmt::format("{} = {}", each.name, each.value), each.at);

@@ -12,8 +12,8 @@
 
 namespace placedpar::occam {
 
-/// Writes a configuration as a netlist. Each word of the netlist knows its place in the configuration, so that errors of
-/// the netlist are reported there.
+/// Writes a configuration as a netlist. Each word of the netlist knows its place in the configuration, so that errors
+/// of the netlist are reported there.
 class NetlistWriter {
 public:
     NetlistWriter(const Program& program, const Configured& configured, Reporter& reporter)
@@ -27,6 +27,7 @@ private:
     void put(std::string_view text) { text_ += text; }
     std::string new_name(const std::string& wanted);
     void write_nodes();
+    bool are_nodes_alike(std::size_t object, std::size_t count) const;
     void write_nodes_of(std::size_t object);
     std::string flat_name(const Element&) const;
     void write_wires();

@@ -38,8 +38,8 @@ std::string text_of(const Configured& configured, const Element& element) {
 
 std::size_t Configurer::new_object(std::string name, const Type* type, const Place& place) {
     if (count_of_elements(*type) > largest_object)
-        reporter_.give_up(at(place), fmt::format("the array is too large: a configuration has at most {} elements",
-                                                 largest_object));
+        reporter_.give_up(
+            at(place), fmt::format("the array is too large: a configuration has at most {} elements", largest_object));
     configured_.objects.push_back({std::move(name), type, place});
     return configured_.objects.size() - 1;
 }

@@ -1,7 +1,7 @@
-#include "occam/configuration/configurer.hpp"
-#include "occam/check/constant.hpp"
-#include "occam/network/kind.hpp"
 #include "netlist/print/text.hpp"
+#include "occam/check/constant.hpp"
+#include "occam/configuration/configurer.hpp"
+#include "occam/network/kind.hpp"
 #include "text/counted.hpp"
 
 #include <fmt/format.h>
@@ -28,8 +28,6 @@ std::string full_type(const std::string& word) {
     static constexpr std::array<std::string_view, 5> full_words = {"T414", "T425", "T400", "T800", "T805"};
     return std::ranges::find(full_words, word) != full_words.end() ? word : "";
 }
-
-bool is_channel_type(const Type& type) { return innermost(type).kind == Type::Kind::channel; }
 
 } // namespace
 
@@ -103,18 +101,20 @@ void Configurer::instance(Process& process, Instance& called) {
                          .at = process.at,
                          .node_at = here_->at};
     std::size_t port = 0;
-    for (std::size_t i = 0; i < called.arguments.size(); ++i) {
-        Expression& argument = called.arguments[i];
-        const Declaration& parameter = *procedure->parameters[i];
-        if (is_channel_type(*parameter.type)) {
-            const ChannelEnd end{.process = configured_.processes.size(), .port = port, .element = {}, .at = argument.at};
-            channel_argument(argument, kind->ports[port++], end);
-        } else if (auto value = value_text(argument))
-            placed.values.push_back({netlist_name(parameter.name), std::move(*value), argument.at});
-        else if (innermost(*argument.type).kind != Type::Kind::mistaken)
-            checker_.report(argument.at, fmt::format("the value for \"{}\" must be a constant", parameter.name), "");
-    }
+    for (std::size_t i = 0; i < called.arguments.size(); ++i)
+        argument(called.arguments[i], *procedure->parameters[i], *kind, port, placed);
     configured_.processes.push_back(std::move(placed));
+}
+
+void Configurer::argument(Expression& given, const Declaration& parameter, const ProcessKind& kind, std::size_t& port,
+                          PlacedProcess& placed) {
+    if (innermost(*parameter.type).kind == Type::Kind::channel) {
+        const ChannelEnd end{.process = configured_.processes.size(), .port = port, .element = {}, .at = given.at};
+        channel_argument(given, kind.ports[port++], end);
+    } else if (auto value = value_text(given))
+        placed.values.push_back({netlist_name(parameter.name), std::move(*value), given.at});
+    else if (innermost(*given.type).kind != Type::Kind::mistaken)
+        checker_.report(given.at, fmt::format("the value for \"{}\" must be a constant", parameter.name), "");
 }
 
 void Configurer::channel_argument(Expression& argument, const PortDescription& port, ChannelEnd end) {
@@ -134,10 +134,10 @@ void Configurer::add_end(const Element& channel, const PortDescription& port, co
     const bool is_output = port.direction == placedpar::Direction::output;
     std::optional<ChannelEnd>& known = is_output ? state.output : state.input;
     if (known)
-        return checker_.report(end.at,
-                               fmt::format("two processes {} the channel \"{}\"",
-                                           is_output ? "output to" : "input from", text(channel)),
-                               "a channel has one process at each end", {{"the other one is here", at(known->at)}});
+        return checker_.report(
+            end.at,
+            fmt::format("two processes {} the channel \"{}\"", is_output ? "output to" : "input from", text(channel)),
+            "a channel has one process at each end", {{"the other one is here", at(known->at)}});
     known = end;
 }
 
@@ -153,9 +153,8 @@ std::optional<std::string> Configurer::value_text(const Expression& expression) 
     const std::int64_t bits = expression.constant->bits;
     if (!is_real(type.basic))
         return print_constant(bits);
-    const double value = type.basic == Basic::real64
-                             ? std::bit_cast<double>(bits)
-                             : double{std::bit_cast<float>(static_cast<std::uint32_t>(bits))};
+    const double value = type.basic == Basic::real64 ? std::bit_cast<double>(bits)
+                                                     : double{std::bit_cast<float>(static_cast<std::uint32_t>(bits))};
     return std::isfinite(value) ? std::optional(print_constant(value)) : std::nullopt;
 }
 

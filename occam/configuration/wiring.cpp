@@ -110,7 +110,8 @@ void Configurer::map(MapOnto& written) {
     if (priority && (*priority < 0 || *priority > 1))
         checker_.report(written.priority->at, fmt::format("there is no priority {}", *priority), "HIGH is 0, LOW is 1");
     for (Expression& each : written.mapped) {
-        const auto mapped = onto_arc ? elements(each, Type::Kind::channel, "a channel") : elements(each, Type::Kind::node, "a node");
+        const auto mapped =
+            onto_arc ? elements(each, Type::Kind::channel, "a channel") : elements(each, Type::Kind::node, "a node");
         for (const Element& element : mapped)
             if (onto && onto_arc)
                 place_on_arc(element, each.at, *onto);
@@ -171,10 +172,10 @@ void Configurer::place_at_link(Expression& path, std::int64_t word, const Place&
     ChannelState& state = configured_.channels[*channel];
     std::optional<WireEnd>& end = word < 4 ? state.leaves : state.arrives;
     if (end)
-        return checker_.report(path.at,
-                               fmt::format("the channel \"{}\" is placed at two {}", text(*channel),
-                                           word < 4 ? "outputs" : "inputs"),
-                               "", {{"first placed here", at(end->at)}});
+        return checker_.report(
+            path.at,
+            fmt::format("the channel \"{}\" is placed at two {}", text(*channel), word < 4 ? "outputs" : "inputs"), "",
+            {{"first placed here", at(end->at)}});
     end = WireEnd{.element = here_->node, .link = word % 4, .at = path.at, .link_at = word_at};
 }
 

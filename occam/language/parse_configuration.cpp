@@ -23,18 +23,17 @@ void Parser::parse_configuration_part(std::vector<DeclarationBox>& declarations)
     const Word head = peek();
     reading_.program.is_configuration = true;
     ConfigurationPart part;
-    if (head.is_word("PLACED")) {
-        part.process = std::make_unique<Process>(parse_process());
-        add(declarations, head, std::move(part));
-        return;
-    }
-    take();
-    if (peek().kind == WordKind::name)
+    const bool has_end = !head.is_word("PLACED");
+    if (has_end) {
         take();
-    end_line(head.text);
-    part.process = parse_body(head);
+        if (peek().kind == WordKind::name)
+            take();
+        end_line(head.text);
+    }
+    part.process = has_end ? parse_body(head) : std::make_unique<Process>(parse_process());
     add(declarations, head, std::move(part));
-    end_body(head, head.text);
+    if (has_end)
+        end_body(head, head.text);
 }
 
 bool Parser::is_do() const {
@@ -136,7 +135,7 @@ MapOnto Parser::parse_map() {
     return map;
 }
 
-/// Reads `PROCESSOR 0 T8` and `PROCESSOR node`. A type may stand behind a name, so this is no conversion.
+/// Reads `PROCESSOR 0 T8` and `PROCESSOR node`. A type may stand behind a name, so a name is read before a conversion.
 Process Parser::parse_processor() {
     const Word head = take();
     Processor process;

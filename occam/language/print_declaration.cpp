@@ -111,7 +111,8 @@ void Printer::put(const Declaration&, const std::string&, const Placement& place
                               : placement.where == Placement::Where::vector_space ? "IN VECSPACE"
                               : placement.where == Placement::Where::arc          ? "ON "
                                                                                   : "AT ";
-    line("PLACE " + list(placement.paths) + " " + where + (placement.address ? expression(*placement.address) : "") + ":");
+    line("PLACE " + list(placement.paths) + " " + where + (placement.address ? expression(*placement.address) : "") +
+         ":");
 }
 
 void Printer::put(const Declaration&, const std::string&, const Use& use) {

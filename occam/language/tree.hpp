@@ -234,7 +234,7 @@ struct Output {
 };
 struct Sequence {
     std::optional<Replicator> replicator;
-    bool is_do = false; ///< `DO` of a configuration, whose statements have no order
+    bool is_do = false;             ///< `DO` of a configuration, whose statements have no order
     std::vector<Process> processes; ///< exactly one if there is a replicator
 };
 struct Parallel {
@@ -403,8 +403,8 @@ struct DataType {
     std::vector<FieldText> fields; ///< of a RECORD
     bool is_packed = false;
 };
-/// `PLACE x AT e:`, `PLACE x IN WORKSPACE:`, `PLACE x IN VECSPACE:`. Its name is that of what it places. A configuration
-/// may place elements, and several channels on an arc: `PLACE c[0], d ON arc:`.
+/// `PLACE x AT e:`, `PLACE x IN WORKSPACE:`, `PLACE x IN VECSPACE:`. Its name is that of what it places. A
+/// configuration may place elements, and several channels on an arc: `PLACE c[0], d ON arc:`.
 struct Placement {
     enum class Where : std::uint8_t { address, workspace, vector_space, arc };
     Where where = Where::address;

@@ -39,8 +39,8 @@ struct Type {
         derived, ///< DATA TYPE T IS element
         channel, ///< a single channel; its protocol is `protocol`
         timer,
-        port,    ///< of `element`
-        node,    ///< of a configuration, as are the next two
+        port, ///< of `element`
+        node, ///< of a configuration, as are the next two
         arc,
         edge,
         mistaken ///< of whatever could not be understood; agrees with every type, so that no error follows from another

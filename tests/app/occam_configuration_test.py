@@ -63,13 +63,14 @@ class Configurations(unittest.TestCase):
         for command in ("run", "check", "show"):
             done = placedpar(command, wrong)
             self.assertEqual(done.returncode, 1, done.stdout)
-            self.assertRegex(done.stderr, r'wrong\.pgm:17:15: error: the link "root\.link\[1\]" is connected twice')
+            self.assertRegex(done.stderr, r'wrong\.pgm:17:17: error: the link "root\.link\[1\]" is connected twice')
 
     def test_a_deadlock_names_lines_of_the_programs(self):
         for file in SIXTEEN.iterdir():
             shutil.copy(file, self.folder)
         worker = self.folder / "worker.occ"
-        worker.write_text(worker.read_text(encoding="ascii").replace("answer ! steps", "SKIP"), encoding="ascii")
+        worker.write_text(worker.read_text(encoding="ascii").replace("    task ? n\n    WHILE", "    answer ! 0\n    task ? n\n    WHILE"),
+                          encoding="ascii")
         done = placedpar("run", self.folder / "farm.pgm")
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertRegex(done.stdout + done.stderr, r"worker\.occ:5:\d+")

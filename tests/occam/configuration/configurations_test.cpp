@@ -109,15 +109,16 @@ TEST_CASE("parameters of the processes of a configuration can be set") {
 
 TEST_CASE("names that a netlist cannot have are changed") {
     std::string text = pair;
-    for (const auto& [from, to] : {std::pair("NODE a, b", "NODE host, process.t"), std::pair("SET a", "SET host"),
-                                   std::pair("SET b", "SET process.t"), std::pair("CONNECT a", "CONNECT host"),
-                                   std::pair("CONNECT a", "CONNECT host"), std::pair("TO b", "TO process.t"),
-                                   std::pair("PROCESSOR a", "PROCESSOR host"),
-                                   std::pair("PROCESSOR b", "PROCESSOR process.t")})
+    for (const auto& [from, to] :
+         {std::pair("NODE a, b", "NODE host, process.t"), std::pair("SET a", "SET host"),
+          std::pair("SET b", "SET process.t"), std::pair("CONNECT a", "CONNECT host"),
+          std::pair("CONNECT a", "CONNECT host"), std::pair("TO b", "TO process.t"),
+          std::pair("PROCESSOR a", "PROCESSOR host"), std::pair("PROCESSOR b", "PROCESSOR process.t")})
         text.replace(text.find(from), std::string(from).size(), to);
     const test::FilesOfNetwork files({{"parts.occ", parts}, {"pair.pgm", text}});
-    CHECK(test::made_from(files.path("pair.pgm")).netlist.starts_with("T800 (memory = 64K) host_2;\n"
-                                                                      "T800 (memory = 64K) process_t;\n"));
+    CHECK(test::made_from(files.path("pair.pgm"))
+              .netlist.starts_with("T800 (memory = 64K) host_2;\n"
+                                   "T800 (memory = 64K) process_t;\n"));
     const Catalogue catalogue = test::occam_catalogue();
     CHECK(test::run_network(files.path("pair.pgm"), catalogue, {}, test::configuration_options()).screen == "42");
 }
