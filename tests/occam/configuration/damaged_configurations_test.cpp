@@ -1,6 +1,7 @@
 // Damages good configurations: cut at each line, and without each word. Each is read or refused, and each refusal names
 // a place. Nothing crashes.
 
+#include "occam/configuration/configuration.hpp"
 #include "tests/occam/configuration/configured_text.hpp"
 #include "tests/occam/language/read_text.hpp"
 #include "tests/occam/network/network_text.hpp"
@@ -43,6 +44,8 @@ bool is_refused(const std::string& text, const std::filesystem::path& beside, co
     CAPTURE(text);
     Reporter reporter;
     const auto file = std::make_shared<const SourceFile>(beside.string(), text);
+    if (!occam::is_configuration(*file)) // PLACED is missing in a file .occ
+        return true;
     const MadeNetlist made = test::configuration_options().make_netlist(file, {}, reporter);
     const bool failed = reporter.failed();
     const std::vector<Diagnostic> diagnostics = reporter.take();
