@@ -11,19 +11,20 @@ void Configurer::conclude() {
     check_nodes();
     if (!reporter_.failed())
         find_processors();
+    if (!reporter_.failed() && configured_.processes.empty())
+        reporter_.error({program_.files.front(), 0, 0}, "the configuration places no process on a processor");
+    visit_channels(&Configurer::follow_arc);
+    if (!numbered_.empty())
+        visit_channels(&Configurer::connect_placed);
+    visit_channels(&Configurer::check_channel);
+}
+
+/// Visits the channels that processes use, unless there are errors already.
+void Configurer::visit_channels(void (Configurer::*visit)(const Element&, ChannelState&)) {
     if (reporter_.failed())
         return;
-    if (configured_.processes.empty())
-        return reporter_.error({program_.files.front(), 0, 0}, "the configuration places no process on a processor");
     for (const Element& channel : configured_.channel_order)
-        follow_arc(channel, configured_.channels[channel]);
-    if (reporter_.failed())
-        return;
-    connect_placed_links();
-    if (reporter_.failed())
-        return;
-    for (const Element& channel : configured_.channel_order)
-        check_channel(channel, configured_.channels[channel]);
+        (this->*visit)(channel, configured_.channels[channel]);
 }
 
 void Configurer::check_nodes() {
@@ -137,14 +138,6 @@ void Configurer::check_channel(const Element& channel, ChannelState& state) {
                     "a channel leads from one process to another; PLACE leads it to the host");
 }
 
-/// Makes the wires that `PLACE c AT link` of two processors state.
-void Configurer::connect_placed_links() {
-    if (numbered_.empty())
-        return;
-    for (const Element& channel : configured_.channel_order)
-        connect_placed(channel, configured_.channels[channel]);
-}
-
 /// Reports a link that a process of another processor uses. Returns whether the end is right.
 bool Configurer::is_at_its_process(const Element& channel, const std::optional<WireEnd>& link,
                                    const std::optional<ChannelEnd>& end, bool is_output) {
@@ -158,6 +151,7 @@ bool Configurer::is_at_its_process(const Element& channel, const std::optional<W
     return false;
 }
 
+/// Makes the wire that `PLACE c AT link` of two processors states, or the one to the host.
 void Configurer::connect_placed(const Element& channel, ChannelState& state) {
     if (!is_at_its_process(channel, state.leaves, state.output, true) ||
         !is_at_its_process(channel, state.arrives, state.input, false))

@@ -71,6 +71,7 @@ private:
 
     // NETWORK and MAPPING (wiring.cpp)
     void connect(const Place&, Connect&);
+    void name_wire(const Element& arc, const Place&);
     std::optional<WireEnd> end_of(ConnectionEnd&);
     void set(SetNode&);
     void set_type(NodeState&, const Element&, Setting&);
@@ -93,6 +94,7 @@ private:
 
     // What is known at the end (conclusion.cpp)
     void conclude();
+    void visit_channels(void (Configurer::*)(const Element&, ChannelState&));
     void check_nodes();
     void check_node(const Element&, const NodeState&, const Place& declared);
     void find_processors();
@@ -102,7 +104,6 @@ private:
     void check_arc(const Element&, const ChannelState&, const WrittenWire&);
     bool is_at_its_process(const Element&, const std::optional<WireEnd>&, const std::optional<ChannelEnd>&,
                            bool is_output);
-    void connect_placed_links();
     void connect_placed(const Element&, ChannelState&);
     void add_wire(const WireEnd&, const WireEnd&);
 

@@ -14,6 +14,14 @@ namespace {
 
 constexpr std::array processor_types = {"T805", "T801", "T800", "T425", "T414", "T400", "T225", "T222", "T212"};
 
+/// Returns the name of a type from a text such as "t800 ", where tables of texts have blanks.
+std::string type_in(const std::vector<std::uint8_t>& bytes) {
+    std::string type(bytes.begin(), bytes.end());
+    type.erase(type.find_last_not_of(' ') + 1);
+    std::ranges::transform(type, type.begin(), [](char c) { return c == 't' ? 'T' : c; });
+    return type;
+}
+
 } // namespace
 
 /// Returns an end of a connection; nothing after reporting an error in it.
@@ -50,13 +58,17 @@ void Configurer::connect(const Place& place, Connect& written) {
         return checker_.report(place, "an edge cannot be connected to an edge", "connect it to a link of a node");
     if (a->is_edge)
         std::swap(a, b);
-    if (arc) {
-        const auto [known, is_new] = wire_of_arc_.emplace(*arc, configured_.wires.size());
-        if (!is_new)
-            return checker_.report(written.arc->at, fmt::format("the arc \"{}\" is used twice", text(*arc)), "",
-                                   {{"first used here", at(configured_.wires[known->second].a.at)}});
-    }
+    if (arc)
+        name_wire(*arc, written.arc->at);
     configured_.wires.push_back({*a, *b});
+}
+
+/// Gives the next wire the name of an arc.
+void Configurer::name_wire(const Element& arc, const Place& place) {
+    const auto [known, is_new] = wire_of_arc_.emplace(arc, configured_.wires.size());
+    if (!is_new)
+        checker_.report(place, fmt::format("the arc \"{}\" is used twice", text(arc)), "",
+                        {{"first used here", at(configured_.wires[known->second].a.at)}});
 }
 
 void Configurer::set(SetNode& written) {
@@ -79,10 +91,7 @@ void Configurer::set_type(NodeState& state, const Element& node, Setting& settin
     if (!state.type.empty())
         return checker_.report(setting.at, fmt::format("the type of \"{}\" is set twice", text(node)), "",
                                {{"first set here", at(state.type_at)}});
-    const auto& bytes = *setting.value.constant->bytes;
-    std::string type(bytes.begin(), bytes.end());
-    type.erase(type.find_last_not_of(' ') + 1);
-    std::ranges::transform(type, type.begin(), [](char c) { return c == 't' ? 'T' : c; });
+    const std::string type = type_in(*setting.value.constant->bytes);
     if (std::ranges::find(processor_types, type) == processor_types.end())
         return checker_.report(setting.value.at, fmt::format("\"{}\" is not a type of processor", type),
                                fmt::format("the types are {}", fmt::join(processor_types, ", ")));
