@@ -51,7 +51,7 @@ class Configurations(unittest.TestCase):
         done = placedpar("run", SIXTEEN / "farm.pgm", "--set", "farmer.limit=20")
         self.assertIn("set: farmer.limit = 20, for farmer\n", done.stdout)
         self.assertNotEqual(done.stdout, placedpar("run", SIXTEEN / "farm.pgm").stdout)
-        swept = placedpar("sweep", SIXTEEN / "farm.pgm", "farmer.limit=10,20")
+        swept = placedpar("sweep", SIXTEEN / "farm.pgm", "farmer.limit=10,20", "--results", self.folder / "r.sqlite")
         self.assertEqual(swept.returncode, 0, swept.stderr)
 
     def test_errors_have_their_places_in_the_configuration(self):
