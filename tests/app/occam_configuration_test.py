@@ -69,8 +69,8 @@ class Configurations(unittest.TestCase):
         for file in SIXTEEN.iterdir():
             shutil.copy(file, self.folder)
         worker = self.folder / "worker.occ"
-        worker.write_text(worker.read_text(encoding="ascii").replace("    task ? n\n    WHILE", "    answer ! 0\n    task ? n\n    WHILE"),
-                          encoding="ascii")
+        text = worker.read_text(encoding="ascii")
+        worker.write_text(text.replace("    task ? n\n    W", "    answer ! 0\n    task ? n\n    W"), encoding="ascii")
         done = placedpar("run", self.folder / "farm.pgm")
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertRegex(done.stdout + done.stderr, r"worker\.occ:5:\d+")
