@@ -143,11 +143,17 @@ ParsedNetlist::Syntax::Syntax(const LoadedSource& source, const std::filesystem:
 }
 
 void ParsedNetlist::Syntax::parse(const std::filesystem::path& path) {
-    TokenStream tokens(file, path, found, options.include_folders);
-    attempt([&] { statements = Parser(tokens, found).parse_netlist(); });
+    MadeNetlist made;
+    if (options.make_netlist)
+        made = options.make_netlist(file, options.include_folders, found);
     if (found.failed())
+        return;
+    TokenStream tokens(made.text ? made.text : file, path, found, options.include_folders, std::move(made.origins));
+    attempt([&] { statements = Parser(tokens, found).parse_netlist(); });
+    if (found.failed() && !made.text)
         recognise_occam(file, found);
     included_paths = tokens.take_included();
+    included_paths.insert(included_paths.end(), made.paths.begin(), made.paths.end());
     includes_toolset = tokens.includes_toolset();
 }
 

@@ -2,6 +2,7 @@
 
 #include "netlist/elaborate/overrides.hpp"
 #include "netlist/kinds/catalogue.hpp"
+#include "netlist/language/made_netlist.hpp"
 #include "netlist/network/network.hpp"
 #include "text/diagnostic.hpp"
 
@@ -37,6 +38,7 @@ struct ReadOptions {
     CompiledPrograms compiled = {};       ///< programs that were compiled, instead of bootable files, by their paths
     ProgramKinds programs =
         {}; ///< kinds that replace programs; it is an error to name a program that the netlist does not use
+    NetlistMaker make_netlist = {}; ///< reads files that are configurations in another language, such as occam
 };
 
 /// Holds the syntax of a netlist and of the files that it includes, before overrides are applied. The text is read and

@@ -99,6 +99,7 @@ Study study_of(const SweepOptions& options) {
     std::ranges::copy(read.include_folders, std::back_inserter(study.read.include_folders));
     std::ranges::copy(read.faults, std::back_inserter(study.read.faults));
     study.read.programs.merge(read.programs);
+    study.read.make_netlist = read.make_netlist;
     study.first_seed = options.seed.value_or(study.first_seed);
     study.seeds = options.seeds.value_or(study.seeds);
     study.until = options.until.value_or(study.until);

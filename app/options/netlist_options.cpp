@@ -4,6 +4,7 @@
 #include "app/standard_error.hpp"
 #include "explore/load.hpp"
 #include "explore/problems.hpp"
+#include "occam/configuration/configuration.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -53,6 +54,7 @@ std::vector<Option> add_read_options(Options& command, ReadOptionsTyped& options
 
 ReadOptions read_options_of(const ReadOptionsTyped& typed) {
     ReadOptions options;
+    options.make_netlist = occam::netlist_of_configuration;
     options.faults = typed.fault;
     for (const std::string& folder : typed.include) {
         if (std::error_code error; !std::filesystem::is_directory(folder, error))

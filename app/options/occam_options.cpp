@@ -3,6 +3,7 @@
 #include "app/options/common_options.hpp"
 #include "occam/check/check.hpp"
 #include "occam/code/place_table.hpp"
+#include "occam/configuration/configuration.hpp"
 #include "occam/library/library.hpp"
 #include "text/load_source.hpp"
 #include "text/output_file.hpp"
@@ -115,7 +116,9 @@ void add_occam(Options& command, OccamOptions& options) {
         .group(heading);
 }
 
-bool is_occam(const std::filesystem::path& path) { return path.extension() == ".occ"; }
+bool is_occam(const std::filesystem::path& path) {
+    return path.extension() == ".occ" && !occam::is_configuration(path);
+}
 
 std::string check_occam(const std::filesystem::path& path, std::span<const std::string> folders,
                         const OccamOptions& options) {
@@ -126,6 +129,10 @@ std::string check_occam(const std::filesystem::path& path, std::span<const std::
 CompiledOccam compile_occam(const std::filesystem::path& path, std::span<const std::string> folders,
                             const OccamOptions& typed, transputer::Model model) {
     CheckedProgram program = checked(loaded(path), folders, typed);
+    if (program.program->is_configuration)
+        throw UserError(fmt::format("{}: the file is a configuration; compile makes a program for one transputer, and "
+                                    "run takes a configuration",
+                                    path.string()));
     if (!program.main)
         throw UserError(fmt::format("{}: the file has no PROC that could be run", path.string()));
     if (uses_terminal(*program.main))

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 
 namespace placedpar {
 
@@ -49,8 +50,13 @@ std::string describe(const Token& token) {
     return "\"" + (token.text.size() > 60 ? token.text.substr(0, 60) + "..." : token.text) + "\"";
 }
 
-Lexer::Lexer(std::shared_ptr<const SourceFile> file, Reporter& reporter)
-    : file_(std::move(file)), reporter_(reporter) {}
+Lexer::Lexer(std::shared_ptr<const SourceFile> file, Reporter& reporter, std::vector<PartOrigin> origins)
+    : file_(std::move(file)), reporter_(reporter), origins_(std::move(origins)) {}
+
+Location Lexer::origin() const {
+    const auto next = std::ranges::upper_bound(origins_, position_, {}, &PartOrigin::offset);
+    return std::prev(next)->place;
+}
 
 char Lexer::peek(std::size_t ahead) const {
     return position_ + ahead < text().size() ? text()[position_ + ahead] : '\0';

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "netlist/language/made_netlist.hpp"
 #include "netlist/language/token.hpp"
 #include "text/reporter.hpp"
 
@@ -16,7 +17,8 @@ inline constexpr std::size_t longest_name = 255;
 /// illegal token. Comments are written as in C, from slash star to star slash; the language has no other comments.
 class Lexer {
 public:
-    Lexer(std::shared_ptr<const SourceFile> file, Reporter& reporter);
+    /// Places are those of the file, or those that `origins` states, unless it is empty.
+    Lexer(std::shared_ptr<const SourceFile> file, Reporter& reporter, std::vector<PartOrigin> origins = {});
 
     /// Returns the next token; at the end of the text, always a token of kind `end`.
     Token next();
@@ -26,9 +28,10 @@ public:
     /// on this line.
     std::optional<Token> read_file_name();
     /// Returns the place after the last token.
-    Location here() const { return {file_, line_, column_}; }
+    Location here() const { return origins_.empty() ? Location{file_, line_, column_} : origin(); }
 
 private:
+    Location origin() const;
     void skip_blanks();
     void skip_comment();
     void skip_line_comment(std::string_view mark);
@@ -72,6 +75,7 @@ private:
 
     std::shared_ptr<const SourceFile> file_;
     Reporter& reporter_;
+    std::vector<PartOrigin> origins_;
     std::size_t position_ = 0, line_ = 1, column_ = 1;
     bool line_is_blank_so_far_ = true;
 };

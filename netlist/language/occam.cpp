@@ -16,13 +16,8 @@ enum class Dialect { none, comment, program, toolset, development_system };
 
 constexpr const char* hint_for(Dialect dialect) {
     switch (dialect) {
-    case Dialect::development_system:
-        return "instead of PROCESSOR 0 T8 write T800 p0; then use \"KIND\" for name; place name on p0; for its "
-               "process, and connect p0.link[2] to p1.link[1]; for a wire";
-    case Dialect::toolset:
-        return "instead of NODE p0 : with its type write T800 p0; instead of CONNECT p0[link][2] TO p1[link][1] "
-               "write connect p0.link[2] to p1.link[1]; then use \"KIND\" for name; place name on p0; for its "
-               "process";
+    case Dialect::development_system: return "PLACED PAR is read if the name of the file ends in .occ or .pgm";
+    case Dialect::toolset: return "a configuration in occam is read if the name of the file ends in .pgm";
     default:
         return "to run a program in occam, give its file a name that ends in .occ; a netlist makes a process of it by "
                "use "

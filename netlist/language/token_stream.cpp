@@ -21,9 +21,9 @@ std::filesystem::path real_path(const std::filesystem::path& path) {
 } // namespace
 
 TokenStream::TokenStream(std::shared_ptr<const SourceFile> main, const std::filesystem::path& path, Reporter& reporter,
-                         std::vector<std::filesystem::path> include_folders)
+                         std::vector<std::filesystem::path> include_folders, std::vector<PartOrigin> origins)
     : reporter_(reporter), include_folders_(std::move(include_folders)) {
-    open_.push_back({Lexer(std::move(main), reporter), real_path(path), {}});
+    open_.push_back({Lexer(std::move(main), reporter, std::move(origins)), real_path(path), {}});
 }
 
 const Token& TokenStream::peek(std::size_t ahead) {

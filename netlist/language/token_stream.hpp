@@ -21,9 +21,10 @@ inline constexpr std::size_t most_included_bytes = 4 * largest_source_bytes;
 /// directly or through others, is refused.
 class TokenStream {
 public:
-    /// Included files are looked for beside the file that includes them, then in `include_folders`.
+    /// Included files are looked for beside the file that includes them, then in `include_folders`. `origins` are those
+    /// of the main file (Lexer).
     TokenStream(std::shared_ptr<const SourceFile> main, const std::filesystem::path& path, Reporter& reporter,
-                std::vector<std::filesystem::path> include_folders = {});
+                std::vector<std::filesystem::path> include_folders = {}, std::vector<PartOrigin> origins = {});
 
     const Token& peek(std::size_t ahead = 0);
     Token take();

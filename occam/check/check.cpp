@@ -7,11 +7,15 @@
 
 namespace placedpar::occam {
 
-void Checker::check_program() {
+void Checker::check_units() {
     for (const std::unique_ptr<Unit>& unit : program_.units) {
         declare(unit->declarations);
         names_.leave(0);
     }
+}
+
+void Checker::check_program() {
+    check_units();
     declare(program_.declarations);
     names_.leave(0);
 }

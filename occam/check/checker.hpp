@@ -70,17 +70,30 @@ public:
     Checker(Program& program, Reporter& reporter) : program_(program), reporter_(reporter), types_(program.types) {}
     void check_program();
 
+    // What executes a configuration (occam/configuration) visits its declarations and processes itself, as often as
+    // they are repeated: each time with other values of the indices, which are constants.
+
+    void check_units();
+    /// Checks a declaration, and makes it visible.
+    void declare(Declaration&);
+    void add(Declaration&);
+    std::size_t mark() const { return names_.mark(); }
+    /// Hides what was made visible since the mark.
+    void leave(std::size_t mark) { names_.leave(mark); }
+    Declaration* find(const std::string& name, const Place&);
+    const Type* check(Expression&);
+    void check(Process&);
+    void constant_of_type(Expression&, const Type* wanted, const std::string& role);
+    void report(const Place&, std::string message, std::string hint = "", const Declaration* other = nullptr);
+    void report(const Place&, std::string message, std::string hint, std::vector<SecondPlace> others);
+
 private:
     using DeclarationList = std::vector<DeclarationBox>;
 
     // Names (names.cpp)
-    void report(const Place&, std::string message, std::string hint = "", const Declaration* other = nullptr);
-    void report(const Place&, std::string message, std::string hint, std::vector<SecondPlace> others);
     /// Returns whether this mistake in the use of a declaration is the first: later ones follow from the same cause.
     bool is_first(const Declaration*, std::string mistake);
-    Declaration* find(const std::string& name, const Place&);
     void report_unknown(const std::string& name, const Place&);
-    void add(Declaration&);
     /// Checks declarations one after the other. The caller takes them out of sight again by names_.leave.
     void declare(DeclarationList&);
     Declaration* predefined(const std::string& name);
@@ -101,11 +114,9 @@ private:
     const Type* record_type(const Declaration&, DataType&);
 
     // Expressions (expressions.cpp)
-    const Type* check(Expression&);
     const Type* value(Expression&);
     /// Checks a value that must be of this type; `role` says what it is, such as "the time".
     void value_of(Expression&, const Type* wanted, const std::string& role);
-    void constant_of_type(Expression&, const Type* wanted, const std::string& role);
     /// Checks a path that is written to.
     const Type* variable(Expression&, const std::string& action);
     /// Reports whether the type of a value is not what is wanted.
@@ -156,6 +167,7 @@ private:
     void declare(Declaration&, Placement&);
     void declare(Declaration&, Use&);
     void declare(Declaration&, Predefined&) const {}
+    void declare(Declaration&, ConfigurationPart&) const {}
     const Type* abbreviated(Expression&);
     const Type* retyped(Declaration&, Retyping&, const Type& from);
     void parameters(DeclarationList&);
@@ -176,7 +188,6 @@ private:
     void effects_of_call(const Declaration&, const Place&);
 
     // Processes (processes.cpp)
-    void check(Process&);
     void form_of(Process&, Skip&) const {}
     void form_of(Process&, Stop&) const {}
     void form_of(Process&, Assignment&);
@@ -193,6 +204,7 @@ private:
     void form_of(Process&, Instance&);
     void form_of(Process&, Scope&);
     void form_of(Process&, Processor&);
+    void form_of(Process&, Wiring&);
     void check_if(If&);
     void check_alternation(Alternation&);
     void check_alternative(Alternative&);

@@ -19,6 +19,12 @@ bool are_of_one_list(const Declaration& a, const Declaration& b) {
     return first && second && first->type && first->type == second->type && !first->initial;
 }
 
+/// Returns whether a declaration gives a meaning to its name.
+bool is_named(const Declaration& declaration) {
+    return !std::holds_alternative<Placement>(declaration.form) && !std::holds_alternative<Use>(declaration.form) &&
+           !std::holds_alternative<ConfigurationPart>(declaration.form);
+}
+
 /// Returns the bytes of a value, or nothing if they are known only at run time.
 std::optional<std::uint64_t> known_bytes(const Type& type) {
     if (plain(type).kind != Type::Kind::array)
@@ -34,17 +40,21 @@ void Checker::declare(DeclarationList& list) {
     pending_.push_back({&list, 0});
     for (DeclarationBox& declaration : list) {
         ++pending_.back().next;
-        std::visit([&](auto& form) { declare(*declaration, form); }, declaration->form);
-        if (!declaration->type)
-            declaration->type = mistaken();
-        if (std::holds_alternative<Placement>(declaration->form) || std::holds_alternative<Use>(declaration->form))
-            continue;
-        const Declaration* const earlier = names_.find(declaration->name);
-        if (earlier && are_of_one_list(*earlier, *declaration))
-            report(declaration->at, "\"" + declaration->name + "\" is declared twice", "", earlier);
-        add(*declaration);
+        declare(*declaration);
     }
     pending_.pop_back();
+}
+
+void Checker::declare(Declaration& declaration) {
+    std::visit([&](auto& form) { declare(declaration, form); }, declaration.form);
+    if (!declaration.type)
+        declaration.type = mistaken();
+    if (!is_named(declaration))
+        return;
+    const Declaration* const earlier = names_.find(declaration.name);
+    if (earlier && are_of_one_list(*earlier, declaration))
+        report(declaration.at, "\"" + declaration.name + "\" is declared twice", "", earlier);
+    add(declaration);
 }
 
 void Checker::declare(Declaration& declaration, Variable& variable) {
@@ -59,7 +69,7 @@ void Checker::declare(Declaration& declaration, Variable& variable) {
 
 /// Checks what an abbreviation without VAL stands for: a variable, a channel, a timer or a port.
 const Type* Checker::abbreviated(Expression& expression) {
-    const auto* table = std::get_if<TableLiteral>(&expression.form);
+    const auto* table = program_.has_channel_tables ? nullptr : std::get_if<TableLiteral>(&expression.form);
     const auto* first = table && !table->elements.empty() ? std::get_if<NameUse>(&table->elements[0].form) : nullptr;
     const Declaration* const named = first ? names_.find(first->name) : nullptr;
     if (named && named->type && !is_data(*named->type)) {
@@ -69,7 +79,7 @@ const Type* Checker::abbreviated(Expression& expression) {
     const Type* const type = check(expression);
     if (is_wrong_type(*type))
         return type;
-    if (!root_of(expression)) {
+    if (!root_of(expression) && is_data(*type)) {
         report(expression.at, "a value is abbreviated with VAL", "write VAL in front of the name");
         return expression.type = mistaken();
     }
@@ -293,6 +303,10 @@ void Checker::declare(Declaration& declaration, DataType& data) {
 }
 
 void Checker::declare(Declaration& declaration, Placement& placement) {
+    const bool is_whole = placement.paths.size() == 1 && std::holds_alternative<NameUse>(placement.paths[0].form);
+    if (placement.where == Placement::Where::arc || !is_whole)
+        return report(declaration.at, "a program places whole variables and channels, one in each PLACE",
+                      "elements and arcs are for configurations");
     if (placement.address)
         constant_of_type(*placement.address, basic(Basic::integer), "the address");
     Declaration* const placed = find(declaration.name, declaration.at);
@@ -316,7 +330,7 @@ void Checker::declare(Declaration&, Use& use) {
     if (use.unit >= program_.units.size())
         return;
     for (const DeclarationBox& each : program_.units[use.unit]->declarations) {
-        if (!std::holds_alternative<Placement>(each->form) && !std::holds_alternative<Use>(each->form))
+        if (is_named(*each))
             names_.add(*each);
     }
 }

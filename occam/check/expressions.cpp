@@ -60,6 +60,7 @@ const Type* Checker::check(Expression& expression) {
             expression.form = Conversion{std::move(to), Conversion::Rounding::none, std::move(operand)};
         }
     }
+    expression.constant.reset(); // an index of a configuration may have another value now
     const bool several = std::exchange(several_allowed_, false);
     const bool gives_several =
         std::holds_alternative<Call>(expression.form) || std::holds_alternative<ValueProcess>(expression.form);
@@ -159,6 +160,13 @@ const Type* Checker::form_of(Expression& expression, NameUse& use) {
             report(expression.at, "\"" + use.name + "\" has no value: it is " + kind, "", found);
         return mistaken();
     }
+    const bool is_outside = program_.is_configuration && !routines_.empty() && depths_[found] == 0 &&
+                            std::holds_alternative<Variable>(found->form);
+    if (is_outside && found->type && found->type->kind != Type::Kind::timer) {
+        report(expression.at, "a PROC of a configuration cannot use \"" + use.name + "\", which is outside of it",
+               "make it a parameter", found);
+        return mistaken();
+    }
     expression.constant = found->constant;
     return found->type ? found->type : mistaken();
 }
@@ -223,14 +231,18 @@ const Type* Checker::form_of(Expression& expression, StringLiteral& literal) {
 
 /// Returns the type of a table of channels; null if the table has none.
 const Type* Checker::channel_table(TableLiteral& table) {
-    const auto* first = table.elements.empty() ? nullptr : std::get_if<NameUse>(&table.elements.front().form);
-    const Declaration* const found = first ? names_.find(first->name) : nullptr;
-    if (!found || !found->type || found->type->kind != Type::Kind::channel)
+    const Expression* first = table.elements.data();
+    while (const auto* const subscript = first ? std::get_if<Subscript>(&first->form) : nullptr)
+        first = subscript->array.get();
+    const auto* const use = first ? std::get_if<NameUse>(&first->form) : nullptr;
+    const Declaration* const found = use ? names_.find(use->name) : nullptr;
+    if (!found || !found->type || innermost(*found->type).kind != Type::Kind::channel)
         return nullptr;
+    const Type* const element = check(table.elements.front());
     for (Expression& each : table.elements)
-        if (check(each) != found->type)
-            agrees(each, found->type, "this element of the table");
-    return types_.array(found->type, static_cast<std::uint32_t>(table.elements.size()));
+        if (check(each) != element)
+            agrees(each, element, "this element of the table");
+    return types_.array(element, static_cast<std::uint32_t>(table.elements.size()));
 }
 
 const Type* Checker::form_of(Expression& expression, TableLiteral& table) {

@@ -189,4 +189,8 @@ void Checker::form_of(Process&, Processor& processor) {
         check(*processor.process);
 }
 
+void Checker::form_of(Process& process, Wiring&) {
+    report(process.at, "a program connects and maps nothing", "this is for the NETWORK and MAPPING of a configuration");
+}
+
 } // namespace placedpar::occam

@@ -31,6 +31,10 @@ const Type* Checker::type_of(TypeText& text, Open open) {
 }
 
 const Type* Checker::named_type(const TypeText& text, const std::string& name) {
+    if (program_.is_configuration && routines_.empty() && !names_.find(name))
+        for (const Type::Kind kind : {Type::Kind::node, Type::Kind::arc, Type::Kind::edge})
+            if (name == name_of(Type{.kind = kind}))
+                return types_.hardware(kind);
     const Declaration* const found = find(name, text.at);
     if (!found)
         return mistaken();

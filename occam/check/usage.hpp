@@ -74,6 +74,7 @@ private:
     void visit_form(const Process&, const Instance&);
     void visit_form(const Process&, const Scope&);
     void visit_form(const Process&, const Processor&);
+    void visit_form(const Process&, const Wiring&) {}
     void visit_if(const If&);
     void visit_alternation(const Alternation&);
     void visit_input(const Input&);

@@ -1,5 +1,7 @@
 #include "occam/code/compile.hpp"
 
+#include "occam/check/checker.hpp"
+
 #include "occam/code/generator.hpp"
 
 #include <fmt/format.h>
@@ -50,13 +52,22 @@ void make_names_unique(std::vector<CodeWorkspace>& workspaces) {
 
 } // namespace
 
+/// Declares what stands outside of all procedures. The channels of a configuration are not of a program.
+void Generator::declare_outermost(const Declaration& d) {
+    const bool has_place = std::holds_alternative<Variable>(d.form) && innermost(*d.type).kind != Type::Kind::timer;
+    if (has_place && !program_.is_configuration)
+        refuse(d.at, fmt::format("the variable or channel \"{}\" is declared outside of all PROCs", d.name));
+    if (!has_place)
+        declare(d);
+}
+
 /// Calls the main procedure with the channels of link 0 and with free memory behind the vector space.
 Code Generator::generate(const Declaration& main) {
     for (const std::unique_ptr<Unit>& unit : program_.units)
         for (const DeclarationBox& each : unit->declarations)
-            declare(*each);
+            declare_outermost(*each);
     for (const DeclarationBox& each : program_.declarations)
-        declare(*each);
+        declare_outermost(*each);
     main_ = &main;
     Routine& routine = routine_of(main);
     Level& level = levels_.emplace_back(nullptr);

@@ -255,6 +255,7 @@ private:
 
     // declaration_code.cpp
     void declare(const Declaration&);
+    void declare_outermost(const Declaration&);
     void declare_variable(const Declaration&, const Variable&);
     void declare_channels(const Declaration&);
     void make_channels(Storage pointers, std::int64_t count);

@@ -45,6 +45,7 @@ void Generator::process(const Process& p) {
         void operator()(const Processor&) {
             g.refuse(p.at, "PROCESSOR places processes on a network; a program for one transputer has none");
         }
+        void operator()(const Wiring&) { g.refuse(p.at, "a program for one transputer has no network"); }
     };
     std::visit(Visitor{*this, p}, p.form);
     stack_ = 0;

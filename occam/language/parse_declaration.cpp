@@ -13,6 +13,8 @@ bool Parser::is_declaration(bool or_expression) const {
                                                               "CHAN", "PORT", "INLINE",   "FUNCTION"};
     if (first.kind == WordKind::directive)
         return true;
+    if (is_wiring()) // `MAP p, q ONTO n` looks like variables of the type MAP
+        return false;
     if (first.kind == WordKind::keyword && std::ranges::find(words, first.text) != words.end())
         return true;
     if (first.is_word("DATA") && peek(1).is_word("TYPE"))
@@ -121,6 +123,7 @@ void Parser::parse_use(std::vector<DeclarationBox>& declarations) {
         reading_.open.push_back({found->key, at(word)});
         auto unit = std::make_unique<Unit>();
         unit->name = name.bytes;
+        unit->file = index;
         unit->declarations = Parser(reading_, index).parse_file();
         reading_.open.pop_back();
         reading_.units[found->key] = reading_.program.units.size();
@@ -212,11 +215,18 @@ void Parser::parse_initial(std::vector<DeclarationBox>& declarations) {
 void Parser::parse_placement(std::vector<DeclarationBox>& declarations) {
     take();
     const Word name = peek();
-    expect_name("a variable or channel");
     Placement placement;
+    do {
+        const Word first = peek();
+        NameUse use{expect_name("a variable or channel")};
+        placement.paths.push_back(parse_subscripts(made(first, std::move(use))));
+    } while (accept(","));
     if (accept_word("AT"))
         placement.address = std::make_unique<Expression>(parse_expression());
-    else {
+    else if (accept_word("ON")) {
+        placement.where = Placement::Where::arc;
+        placement.address = std::make_unique<Expression>(parse_element("an arc"));
+    } else {
         if (!accept_word("IN"))
             refuse(peek(), fmt::format("AT or IN is expected behind the name: found {}", describe(peek())));
         placement.where = peek().is_word("WORKSPACE") ? Placement::Where::workspace : Placement::Where::vector_space;

@@ -57,6 +57,10 @@ Process Parser::parse_statement() {
         return parse_while();
     else if (first.is_word("PROCESSOR"))
         return parse_processor();
+    else if (is_do())
+        return parse_sequence_process();
+    else if (is_wiring())
+        return parse_wiring();
     else if (first.kind == WordKind::name && peek(1).is("("))
         return parse_instance();
     else if (first.kind == WordKind::name || first.is("["))
@@ -89,9 +93,10 @@ void Parser::refuse_statement(const Word& word) {
 Process Parser::parse_sequence_process() {
     const Word head = take();
     Sequence sequence;
+    sequence.is_do = head.is_word("DO");
     parse_header([&] {
         sequence.replicator = parse_replicator();
-        end_line("SEQ");
+        end_line(head.text);
     });
     if (sequence.replicator)
         sequence.processes.push_back(std::move(*parse_body(head)));
@@ -164,18 +169,6 @@ Process Parser::parse_while() {
     parse_header([&] {
         process.condition = parse_expression();
         end_line("the condition of WHILE");
-    });
-    process.process = parse_body(head);
-    return {head.at, std::move(process)};
-}
-
-Process Parser::parse_processor() {
-    const Word head = take();
-    Processor process;
-    parse_header([&] {
-        process.number = parse_expression();
-        process.type = peek().kind == WordKind::end ? "" : expect_name("a type of processor");
-        end_line("PROCESSOR");
     });
     process.process = parse_body(head);
     return {head.at, std::move(process)};

@@ -140,9 +140,12 @@ std::vector<DeclarationBox> Parser::parse_file() {
                 throw LineRefused{};
             if (first.is(":"))
                 refuse(first, "this \":\" ends nothing", "the PROC or FUNCTION has ended above");
-            if (!is_declaration(false))
+            if (is_configuration_part())
+                parse_configuration_part(declarations);
+            else if (is_declaration(false))
+                parse_declaration(declarations);
+            else
                 refuse_statement(first);
-            parse_declaration(declarations);
         } catch (const LineRefused&) {
             recover(first.indentation, line);
         }

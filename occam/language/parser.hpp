@@ -116,7 +116,6 @@ private:
     Process parse_instance();
     Process parse_case();
     Process parse_while();
-    Process parse_processor();
     Process parse_input(Expression channel, const Word& head);
     Process parse_output(Expression channel);
     std::vector<Item> parse_items();
@@ -124,6 +123,19 @@ private:
     std::optional<Replicator> parse_replicator();
     void parse_option(Case&);
     [[noreturn]] void refuse_statement(const Word&);
+
+    // Configurations (parse_configuration.cpp)
+    bool is_configuration_part() const;
+    void parse_configuration_part(std::vector<DeclarationBox>&);
+    /// Returns whether `CONNECT`, `SET` or `MAP` begins here.
+    bool is_wiring() const;
+    bool is_do() const;
+    Process parse_wiring();
+    Connect parse_connect();
+    ConnectionEnd parse_connection_end();
+    SetNode parse_set();
+    MapOnto parse_map();
+    Process parse_processor();
 
     // Processes with guards (parse_guard.cpp)
     If parse_if();

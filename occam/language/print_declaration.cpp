@@ -106,15 +106,25 @@ void Printer::put(const Declaration& each, const std::string&, const DataType& d
     line(":");
 }
 
-void Printer::put(const Declaration& each, const std::string&, const Placement& placement) {
+void Printer::put(const Declaration&, const std::string&, const Placement& placement) {
     const std::string where = placement.where == Placement::Where::workspace      ? "IN WORKSPACE"
                               : placement.where == Placement::Where::vector_space ? "IN VECSPACE"
+                              : placement.where == Placement::Where::arc          ? "ON "
                                                                                   : "AT ";
-    line("PLACE " + each.name + " " + where + (placement.address ? expression(*placement.address) : "") + ":");
+    line("PLACE " + list(placement.paths) + " " + where + (placement.address ? expression(*placement.address) : "") +
+         ":");
 }
 
 void Printer::put(const Declaration&, const std::string&, const Use& use) {
     line("#USE \"" + program_->units[use.unit]->name + "\"");
+}
+
+void Printer::put(const Declaration& each, const std::string&, const ConfigurationPart& part) {
+    if (each.name == "PLACED")
+        return process(*part.process);
+    line(each.name);
+    below(part.process);
+    line(":");
 }
 
 std::string print(const Program& program) {

@@ -71,7 +71,7 @@ void Printer::variants(const std::string& head, const VariantInput& input) {
 }
 
 void Printer::put(const Sequence& each) {
-    line("SEQ" + replicator(each.replicator));
+    line((each.is_do ? "DO" : "SEQ") + replicator(each.replicator));
     for (const Process& one : each.processes)
         below(one);
 }
@@ -152,6 +152,31 @@ void Printer::put(const Scope& each) {
 void Printer::put(const Processor& each) {
     line("PROCESSOR " + expression(each.number) + (each.type.empty() ? "" : " " + each.type));
     below(each.process);
+}
+
+void Printer::put(const Wiring& each) {
+    std::visit([this](const auto& form) { put(form); }, each.form);
+}
+
+void Printer::put(const Connect& each) {
+    const auto end = [this](const ConnectionEnd& one) {
+        return expression(one.path) + (one.link ? "[link][" + expression(*one.link) + "]" : "");
+    };
+    line("CONNECT " + end(each.from) + " TO " + end(each.to) + (each.arc ? " WITH " + expression(*each.arc) : ""));
+}
+
+void Printer::put(const SetNode& each) {
+    std::string names, values;
+    for (const Setting& setting : each.settings) {
+        names += (names.empty() ? "" : ", ") + setting.name;
+        values += (values.empty() ? "" : ", ") + expression(setting.value);
+    }
+    line("SET " + expression(each.node) + " (" + names + " := " + values + ")");
+}
+
+void Printer::put(const MapOnto& each) {
+    line("MAP " + list(each.mapped) + " ONTO " + expression(each.onto) +
+         (each.priority ? " PRI " + expression(*each.priority) : ""));
 }
 
 void Printer::value_process(const ValueProcess& each) {

@@ -66,6 +66,10 @@ private:
     void put(const Instance&);
     void put(const Scope&);
     void put(const Processor&);
+    void put(const Wiring&);
+    void put(const Connect&);
+    void put(const SetNode&);
+    void put(const MapOnto&);
     void variants(const std::string& head, const VariantInput&);
     void alternative(const Alternative&);
     void value_process(const ValueProcess&);
@@ -84,6 +88,7 @@ private:
     void put(const Declaration&, const std::string&, const Placement&);
     void put(const Declaration&, const std::string&, const Use&);
     void put(const Declaration&, const std::string&, const Predefined&) {}
+    void put(const Declaration&, const std::string&, const ConfigurationPart&);
     std::string parameters(const std::vector<DeclarationBox>&);
 
     const Program* program_;

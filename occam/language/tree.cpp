@@ -40,6 +40,9 @@ std::string name_of(const Type& type) {
     case Type::Kind::channel: return "CHAN OF " + name_of(*type.protocol);
     case Type::Kind::timer: return "TIMER";
     case Type::Kind::port: return "PORT OF " + name_of(*type.element);
+    case Type::Kind::node: return "NODE";
+    case Type::Kind::arc: return "ARC";
+    case Type::Kind::edge: return "EDGE";
     case Type::Kind::mistaken: break;
     }
     return "a type in error";

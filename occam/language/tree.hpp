@@ -234,6 +234,7 @@ struct Output {
 };
 struct Sequence {
     std::optional<Replicator> replicator;
+    bool is_do = false;             ///< `DO` of a configuration, whose statements have no order
     std::vector<Process> processes; ///< exactly one if there is a replicator
 };
 struct Parallel {
@@ -294,17 +295,48 @@ struct Scope {
     std::vector<DeclarationBox> declarations;
     ProcessBox process;
 };
-/// `PROCESSOR n T8` with its process, in PLACED PAR only.
+/// `PROCESSOR n T8` or `PROCESSOR node` with its process, in configurations only.
 struct Processor {
     Expression number;
-    std::string type;
+    std::string type; ///< "" of a node
     ProcessBox process;
+};
+
+/// An end of a connection: `node[link][n]`, or an edge.
+struct ConnectionEnd {
+    Expression path;    ///< a node or an edge
+    ExpressionBox link; ///< null for an edge
+};
+/// `CONNECT a[link][0] TO HOST WITH arc`
+struct Connect {
+    ConnectionEnd from, to;
+    ExpressionBox arc; ///< null without WITH
+};
+/// `type := "T800"` within `SET node (type, memsize := "T800", 2*M)`.
+struct Setting {
+    Place at; ///< the name
+    std::string name;
+    Expression value;
+};
+struct SetNode {
+    Expression node;
+    std::vector<Setting> settings;
+};
+/// `MAP p, q ONTO node PRI HIGH`, or channels onto an arc.
+struct MapOnto {
+    std::vector<Expression> mapped;
+    Expression onto;
+    ExpressionBox priority; ///< null without PRI
+};
+/// A statement of NETWORK or MAPPING.
+struct Wiring {
+    std::variant<Connect, SetNode, MapOnto> form;
 };
 
 struct Process {
     Place at; ///< the first character
     std::variant<Skip, Stop, Assignment, Input, Delay, VariantInput, Output, Sequence, Parallel, If, Case, While,
-                 Alternation, Instance, Scope, Processor>
+                 Alternation, Instance, Scope, Processor, Wiring>
         form;
 };
 
@@ -371,12 +403,18 @@ struct DataType {
     std::vector<FieldText> fields; ///< of a RECORD
     bool is_packed = false;
 };
-/// `PLACE x AT e:`, `PLACE x IN WORKSPACE:`, `PLACE x IN VECSPACE:`. Its name is that of what it places.
+/// `PLACE x AT e:`, `PLACE x IN WORKSPACE:`, `PLACE x IN VECSPACE:`. Its name is that of what it places. A
+/// configuration may place elements, and several channels on an arc: `PLACE c[0], d ON arc:`.
 struct Placement {
-    enum class Where : std::uint8_t { address, workspace, vector_space };
+    enum class Where : std::uint8_t { address, workspace, vector_space, arc };
     Where where = Where::address;
-    ExpressionBox address;
+    ExpressionBox address; ///< or the arc
+    std::vector<Expression> paths = {};
     Declaration* placed = nullptr; ///< checked
+};
+/// NETWORK, MAPPING, CONFIG, or a PLACED PAR that stands at the outermost level of a file. Its name is the word.
+struct ConfigurationPart {
+    ProcessBox process;
 };
 /// `#USE "lib"`: the declarations of that file become visible.
 struct Use {
@@ -395,7 +433,7 @@ struct Declaration {
     Place at; ///< its name
     std::string name;
     std::variant<Variable, Abbreviation, Retyping, Parameter, ReplicatorIndex, Procedure, Function, Protocol, DataType,
-                 Placement, Use, Predefined>
+                 Placement, Use, Predefined, ConfigurationPart>
         form;
     const Type* type = nullptr;              ///< checked: of what has a value, of channels and timers
     std::optional<Constant> constant;        ///< checked: of VAL abbreviations that are known at compile time
@@ -406,6 +444,7 @@ struct Declaration {
 /// A file that #USE names, such as a library: its declarations.
 struct Unit {
     std::string name;
+    std::uint32_t file = 0; ///< index in Program::files
     std::vector<DeclarationBox> declarations;
 };
 
@@ -419,6 +458,7 @@ struct Program {
     /// `[c, d]` of channels is an array of them, as an argument. The language has no such tables, but a program that
     /// joins the processes of a network needs them.
     bool has_channel_tables = false;
+    bool is_configuration = false; ///< a ConfigurationPart is among the declarations, so NODE, ARC and EDGE are types
 
     Location location(const Place& place) const { return {files[place.file], place.line, place.column}; }
 };

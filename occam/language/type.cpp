@@ -46,6 +46,7 @@ const Type* Types::channel(const ProtocolType* protocol) {
 
 const Type* Types::port(const Type* element) { return unique({.kind = Type::Kind::port, .element = element}); }
 
+const Type* Types::hardware(Type::Kind kind) { return unique({.kind = kind}); }
 const Type* Types::timer() { return unique({.kind = Type::Kind::timer}); }
 
 const Type* Types::mistaken() { return unique({.kind = Type::Kind::mistaken}); }

@@ -39,7 +39,10 @@ struct Type {
         derived, ///< DATA TYPE T IS element
         channel, ///< a single channel; its protocol is `protocol`
         timer,
-        port,    ///< of `element`
+        port, ///< of `element`
+        node, ///< of a configuration, as are the next two
+        arc,
+        edge,
         mistaken ///< of whatever could not be understood; agrees with every type, so that no error follows from another
     };
     Kind kind = Kind::mistaken;
@@ -85,6 +88,7 @@ public:
     const Type* channel(const ProtocolType*);
     const Type* port(const Type* element);
     const Type* timer();
+    const Type* hardware(Type::Kind); ///< node, arc or edge
     const Type* mistaken();
     /// Make a new type or protocol for a declaration.
     const Type* record(const Declaration*, std::vector<Field>);

@@ -130,7 +130,8 @@ const Declaration* procedure_named(const Program& program, const std::string& na
 class OccamKinds final : public FileKinds {
 public:
     bool is_file(std::string_view program) const override {
-        return program.substr(0, program.find('#')).ends_with(".occ");
+        const std::string_view file = program.substr(0, program.find('#'));
+        return file.ends_with(".occ") || file.ends_with(".pgm") || file.ends_with(".module");
     }
 
     std::string read(const std::string& program, const Location& named_at, const Folders& folders,

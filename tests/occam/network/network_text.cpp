@@ -52,8 +52,8 @@ Catalogue occam_catalogue() {
 }
 
 RunOfNetwork run_network(const std::filesystem::path& netlist, const Catalogue& catalogue, const Overrides& overrides,
-                         std::optional<std::uint64_t> shuffle) {
-    ReadResult read = read_netlist(netlist, catalogue, overrides);
+                         const ReadOptions& options, std::optional<std::uint64_t> shuffle) {
+    ReadResult read = read_netlist(netlist, catalogue, overrides, options);
     INFO(render(read));
     REQUIRE(read.network);
     RunOfNetwork run;

@@ -39,6 +39,6 @@ struct RunOfNetwork {
 
 /// Runs a netlist, with ready processes in a random order if `shuffle` is given. REQUIRES: it can be read.
 RunOfNetwork run_network(const std::filesystem::path& netlist, const Catalogue&, const Overrides& = {},
-                         std::optional<std::uint64_t> shuffle = {});
+                         const ReadOptions& = {}, std::optional<std::uint64_t> shuffle = {});
 
 } // namespace placedpar::test

@@ -189,7 +189,7 @@ rep i = 0 for n {{
 
 test::RunOfNetwork run_shuffled(const std::filesystem::path& netlist, std::optional<std::uint64_t> shuffle) {
     const Catalogue catalogue = test::occam_catalogue();
-    return test::run_network(netlist, catalogue, {}, shuffle);
+    return test::run_network(netlist, catalogue, {}, {}, shuffle);
 }
 
 } // namespace

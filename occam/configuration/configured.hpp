@@ -1,0 +1,101 @@
+#pragma once
+
+#include "netlist/kinds/process_kind.hpp"
+#include "occam/language/tree.hpp"
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace placedpar::occam {
+
+/// A channel, node, arc or edge of a configuration, or an array of them.
+struct Object {
+    std::string name;
+    const Type* type = nullptr; ///< of the whole array
+    Place at;
+};
+
+/// An element of an object: its position in the order of the subscripts, the last of which varies fastest.
+struct Element {
+    std::size_t object = 0; ///< index in Configured::objects
+    std::size_t index = 0;
+    auto operator<=>(const Element&) const = default;
+};
+
+/// What NETWORK and MAPPING state of a node. A node with a type is a processor; others are mapped onto processors.
+struct NodeState {
+    std::string type = {}; ///< "T800"; "" if it is not stated
+    std::int64_t memory_bytes = 0;
+    Place type_at = {}, memory_at = {};
+    std::optional<Element> onto = {};
+    Place onto_at = {};
+    bool high_priority = false;
+};
+
+struct WireEnd {
+    Element element = {}; ///< a node or an edge
+    bool is_edge = false;
+    std::int64_t link = 0;
+    Place at = {}, link_at = {};
+};
+
+struct WrittenWire {
+    WireEnd a, b; ///< only `b` may be an edge
+};
+
+/// A port of a process, as an argument of its instance.
+struct ChannelEnd {
+    std::size_t process = 0;            ///< index in Configured::processes
+    std::size_t port = 0;               ///< index in the ports of its kind
+    std::optional<std::size_t> element; ///< of an array of channels
+    Place at;
+};
+
+struct ChannelState {
+    std::optional<ChannelEnd> output, input;
+    /// The links at which it leaves and arrives, if they are stated. An arc states one of them.
+    std::optional<WireEnd> leaves, arrives;
+    std::optional<Element> arc;
+    Place placed_at;
+    bool leads_to_host = false;
+};
+
+/// A value for a parameter of a kind, as the netlist writes it.
+struct WrittenValue {
+    std::string name, value;
+    Place at;
+};
+
+/// An instance of a procedure on a node.
+struct PlacedProcess {
+    const Declaration* procedure = nullptr;
+    Element node; ///< after the end of the configuration: a processor
+    bool high_priority = false;
+    Place at, node_at;
+    std::vector<WrittenValue> values = {};
+};
+
+/// What a configuration describes. Its elements are in the order of the text.
+struct Configured {
+    std::vector<Object> objects; ///< the first is the edge HOST
+    std::map<Element, NodeState> nodes;
+    std::vector<WrittenWire> wires;
+    std::vector<PlacedProcess> processes;
+    std::vector<Element> channel_order; ///< channels in the order of their first use
+    std::map<Element, ChannelState> channels;
+    std::map<const Declaration*, ProcessKind> kinds; ///< of the procedures; for look-up only
+};
+
+/// Returns the number of elements of a type; 1 unless it is an array.
+std::size_t count_of_elements(const Type&);
+/// Returns the subscripts of an element: {2, 0}.
+std::vector<std::int64_t> subscripts_of(const Configured&, const Element&);
+/// Returns the name as the configuration writes it: "B003.t[2]".
+std::string text_of(const Configured&, const Element&);
+
+} // namespace placedpar::occam
