@@ -14,10 +14,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <compare>
 #include <list>
 #include <map>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace placedpar::occam {
@@ -33,6 +35,16 @@ struct FileOfPrograms {
     SourceOptions options;
     std::vector<Diagnostic> diagnostics;
     bool failed = false;
+};
+
+/// What an image is made of. The text has the parameters of the processes.
+struct ImageSource {
+    std::string text;
+    std::vector<std::string> names; ///< of the node, of its type, and of the processes
+    Folders folders;
+    std::vector<const FileOfPrograms*> files; ///< of the processes
+
+    auto operator<=>(const ImageSource&) const = default;
 };
 
 /// A kind that was made of a file. It stays as it is, for others point to it.
@@ -231,39 +243,54 @@ private:
         return known;
     }
 
-    /// Names the workspaces by the processes of the netlist, which are in the order of text_of_image().
-    static void name_workspaces(Code& code, const Network& network, std::size_t node) {
-        std::vector<std::string> names;
-        for (const bool high : {true, false})
-            for (const ProcessInstance& process : network.processes)
-                if (process.node == node && process.high_priority == high)
-                    names.push_back(process.name);
-        for (std::size_t i = 0; names.size() == code.workspaces.size() && i < names.size(); ++i)
-            code.workspaces[i].name = names[i];
+    /// Names the workspaces by the processes of the netlist.
+    static void name_workspaces(Code& code, std::span<const std::string> processes) {
+        if (processes.size() == code.workspaces.size())
+            for (std::size_t i = 0; i < processes.size(); ++i)
+                code.workspaces[i].name = processes[i];
     }
 
-    std::shared_ptr<const transputer::Image> compiled(const Network& network, std::size_t node,
-                                                      Reporter& reporter) const {
+    /// Returns the program of a node, which is compiled unless it has been before: a study makes many runs of it.
+    std::shared_ptr<const transputer::Image> compiled(const Network& network, std::size_t node, Reporter& reporter) {
+        constexpr std::size_t most_images = 1000;
         CodeOptions options{.ends_run = false};
         options.model = *transputer::model_named(network.nodes[node].type);
-        Folders folders;
+        ImageSource source;
+        source.names = {network.nodes[node].name, network.nodes[node].type};
         const auto program_of = [&](const ProcessInstance& process) {
             const KindOfFile& kind = *newest(process.kind);
             const SourceOptions& asked = kind.file->options;
             options.range_checks &= asked.range_checks && asked.run_time_checks;
             options.run_time_checks &= asked.run_time_checks;
             options.vector_space &= asked.vector_space;
-            folders = kind.folders;
+            source.folders = kind.folders;
+            source.files.push_back(kind.file.get());
             return ProgramOfProcess{kind.path, kind.file->program.get(), kind.procedure};
         };
-        const std::string text = text_of_image(network, node, program_of);
-        const auto main = std::make_shared<const SourceFile>(fmt::format("<{}>", network.nodes[node].name), text);
-        const FileOfPrograms file = parsed_and_checked(main, folders, false);
-        pass_errors_on(file, "the processor is declared here", network.nodes[node].declared, reporter);
+        source.text = text_of_image(network, node, program_of);
+        for (const bool high : {true, false}) // in the order of the text
+            for (const ProcessInstance& process : network.processes)
+                if (process.node == node && process.high_priority == high)
+                    source.names.push_back(process.name);
+        if (const auto known = images_.find(source); known != images_.end())
+            return known->second;
+        auto image = image_from(source, options, network.nodes[node].declared, reporter);
+        if (images_.size() == most_images)
+            images_.clear();
+        if (image)
+            images_.emplace(std::move(source), image);
+        return image;
+    }
+
+    static std::shared_ptr<const transputer::Image> image_from(const ImageSource& source, const CodeOptions& options,
+                                                               const Location& declared, Reporter& reporter) {
+        const auto main = std::make_shared<const SourceFile>(fmt::format("<{}>", source.names.front()), source.text);
+        const FileOfPrograms file = parsed_and_checked(main, source.folders, false);
+        pass_errors_on(file, "the processor is declared here", declared, reporter);
         if (file.failed)
             return nullptr;
         Code code = compile(*file.program, *main_procedure(*file.program), options);
-        name_workspaces(code, network, node);
+        name_workspaces(code, std::span(source.names).subspan(2));
         transputer::Image image = image_of(code, options);
         const std::uint32_t memory_start = transputer::traits_of(options.model).memory_start;
         image.lines =
@@ -274,6 +301,7 @@ private:
 
     mutable std::mutex mutex_;
     std::map<std::pair<std::string, Folders>, std::shared_ptr<const FileOfPrograms>> files_;
+    std::map<ImageSource, std::shared_ptr<const transputer::Image>> images_;
     std::list<KindOfFile> all_; ///< also those of files that have changed since
     std::map<std::string, const KindOfFile*, std::less<>> newest_;
 };
