@@ -275,7 +275,6 @@ private:
 
     // channel_code.cpp
     void channel(const Expression&);
-    void channel_location(Storage);
     int depth_of_channel(const Expression&) const;
     void transfer(Operation, const std::function<void()>& load_address, const Expression& on,
                   const std::function<void()>& load_count);
