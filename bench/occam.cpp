@@ -131,9 +131,9 @@ std::uint64_t fingerprint_of(const Ran& ran) {
     return fingerprint.value();
 }
 
-/// Runs a program of tests/occam/programs several times. `turns`: of its loop; 0 if it has none to tell about.
+/// Runs a program of examples/occam/beside-inmos several times. `turns`: of its loop; 0 if it has none to tell about.
 void measure_program(const std::string& name, long repeats, double turns) {
-    const std::string path = fmt::format("{}/tests/occam/programs/{}.occ", PLACEDPAR_SOURCE_DIR, name);
+    const std::string path = fmt::format("{}/examples/occam/beside-inmos/{}.occ", PLACEDPAR_SOURCE_DIR, name);
     const Image image = compiled(load_source(path).file);
     double simulated_s = 0, host_s = 0;
     Ran ran;
