@@ -24,15 +24,22 @@ namespace {
 
 constexpr std::array machine_options = {"--processor", "--memory", "--memorycycles", "--mode", "--no-checks"};
 
-/// Says why a text is not the size of a memory; "" if it is.
-std::string not_a_size(const std::string& text) {
+/// Returns a size in bytes, at least as far as a processor can address; nothing if the text is not a size.
+std::optional<std::uint64_t> size_of(const std::string& text) {
     const char unit = text.empty() ? ' ' : text.back();
     const std::optional<std::uint64_t> number =
         parse_number<std::uint64_t>(unit == 'K' || unit == 'M' ? text.substr(0, text.size() - 1) : text);
     if (!number)
+        return std::nullopt;
+    return std::min(*number, std::uint64_t{1} << 32) << (unit == 'K' ? 10 : unit == 'M' ? 20 : 0);
+}
+
+/// Says why a text is not the size of a memory; "" if it is.
+std::string not_a_size(const std::string& text) {
+    const std::optional<std::uint64_t> bytes = size_of(text);
+    if (!bytes)
         return fmt::format("\"{}\" is not a size such as 32K or 2M", text);
-    const std::uint64_t bytes = std::min(*number, std::uint64_t{1} << 32) << (unit == 'K' ? 10 : unit == 'M' ? 20 : 0);
-    if (bytes < 2048 || bytes > 0xffff'ff00 || bytes % 256 != 0)
+    if (*bytes < 2048 || *bytes > 0xffff'ff00 || *bytes % 256 != 0)
         return fmt::format("{}: code can be executed with 2K to just below 4G of memory, in steps of 256 bytes", text);
     return "";
 }
@@ -165,6 +172,10 @@ namespace {
 CompiledProgram compiled_program(const NetlistOptions& netlist, const BootedOptions& options) {
     CompiledOccam made =
         compile_occam(netlist.file, netlist.read.include, options.occam, *transputer::model_named(options.processor));
+    if (made.bytes > *size_of(options.memory))
+        throw UserError(fmt::format("{}: the program needs {} bytes of memory, but the transputer has {}; run it with "
+                                    "--memory {}K",
+                                    netlist.file, made.bytes, options.memory, (made.bytes + 1023) / 1024));
     return {std::make_shared<const std::vector<std::uint8_t>>(std::move(made.file)),
             std::make_shared<const SourceFile>("lines of " + netlist.file, std::move(made.lines))};
 }

@@ -146,7 +146,7 @@ CompiledOccam compile_occam(const std::filesystem::path& path, std::span<const s
                                      .vector_space = program.options.vector_space};
     const occam::Code code = compile(*program.program, *program.main, options);
     const std::uint32_t code_at = where_code_is(code, options) - transputer::traits_of(model).memory_start;
-    return {bootable(code, options), place_table(code, *program.program, code_at)};
+    return {bootable(code, options), place_table(code, *program.program, code_at), image_of(code, options).bytes};
 }
 
 } // namespace placedpar

@@ -28,6 +28,7 @@ std::string check_occam(const std::filesystem::path&, std::span<const std::strin
 struct CompiledOccam {
     std::vector<std::uint8_t> file; ///< a bootable file
     std::string lines;              ///< a table of its code, for a file NAME.lines beside it
+    std::uint64_t bytes = 0;        ///< of memory that it needs, from the start of memory
 };
 /// Compiles a program for a transputer. Prints warnings to standard error. Throws
 /// RefusedInput; throws UserError for an unknown check.

@@ -56,8 +56,6 @@ private:
     // The visit (usage.cpp)
     void visit(const Process&);
     void visit(const Process*);
-    template <class Box>
-    void visit_list(const std::vector<Box>&);
     void visit_form(const Process&, const Skip&) {}
     void visit_form(const Process&, const Stop&) {}
     void visit_form(const Process&, const Assignment&);

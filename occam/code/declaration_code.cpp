@@ -12,7 +12,7 @@ void Generator::declare(const Declaration& d) {
     if (const auto* variable = std::get_if<Variable>(&d.form))
         return declare_variable(d, *variable);
     if (const auto* abbreviation = std::get_if<Abbreviation>(&d.form))
-        return abbreviate(d, *abbreviation);
+        return abbreviate(d, abbreviation->value, abbreviation->is_value);
     if (const auto* retyping = std::get_if<Retyping>(&d.form))
         return retype(d, *retyping);
     if (std::holds_alternative<Procedure>(d.form) || std::holds_alternative<Function>(d.form))
@@ -133,15 +133,15 @@ Storage Generator::seen_as(Storage location, const Type& type) {
     return location;
 }
 
-void Generator::abbreviate(const Declaration& d, const Abbreviation& a) {
+void Generator::abbreviate(const Declaration& d, const Expression& value, bool is_value) {
     stack_ = 0;
     if (is_channel(*d.type)) {
         if (d.type->kind == Type::Kind::array) {
-            bindings_[&d] = seen_as(pointer_to(locate(a.value)), *d.type);
-        } else if (const auto* name = std::get_if<NameUse>(&a.value.form)) {
+            bindings_[&d] = seen_as(pointer_to(locate(value)), *d.type);
+        } else if (const auto* name = std::get_if<NameUse>(&value.form)) {
             bindings_[&d] = bindings_.at(name->meaning);
         } else {
-            channel(a.value);
+            channel(value);
             const Cell pointer = temporary();
             store(pointer);
             bindings_[&d] = {.base = Storage::Base::pointer, .cell = pointer, .type = d.type};
@@ -151,18 +151,18 @@ void Generator::abbreviate(const Declaration& d, const Abbreviation& a) {
     if (d.type->kind == Type::Kind::timer)
         return;
     if (is_compound(plain(*d.type))) {
-        if (!level_ && !a.value.constant)
+        if (!level_ && !value.constant)
             refuse(d.at, fmt::format("the value of \"{}\" is not known at compile time, and no procedure is around it",
                                      d.name));
-        const Storage location = a.is_value ? value_in_memory(a.value) : locate(a.value);
+        const Storage location = is_value ? value_in_memory(value) : locate(value);
         bindings_[&d] = seen_as(level_ ? pointer_to(location) : location, *d.type);
-    } else if (!a.is_value) {
-        Storage location = pointer_to(locate(a.value));
+    } else if (!is_value) {
+        Storage location = pointer_to(locate(value));
         location.type = d.type;
         bindings_[&d] = location;
-    } else if (!a.value.constant) {
+    } else if (!value.constant) {
         bindings_[&d] = in_workspace(*d.type);
-        assign_to(a.value, bindings_[&d]);
+        assign_to(value, bindings_[&d]);
     }
 }
 

@@ -260,7 +260,7 @@ private:
     void declare_channels(const Declaration&);
     void make_channels(Storage pointers, std::int64_t count);
     Storage seen_as(Storage, const Type&);
-    void abbreviate(const Declaration&, const Abbreviation&);
+    void abbreviate(const Declaration&, const Expression& value, bool is_value);
     void declare_routine(const Declaration&);
     void retype(const Declaration&, const Retyping&);
 
@@ -279,7 +279,6 @@ private:
 
     // channel_code.cpp
     void channel(const Expression&);
-    void channel_location(Storage);
     int depth_of_channel(const Expression&) const;
     void transfer(Operation, const std::function<void()>& load_address, const Expression& on,
                   const std::function<void()>& load_count);
@@ -329,7 +328,11 @@ private:
     void generate_routine(const Declaration&, Routine&);
     void bind_parameters(const std::vector<DeclarationBox>&, Level&);
     void return_results(const Function&, Level&);
+    void result_in_register(const Function&);
     void instance(const Process&, const Instance&);
+    void abbreviate_parameters(const std::vector<DeclarationBox>&, const std::vector<Expression>& arguments);
+    void copied(const Procedure&, const std::vector<Expression>& arguments);
+    void copied(const Function&, const std::vector<Expression>& arguments);
     void call(const Declaration&, const std::vector<Expression>& arguments, const std::vector<Storage>& results);
     void add_argument(Arguments&, const Declaration& parameter, const Expression&);
     void add_value(Arguments&, const Expression&);

@@ -54,7 +54,6 @@ private:
 
     void execute(std::string_view name, const TextLine&, std::vector<Word>& words);
     void execute_condition(std::string_view name, const TextLine&);
-    void execute_if(const std::vector<Word>& words);
     void execute_else(const std::vector<Word>& words, bool is_else);
     void execute_include(const std::vector<Word>& words);
     void execute_define(const std::vector<Word>& words, bool is_defined);

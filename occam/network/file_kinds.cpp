@@ -14,10 +14,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <compare>
 #include <list>
 #include <map>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace placedpar::occam {
@@ -33,6 +35,16 @@ struct FileOfPrograms {
     SourceOptions options;
     std::vector<Diagnostic> diagnostics;
     bool failed = false;
+};
+
+/// What an image is made of. The text has the parameters of the processes.
+struct ImageSource {
+    std::string text;
+    std::vector<std::string> names; ///< of the node, of its type, and of the processes
+    Folders folders;
+    std::vector<const FileOfPrograms*> files; ///< of the processes
+
+    auto operator<=>(const ImageSource&) const = default;
 };
 
 /// A kind that was made of a file. It stays as it is, for others point to it.
@@ -280,17 +292,41 @@ private:
         return folders;
     }
 
-    std::shared_ptr<const transputer::Image> compiled(const Network& network, std::size_t node,
-                                                      Reporter& reporter) const {
+    /// Returns the program of a node, which is compiled unless it has been before: a study makes many runs of it.
+    std::shared_ptr<const transputer::Image> compiled(const Network& network, std::size_t node, Reporter& reporter) {
+        constexpr std::size_t most_images = 1000;
         CodeOptions options{.ends_run = false};
         options.model = *transputer::model_named(network.nodes[node].type);
-        const Folders folders = read_options(network, node, options);
+        ImageSource source;
+        source.names = {network.nodes[node].name, network.nodes[node].type};
+        source.folders = read_options(network, node, options);
+        for (const ProcessInstance& process : network.processes)
+            if (process.is_code && process.node == node)
+                source.files.push_back(newest(process.kind)->file.get());
         const TextOfImage text =
             text_of_image(network, node, [this](const ProcessInstance& process) { return program_of(process); });
         options.awaits_high = !text.carries;
-        const auto main = std::make_shared<const SourceFile>(fmt::format("<{}>", network.nodes[node].name), text.text);
-        const FileOfPrograms file = parsed_and_checked(main, folders, false);
-        pass_errors_on(file, "the processor is declared here", network.nodes[node].declared, reporter);
+        source.text = text.text;
+        for (const Component& each : text.components)
+            source.names.push_back(each.name);
+        for (const auto& [in_text, name] : text.channels)
+            source.names.push_back(name);
+        if (const auto known = images_.find(source); known != images_.end())
+            return known->second;
+        auto image = image_from(source, text, options, network.nodes[node].declared, reporter);
+        if (images_.size() == most_images)
+            images_.clear();
+        if (image)
+            images_.emplace(std::move(source), image);
+        return image;
+    }
+
+    static std::shared_ptr<const transputer::Image> image_from(const ImageSource& source, const TextOfImage& text,
+                                                               const CodeOptions& options, const Location& declared,
+                                                               Reporter& reporter) {
+        const auto main = std::make_shared<const SourceFile>(fmt::format("<{}>", source.names.front()), source.text);
+        const FileOfPrograms file = parsed_and_checked(main, source.folders, false);
+        pass_errors_on(file, "the processor is declared here", declared, reporter);
         if (file.failed)
             return nullptr;
         Code code = compile(*file.program, *main_procedure(*file.program), options);
@@ -306,6 +342,7 @@ private:
 
     mutable std::mutex mutex_;
     std::map<std::pair<std::string, Folders>, std::shared_ptr<const FileOfPrograms>> files_;
+    std::map<ImageSource, std::shared_ptr<const transputer::Image>> images_;
     std::list<KindOfFile> all_; ///< also those of files that have changed since
     std::map<std::string, const KindOfFile*, std::less<>> newest_;
 };

@@ -231,7 +231,7 @@ void DecodedCode::forget_in_page(Word index, Word offset, Word bytes) {
     }
 }
 
-void DecodedCode::forget(Word offset, Word bytes) {
+void DecodedCode::forget_decoded(Word offset, Word bytes) {
     constexpr Word size = NodeMemory::page_bytes;
     for (const Word end = offset + bytes; offset < end;) {
         const Word part = std::min(end - offset, size - offset % size);

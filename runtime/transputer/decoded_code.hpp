@@ -62,7 +62,10 @@ public:
     /// the first instruction alone if none surely does. The result is valid until the next call.
     Block* front_of(const Block&, std::uint64_t half_cycles);
     /// Forgets the blocks that have bytes in an interval. REQUIRES: the memory holds it.
-    void forget(Word offset, Word bytes);
+    void forget(Word offset, Word bytes) {
+        if (is_decoded(offset, bytes)) // seldom, for data often share a page with code
+            forget_decoded(offset, bytes);
+    }
     /// Returns a block of the one instruction at an address outside of the memory, which wraps; null if it crosses an
     /// end of the memory. The result is valid until the next call of a function.
     Block* at_wrapped(Word address);
@@ -86,6 +89,14 @@ private:
     std::span<const std::uint8_t> bytes_from(Word offset, const Bytes&);
     bool fill(Block&, Word address, const Bytes&);
     Page& page(Word offset);
+    bool is_decoded(Word offset, Word bytes) const {
+        for (const Word end = offset + bytes; offset < end; ++offset)
+            if (const Page* const page = pages_[offset / NodeMemory::page_bytes].get())
+                if (page->decoded[offset % NodeMemory::page_bytes])
+                    return true;
+        return false;
+    }
+    void forget_decoded(Word offset, Word bytes);
     std::unique_ptr<Block> spare_block();
     void mark_decoded(Word offset, Word bytes);
     void forget_blocks(Word page, Word offset, Word bytes);

@@ -143,6 +143,33 @@ PROC hello (CHAN OF SP fs, ts)
         done = self.run_text("PROC main ()\n  INT x:\n  x := 1\n:\n")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
+    def test_a_million_processes_run_in_enough_memory(self):
+        text = """PROC million ()
+  VAL n IS 1000000:
+  [n]CHAN OF INT link:
+  PAR
+    PAR i = 0 FOR n - 1
+      INT token:
+      SEQ
+        link[i] ? token
+        link[i + 1] ! token + 1
+    INT token:
+    SEQ
+      link[0] ! 1
+      link[n - 1] ? token
+      IF
+        token = n
+          SKIP
+:
+"""
+        done = self.run_text(text)
+        self.assertEqual(done.returncode, 1)
+        needed = int(re.search(r"test\.occ: the program needs (\d+) bytes of memory, but the transputer has 2M; "
+                               r"run it with --memory \d+K\n", done.stderr).group(1))
+        self.assertLess(needed, 200_000_000)
+        done = self.run_text(text, "--memory", f"{(needed + 1023) // 1024}K")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
     def test_an_error_halts_the_processor(self):
         done = self.run_text("PROC main ()\n  INT x, y:\n  SEQ\n    x := 0\n    y := 1 / x\n:\n")
         self.assertEqual(done.returncode, 1)

@@ -1,6 +1,6 @@
 // Reads damaged programs: each reading must end, and what is read without an error must be printable.
 
-#include "occam/language/print.hpp"
+#include "tests/occam/language/print.hpp"
 #include "tests/occam/language/read_text.hpp"
 #include "tests/seeds.hpp"
 

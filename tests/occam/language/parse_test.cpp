@@ -1,6 +1,6 @@
 // Known answers: what is read as what.
 
-#include "occam/language/print.hpp"
+#include "tests/occam/language/print.hpp"
 #include "tests/occam/language/read_text.hpp"
 
 #include <doctest/doctest.h>

@@ -2,7 +2,7 @@
 // the source. PLACEDPAR_T4 and PLACEDPAR_D7205 name folders with genuine programs.
 
 #include "occam/language/lines.hpp"
-#include "occam/language/print.hpp"
+#include "tests/occam/language/print.hpp"
 #include "tests/occam/language/read_text.hpp"
 
 #include <doctest/doctest.h>

@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <random>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -360,6 +362,41 @@ TEST_CASE("the hash of a network depends on the text of its files, and on what t
     CHECK(second != first);
     files.write("source.occ", "-- more\n#INCLUDE \"more.inc\"\n" + std::string(source));
     CHECK(hash() != second);
+}
+
+TEST_CASE("a program is compiled once for all runs of a study that have the same processes on its node") {
+    const test::FilesOfNetwork files({{"source.occ", source}, {"sink.occ", sink}, {"two.cfs", R"(
+val speed 20M;
+val more 5;
+T800 (memory = 256K, linkspeed = speed) a, b;
+connect a.link[2] to b.link[1];
+connect b.link[3] to host;
+process source, sink;
+use "source.occ" for source; use "sink.occ" for sink;
+source (count = more);
+place source on a; place sink on b;
+connect source.out to sink.in;
+)"}});
+    const Catalogue catalogue = test::occam_catalogue();
+    std::set<std::shared_ptr<const transputer::Image>> of_a, of_b;
+    const auto run = [&](const Overrides& overrides) {
+        const ReadResult read = read_netlist(files.path("two.cfs"), catalogue, overrides);
+        INFO(render(read));
+        REQUIRE(read.network);
+        of_a.insert(read.network->nodes[0].image);
+        of_b.insert(read.network->nodes[1].image);
+    };
+    for (int i = 0; i < 50; ++i)
+        run({{"speed", i % 2 == 0 ? "20M" : "5M"}});
+    CHECK(of_a.size() == 1);
+    for (int i = 0; i < 50; ++i)
+        run({{"more", std::to_string(i % 10)}});
+    CHECK(of_a.size() == 10); // more = 5 is one of them
+    CHECK(of_b.size() == 1);
+    files.write("sink.occ", std::string(sink) + "-- changed\n");
+    run({});
+    CHECK(of_a.size() == 10);
+    CHECK(of_b.size() == 2);
 }
 
 TEST_CASE("a printed network can be read again, and is the same") {

@@ -1,4 +1,4 @@
-#include "occam/language/printer.hpp"
+#include "tests/occam/language/printer.hpp"
 
 namespace placedpar::occam {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "occam/language/print.hpp"
+#include "tests/occam/language/print.hpp"
 
 #include <cstddef>
 #include <string>
