@@ -12,6 +12,8 @@ void Checker::check_program() {
         declare(unit->declarations);
         names_.leave(0);
     }
+    declare(program_.routines);
+    names_.leave(0);
     declare(program_.declarations);
     names_.leave(0);
 }

@@ -1,6 +1,7 @@
 #include "occam/code/generator.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace placedpar::occam {
 
@@ -24,8 +25,7 @@ Generator::Routine& Generator::routine_of(const Declaration& d) {
 }
 
 bool Generator::returns_in_register(const Function& f) const {
-    return f.result_types.size() == 1 &&
-           (is_word(*f.result_types.front()) || (is_real(*f.result_types.front()) && has_reals()));
+    return f.result_types.size() == 1 && (is_word(*f.result_types.front()) || is_real(*f.result_types.front()));
 }
 
 void Generator::generate_routine(const Declaration& d, Routine& routine) {
@@ -108,18 +108,27 @@ void Generator::return_results(const Function& f, Level& level) {
 void Generator::instance(const Process& p, const Instance& i) {
     if (std::holds_alternative<Predefined>(i.meaning->form))
         return predefined_instance(p, i);
-    call(*i.meaning, i.arguments, {});
+    call(*i.meaning, pointers_to(i.arguments), {});
     clear_error();
 }
 
-void Generator::call(const Declaration& d, const std::vector<Expression>& arguments,
-                     const std::vector<Storage>& results) {
+std::vector<const Expression*> Generator::pointers_to(const std::vector<Expression>& expressions) {
+    std::vector<const Expression*> pointers;
+    for (const Expression& each : expressions)
+        pointers.push_back(&each);
+    return pointers;
+}
+
+/// Calls a procedure or function. `more`: words behind the arguments, before the addresses of the results.
+void Generator::call(const Declaration& d, const std::vector<const Expression*>& arguments,
+                     const std::vector<Storage>& results, Arguments more) {
     Routine& routine = routine_of(d);
     const auto* procedure = std::get_if<Procedure>(&d.form);
     const auto& parameters = procedure ? procedure->parameters : std::get<Function>(d.form).parameters;
     Arguments words;
     for (std::size_t i = 0; i < arguments.size(); ++i)
-        add_argument(words, *parameters[i], arguments[i]);
+        add_argument(words, *parameters[i], *arguments[i]);
+    std::ranges::move(more, std::back_inserter(words));
     for (const Storage& each : results)
         words.push_back({1, [this, each] { address(each); }});
     call_with(routine, std::move(words));
@@ -231,12 +240,14 @@ void Generator::call_with(Routine& routine, Arguments words) {
 /// Calls a function. Without places for its results, its only one is left in a register.
 void Generator::call_function(const Expression& e, const std::vector<Storage>& results) {
     const auto& c = std::get<Call>(e.form);
-    if (std::holds_alternative<Predefined>(c.meaning->form))
-        return predefined_call(e, c, results);
-    const auto& function = std::get<Function>(c.meaning->form);
-    const bool in_register = returns_in_register(function);
-    call(*c.meaning, c.arguments, in_register ? std::vector<Storage>() : results);
-    const bool is_word_result = in_register && is_word(*function.result_types.front());
+    const bool is_predefined = std::holds_alternative<Predefined>(c.meaning->form);
+    if (is_predefined && predefined_call(e, c, results))
+        return;
+    const Declaration& called = is_predefined ? library_routine(e.at, c.name) : *c.meaning;
+    const auto* function = std::get_if<Function>(&called.form); // null of a routine of the library that is a procedure
+    const bool in_register = function && returns_in_register(*function);
+    call(called, pointers_to(c.arguments), in_register ? std::vector<Storage>() : results);
+    const bool is_word_result = in_register && is_word(*function->result_types.front());
     stack_ = is_word_result ? 1 : 0;
     if (!in_register)
         return clear_error();

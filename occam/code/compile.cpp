@@ -52,6 +52,8 @@ void make_names_unique(std::vector<CodeWorkspace>& workspaces) {
 
 /// Calls the main procedure with the channels of link 0 and with free memory behind the vector space.
 Code Generator::generate(const Declaration& main) {
+    for (const DeclarationBox& each : program_.routines)
+        declare(*each);
     for (const std::unique_ptr<Unit>& unit : program_.units)
         for (const DeclarationBox& each : unit->declarations)
             declare(*each);

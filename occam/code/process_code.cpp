@@ -62,7 +62,7 @@ void Generator::assign(const Expression& target, const Expression& value) {
     const int depth = depth_of_location(target);
     if (is_word(*target.type) || is_bits(value))
         return assign_word(value, depth, where);
-    if (is_copied(value))
+    if (is_compound(plain(*value.type)))
         return assign_compound(value, depth, where);
     if (!is_real(*target.type))
         return wide_store(wide(value), pointer_to(locate(target)));
@@ -72,18 +72,6 @@ void Generator::assign(const Expression& target, const Expression& value) {
     stack_ = 0;
     real(value);
     real_store(first ? pointer : locate(target));
-}
-
-/// Returns whether a value is copied as bytes: arrays and records, and reals without a floating-point unit if nothing
-/// is computed.
-bool Generator::is_copied(const Expression& value) const {
-    if (is_compound(plain(*value.type)))
-        return true;
-    const auto* call = std::get_if<Call>(&value.form);
-    const bool is_call = call && std::holds_alternative<Function>(call->meaning->form);
-    return is_real(*value.type) && !has_reals() &&
-           (value.constant || is_call || std::holds_alternative<NameUse>(value.form) ||
-            std::holds_alternative<Subscript>(value.form) || std::holds_alternative<ValueProcess>(value.form));
 }
 
 /// Returns whether a REAL32 is copied as a word, since nothing is computed.
@@ -97,7 +85,7 @@ void Generator::assign_to(const Expression& value, const Storage& target) {
     const auto where = [&] { return target; };
     if (is_word(*target.type) || is_bits(value)) {
         assign_word(value, 1, where);
-    } else if (is_copied(value)) {
+    } else if (is_compound(plain(*value.type))) {
         assign_compound(value, 1, where);
     } else if (is_real(*target.type)) {
         begin_reals();

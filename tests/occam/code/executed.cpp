@@ -1,6 +1,7 @@
 #include "executed.hpp"
 
 #include "occam/check/check.hpp"
+#include "occam/library/library.hpp"
 #include "runtime/transputer/core.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@ namespace placedpar::test {
 
 namespace {
 
-constexpr std::uint32_t memory_bytes = 1 << 20, words_of_results = 1024;
+constexpr std::uint32_t memory_bytes = 1 << 24, words_of_results = 1 << 17;
 
 /// A link 0 that brings the rest of a bootable file.
 class BootLink final : public transputer::LinkEngines {
@@ -45,7 +46,9 @@ private:
 occam::Code compiled_program(const std::string& text, const occam::CodeOptions& options) {
     Reporter reporter;
     const auto file = std::make_shared<SourceFile>("test.occ", text);
-    occam::Parsed parsed = occam::parse(file, {}, reporter);
+    occam::ParseOptions reading;
+    reading.built_in = [](const std::string& name) { return occam::library_text(name); };
+    occam::Parsed parsed = occam::parse(file, reading, reporter);
     if (!reporter.failed())
         occam::check(*parsed.program, parsed.options, reporter);
     if (reporter.failed())
@@ -81,7 +84,8 @@ std::string indented(std::string_view text, std::size_t blanks) {
     return result;
 }
 
-Executed execute(std::string_view body, const occam::CodeOptions& options, std::string_view declarations) {
+Executed execute(std::string_view body, const occam::CodeOptions& options, std::string_view declarations,
+                 std::span<const std::int32_t> initial) {
     const std::string text = fmt::format("PROTOCOL SP IS INT16::[]BYTE:\n{}PROC main (CHAN OF SP fs, ts, []INT "
                                          "memory)\n{}:\n",
                                          declarations, indented(body, 2));
@@ -93,14 +97,15 @@ Executed execute(std::string_view body, const occam::CodeOptions& options, std::
     const transputer::Word start = transputer::traits_of(options.model).memory_start;
     core.copy_to_memory(start, {file.data() + 1, loader});
     core.boot(static_cast<transputer::Word>(loader), 4);
+    const auto memory =
+        static_cast<transputer::Word>(where_code_is(code, options) + code.bytes.size() + code.vector_space_bytes);
+    core.copy_to_memory(memory, {reinterpret_cast<const std::uint8_t*>(initial.data()), initial.size_bytes()});
     run_to_end(core, link);
     Executed done;
     done.halted = core.stopped() == transputer::Stopped::by_error;
     if (core.stopped() != transputer::Stopped::nothing && !done.halted)
         done.trouble = core.why_stopped();
     done.cycles = core.busy() / 2;
-    const auto memory =
-        static_cast<transputer::Word>(where_code_is(code, options) + code.bytes.size() + code.vector_space_bytes);
     for (transputer::Word i = 0; i < words_of_results; ++i)
         done.results.push_back(static_cast<std::int32_t>(core.memory().word(memory + 4 * i)));
     return done;
