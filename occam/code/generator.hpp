@@ -246,6 +246,7 @@ private:
     void assign_word(const Expression& value, int depth, const std::function<Storage()>& target);
     void assign_compound(const Expression& value, int depth, const std::function<Storage()>& target);
     void copy(const Storage& source, Storage target);
+    bool is_word_of_frame(const Expression& target);
     void store_from(const Storage& value, const Expression& target);
     void check_sizes(const Storage&, const Storage&);
     void multiple_assignment(const Assignment&);

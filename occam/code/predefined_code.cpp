@@ -77,12 +77,20 @@ bool Generator::word_function(const Call& c, const std::vector<Storage>& results
     if (results.empty())
         return true;
     settle();
+    const auto result = [&](std::ptrdiff_t i) {
+        return results[static_cast<std::size_t>(function->results[static_cast<std::size_t>(i)])];
+    };
+    if (std::ranges::all_of(results, [](const Storage& each) { return each.base == Storage::Base::cell; })) {
+        for (std::ptrdiff_t i = 0; i < count_of; ++i)
+            store(result(i));
+        return true;
+    }
     std::array<Cell, 3> kept;
     for (std::ptrdiff_t i = 0; i < count_of; ++i)
         store(kept[static_cast<std::size_t>(i)] = temporary());
     for (std::ptrdiff_t i = 0; i < count_of; ++i) {
         load(kept[static_cast<std::size_t>(i)]);
-        store(results[static_cast<std::size_t>(function->results[static_cast<std::size_t>(i)])]);
+        store(result(i));
     }
     return true;
 }
@@ -119,19 +127,14 @@ bool Generator::predefined_shift(const Call& c) {
 
 bool Generator::real_test(const Call& c) {
     const std::string_view name = c.name.starts_with('D') ? std::string_view(c.name).substr(1) : c.name;
-    const bool two = c.name.ends_with("EQ") || c.name.ends_with("GT") || name == "ORDERED";
-    const bool one = name == "ISNAN" || name == "NOTFINITE";
+    const bool two = name == "ORDERED", one = name == "ISNAN" || name == "NOTFINITE";
     if (!two && !one)
         return false;
     stack_ = 0;
     real(c.arguments[0]);
     if (two)
         real_operands_behind(c.arguments[1]);
-    op(name == "ISNAN"          ? Operation::fpnan
-       : name == "NOTFINITE"    ? Operation::fpnotfinite
-       : name == "ORDERED"      ? Operation::fpordered
-       : c.name.ends_with("EQ") ? Operation::fpeq
-                                : Operation::fpgt);
+    op(two ? Operation::fpordered : name == "ISNAN" ? Operation::fpnan : Operation::fpnotfinite);
     reals_ = 0;
     return true;
 }

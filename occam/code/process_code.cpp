@@ -171,8 +171,20 @@ void Generator::check_sizes(const Storage& a, const Storage& b) {
 void Generator::multiple_assignment(const Assignment& a) {
     std::vector<Storage> results;
     const auto* values = std::get_if<ValueProcess>(&a.values.front().form);
-    for (const Expression& target : a.targets)
+    const auto* called = std::get_if<Call>(&a.values.front().form);
+    if (called && std::holds_alternative<Predefined>(called->meaning->form) &&
+        std::ranges::all_of(a.targets, [this](const Expression& target) { return is_word_of_frame(target); })) {
+        for (const Expression& target : a.targets)
+            results.push_back(locate(target));
+        return call_function(a.values.front(), results);
+    }
+    for (const Expression& target : a.targets) {
         results.push_back(temporary_location(*target.type));
+        if (results.back().is_scalar && called) { // a function writes only the bytes of the type
+            constant(0);
+            store(results.back().cell);
+        }
+    }
     if (a.values.size() > 1) {
         for (std::size_t i = 0; i < results.size(); ++i)
             assign_to(a.values[i], results[i]);
@@ -188,6 +200,14 @@ void Generator::multiple_assignment(const Assignment& a) {
         stack_ = 0;
         store_from(results[i], a.targets[i]);
     }
+}
+
+/// Returns whether a place for a result is a whole word of the workspace.
+bool Generator::is_word_of_frame(const Expression& target) {
+    if (!is_word(*target.type) || size_of(*target.type) != 4 || depth_of_location(target) != 1)
+        return false;
+    const Storage location = locate(target);
+    return location.base == Storage::Base::cell && location.cell.frame->level == level_;
 }
 
 /// Copies a value from a location that needs no registers.

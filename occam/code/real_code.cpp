@@ -226,9 +226,9 @@ void Generator::real_conversion(const Expression& e, const Conversion& converted
         op(Operation::fpunoround);
     load_address(value.cell.after(1));
     op(Operation::fpi32tor64);
+    op(Operation::fpuexpinc32);
     if (!is_long(to))
         op(Operation::fpunoround);
-    op(Operation::fpuexpinc32);
     round();
     op(Operation::fpadd);
     ++reals_;

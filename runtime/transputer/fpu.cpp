@@ -200,12 +200,41 @@ RealResult<T> combined(RealOperation operation, Rounding mode, RealPattern<T> le
     return {computed.pattern, computed.error || error};
 }
 
+using Single = RealPattern<float>;
+
+/// Returns the value of a finite REAL32, whose fraction may be as long as that of a REAL64.
+double value_with_whole_fraction(const Real& real) {
+    const RealPattern<double> wide = RealPattern<double>::of(Single(real.bits).value());
+    return RealPattern<double>(wide.word() | (real.bits >> 32)).value();
+}
+
+/// Returns left op right, rounded once to a REAL32. The last bit of the REAL64 stands for all bits that it lacks.
+RealResult<float> combined_unrounded(RealOperation operation, Rounding mode, const Real& left, const Real& right) {
+    const double first = value_with_whole_fraction(left), second = value_with_whole_fraction(right);
+    const auto compute = [&](Rounding each) {
+        return rounded<double>(each, first, second, [operation](double x, double y) {
+            return computed_on_host(operation, x, y);
+        });
+    };
+    const auto cut = compute(Rounding::zero), up = compute(Rounding::plus), down = compute(Rounding::minus);
+    const bool is_exact = up.pattern.word() == down.pattern.word();
+    const RealPattern<double> odd(cut.pattern.word() | std::uint64_t(!is_exact));
+    auto result = shortened(odd.value(), mode);
+    result.error |= operation == RealOperation::divide && second == 0;
+    return result;
+}
+
 } // namespace
 
 void Fpu::combine_by_rules(RealOperation operation, const Real& left, const Real& right) {
     in_type_of(right.length, [&](auto type) {
         using T = decltype(type);
-        const auto result = combined(operation, rounding_, RealPattern<T>(left.bits), RealPattern<T>(right.bits));
+        auto result = combined(operation, rounding_, RealPattern<T>(left.bits), RealPattern<T>(right.bits));
+        if constexpr (sizeof(T) == 4) {
+            const bool is_longer = (left.bits | right.bits) >> 32 != 0; // a fraction after fpunoround
+            if (is_longer && Single(left.bits).finite() && Single(right.bits).finite())
+                result = combined_unrounded(operation, rounding_, left, right);
+        }
         a_ = real_of(result.pattern);
         error_ |= result.error;
     });
@@ -332,6 +361,8 @@ void Fpu::fpunoround() {
     const std::uint32_t lower = exponent == 0 ? 0 : std::uint32_t(exponent - 1023 + 127) & 0xFF;
     const RealPattern<float> narrow(lower << 23 | std::uint32_t(wide.fraction() >> 29));
     a_ = real_of(narrow.with_sign(wide.negative()));
+    if (lower != 0 && lower != 0xFF)
+        a_.bits |= (wide.fraction() & 0x1FFF'FFFF) << 32;
     rounding_ = Rounding::nearest;
 }
 

@@ -9,7 +9,9 @@ namespace placedpar::transputer {
 enum class Length : std::uint8_t { real32, real64 };
 
 struct Real {
-    std::uint64_t bits = 0; ///< a REAL32 is in the lower half, and the upper half is 0
+    /// A REAL32 is in the lower half. The upper half is 0, but after fpunoround it has the 29 bits of the fraction that
+    /// follow: the unit keeps them, though a store leaves them out.
+    std::uint64_t bits = 0;
     Length length = Length::real32;
 
     friend bool operator==(const Real&, const Real&) = default;
@@ -126,7 +128,10 @@ public:
 
     void fpur32tor64();
     void fpur64tor32();
-    /// Cuts FA to a REAL32: the lower bits of the exponent and the upper ones of the fraction. Sets no flag.
+    /// Makes FA a REAL32 with a fraction that is still as long as that of a REAL64, and with the lower bits of the
+    /// exponent. Sets no flag. The next operation computes with the whole fraction: INMOS's code adds the halves of an
+    /// INT64 that way, and so rounds once. (With a fraction that is cut, its code would give other results on a T800
+    /// than on a T414, and wrong ones.)
     void fpunoround();
 
     void fpuabs();
@@ -191,8 +196,9 @@ bool Fpu::combined_at_once(RealOperation operation, const Real& left, const Real
 /// FA := left op right. The right operand determines the length.
 inline void Fpu::combine(RealOperation operation, const Real& left, const Real& right) {
     if (rounding_ == Rounding::nearest) {
-        if (right.length == Length::real32 ? combined_at_once<float>(operation, left, right)
-                                           : combined_at_once<double>(operation, left, right))
+        if (right.length == Length::real32
+                ? (left.bits | right.bits) >> 32 == 0 && combined_at_once<float>(operation, left, right)
+                : combined_at_once<double>(operation, left, right))
             return;
     }
     combine_by_rules(operation, left, right);

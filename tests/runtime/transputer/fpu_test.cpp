@@ -286,14 +286,42 @@ TEST_CASE("programs store a long integer as two words") {
     }
 }
 
-TEST_CASE("fpunoround keeps the bits that fit in a REAL32") {
+TEST_CASE("fpunoround keeps the fraction for the next operation, and a store cuts it") {
     for (auto [wide, narrow] : {std::pair{0x3FF8'0000'3FFF'FFFF, 0x3FC00001U},
                                 {0xBFF0'0000'1FFF'FFFF, minus_32 | one},
                                 {0x8000'0000'0000'0000, minus_32},
                                 {0x43E0'0000'0000'0000, 0x5F000000U}}) {
         Fpu unit = with_doubles(0, std::uint64_t(wide));
         unit.fpunoround();
-        CHECK_EQ(unit.fa(), single(narrow));
         CHECK_FALSE(unit.error());
+        Fpu sum = unit;
+        sum.fpldnladdsn(0);
+        CHECK_EQ(sum.fa(), single(std::bit_cast<std::uint32_t>(float(std::bit_cast<double>(std::uint64_t(wide))))));
+        CHECK_EQ(unit.fpstnlsn(), narrow);
+    }
+}
+
+TEST_CASE("the code of INMOS's compiler converts an INT64 to a REAL32 with one rounding") {
+    RandomStream random(1, "long integers");
+    for (int i = 0; i < 20'000; ++i) {
+        const std::uint64_t raw = std::uint64_t(random.below(~0U)) << 32 | random.below(~0U);
+        const auto places = random.below(64), blank = random.below(64);
+        const auto number = std::int64_t(raw) >> places >> blank << blank | std::int64_t(random.below(2));
+        for (const bool cuts : {false, true}) {
+            Fpu unit;
+            unit.fpb32tor64(std::uint32_t(number));
+            unit.fpunoround();
+            unit.fpi32tor64(std::uint32_t(std::uint64_t(number) >> 32));
+            unit.fpuexpinc32();
+            unit.fpunoround();
+            if (cuts)
+                unit.fpurz();
+            unit.fpadd();
+            std::fesetround(cuts ? FE_TOWARDZERO : FE_TONEAREST);
+            const volatile auto expected = float(number);
+            std::fesetround(FE_TONEAREST);
+            CHECK_EQ(unit.fa(), single(std::bit_cast<std::uint32_t>(float(expected))));
+            CHECK_FALSE(unit.error());
+        }
     }
 }
