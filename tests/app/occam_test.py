@@ -4,6 +4,7 @@ PLACEDPAR_D7205 names the folder of INMOS's occam toolset, unpacked from its ito
 makes of the same programs is not compared.
 """
 
+import itertools
 import os
 import pathlib
 import re
@@ -25,7 +26,7 @@ FIGURES = {
     "matrix32": ("1290.0", 5061, 4936, 5831),
     "two-clients": ("150015000", 3219, 3219, 3610),
 }
-OUTPUTS = ("integers", "channels", "reals", "arrays", "functions")
+OUTPUTS = ("integers", "channels", "reals", "arrays", "functions", "predefined")
 
 
 def output_of(text):
@@ -50,9 +51,10 @@ class Programs(unittest.TestCase):
     def test_programs_print_what_those_that_inmos_compiled_printed(self):
         for name in OUTPUTS:
             expected = (TESTS / "code/programs" / f"{name}.txt").read_text(encoding="ascii")
-            for mode in ("halt", "stop", "universal"):
-                with self.subTest(name=name, mode=mode):
-                    self.assertEqual(self.run_program(TESTS / "code/programs" / f"{name}.occ", "--mode", mode), expected)
+            for mode, processor in itertools.product(("halt", "stop", "universal"), ("T800", "T414")):
+                with self.subTest(name=name, mode=mode, processor=processor):
+                    self.assertEqual(self.run_program(TESTS / "code/programs" / f"{name}.occ", "--mode", mode,
+                                                      "--processor", processor), expected)
 
     def test_a_compiled_file_runs_like_the_program(self):
         program = TESTS / "programs/ring-seq.occ"
