@@ -117,9 +117,9 @@ private:
 
     // location_code.cpp
     static const Type& plain(const Type&);
-    bool is_word(const Type&) const;       ///< a value for the register stack, also a REAL32 for routines
-    static bool is_wide(const Type&);      ///< INT64 or REAL64
-    bool is_real(const Type&) const;       ///< a value for the floating-point unit
+    bool is_word(const Type&) const;  ///< a value for the register stack, also a REAL32 for routines
+    static bool is_wide(const Type&); ///< INT64 or REAL64
+    bool is_real(const Type&) const;  ///< a value for the floating-point unit
     static bool has_real_type(const Type&);
     static bool is_compound(const Type& type) {
         return type.kind == Type::Kind::array || type.kind == Type::Kind::record;

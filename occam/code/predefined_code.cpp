@@ -63,8 +63,7 @@ bool Generator::predefined_call(const Expression& e, const Call& c, const std::v
 bool Generator::word_function(const Call& c, const std::vector<Storage>& results) {
     const std::string_view name = c.name == "CRCBYTE" ? "CRCWORD" : std::string_view(c.name);
     const auto* function = std::ranges::find(word_functions, name, &WordFunction::name);
-    if (function == word_functions.end() ||
-        (function->second_generation && options_.model == transputer::Model::t414))
+    if (function == word_functions.end() || (function->second_generation && options_.model == transputer::Model::t414))
         return false;
     std::vector<const Expression*> operands;
     for (const int each : function->operands)

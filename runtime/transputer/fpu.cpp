@@ -212,9 +212,8 @@ double value_with_whole_fraction(const Real& real) {
 RealResult<float> combined_unrounded(RealOperation operation, Rounding mode, const Real& left, const Real& right) {
     const double first = value_with_whole_fraction(left), second = value_with_whole_fraction(right);
     const auto compute = [&](Rounding each) {
-        return rounded<double>(each, first, second, [operation](double x, double y) {
-            return computed_on_host(operation, x, y);
-        });
+        return rounded<double>(each, first, second,
+                               [operation](double x, double y) { return computed_on_host(operation, x, y); });
     };
     const auto cut = compute(Rounding::zero), up = compute(Rounding::plus), down = compute(Rounding::minus);
     const bool is_exact = up.pattern.word() == down.pattern.word();

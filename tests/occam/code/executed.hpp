@@ -20,8 +20,9 @@ struct Executed {
 };
 
 /// Compiles a program and boots a transputer with it. `text` is the body of
-/// PROC main (CHAN OF SP fs, ts, []INT memory), which stores its results in `memory`; `declarations` stand before it; `memory` begins with the words `initial`.
-/// Throws std::runtime_error with the messages if the program has errors; throws as compile() does.
+/// PROC main (CHAN OF SP fs, ts, []INT memory), which stores its results in `memory`; `declarations` stand before it;
+/// `memory` begins with the words `initial`. Throws std::runtime_error with the messages if the program has errors;
+/// throws as compile() does.
 Executed execute(std::string_view body, const occam::CodeOptions& = {.model = transputer::Model::t800},
                  std::string_view declarations = "", std::span<const std::int32_t> initial = {});
 

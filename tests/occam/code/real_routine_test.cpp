@@ -1,5 +1,5 @@
-// Compares the routines for reals, on a T414, with the floating-point unit of a T800 and with the host's arithmetic: all
-// pairs of special values, and random ones.
+// Compares the routines for reals, on a T414, with the floating-point unit of a T800 and with the host's arithmetic:
+// all pairs of special values, and random ones.
 
 #include "executed.hpp"
 #include "runtime/random.hpp"
@@ -99,8 +99,8 @@ public:
         const std::uint64_t fraction = (std::uint64_t{1} << fraction_bits_) - 1;
         std::vector<std::uint64_t> all;
         const std::uint64_t bias = exponents_ / 2;
-        for (const std::uint64_t exponent : {std::uint64_t{0}, std::uint64_t{1}, bias - 1, bias, bias + 31, exponents_ - 1,
-                                             exponents_})
+        for (const std::uint64_t exponent :
+             {std::uint64_t{0}, std::uint64_t{1}, bias - 1, bias, bias + 31, exponents_ - 1, exponents_})
             for (const std::uint64_t low : {std::uint64_t{0}, std::uint64_t{1}, fraction / 2 + 1, fraction})
                 for (const bool negative : {false, true})
                     all.push_back(with_sign(exponent << fraction_bits_ | low, negative));
@@ -108,7 +108,8 @@ public:
     }
     std::uint64_t any() {
         const std::uint64_t fraction = raw() & ((std::uint64_t{1} << fraction_bits_) - 1);
-        return with_sign(random_.below(static_cast<std::uint32_t>(exponents_ + 1)) * (std::uint64_t{1} << fraction_bits_) |
+        return with_sign(random_.below(static_cast<std::uint32_t>(exponents_ + 1)) *
+                                 (std::uint64_t{1} << fraction_bits_) |
                              shortened(fraction),
                          random_.chance(0.5));
     }
@@ -169,7 +170,8 @@ std::vector<std::int32_t> pairs_of(std::uint64_t seed, bool is_double) {
 std::string program_of(const RealOperation& operation, bool is_double) {
     const std::string real = is_double ? "REAL64" : "REAL32";
     const std::string result = operation.result.empty() ? real : std::string(operation.result);
-    const std::string convert = result == "BOOL" || result == "INT16" ? "VAL INT w IS INT v:\n" : "VAL INT w RETYPES v:\n";
+    const std::string convert =
+        result == "BOOL" || result == "INT16" ? "VAL INT w IS INT v:\n" : "VAL INT w RETYPES v:\n";
     const bool is_wide = result.ends_with("64");
     const std::string store = is_wide ? "VAL [2]INT w RETYPES v:\nr[k][0], r[k][1], r[k][2] := w[0], w[1], 1\n"
                                       : convert + "r[k][0], r[k][2] := w, 1\n";
@@ -194,18 +196,19 @@ std::vector<std::int32_t> results_of(const std::string& text, transputer::Model 
     std::vector<std::int32_t> memory = given;
     memory.resize(7 * pairs);
     const Executed done = execute(text,
-                            {.model = model,
-                             .mode = checks ? occam::ErrorMode::stop : occam::ErrorMode::halt,
-                             .range_checks = checks,
-                             .run_time_checks = checks},
-                            "#OPTION \"AN\"\n", memory);
+                                  {.model = model,
+                                   .mode = checks ? occam::ErrorMode::stop : occam::ErrorMode::halt,
+                                   .range_checks = checks,
+                                   .run_time_checks = checks},
+                                  "#OPTION \"AN\"\n", memory);
     CHECK(done.trouble == "");
     return {done.results.begin() + 4 * pairs, done.results.begin() + 7 * pairs};
 }
 
 template <typename T>
 T real_at(const std::vector<std::int32_t>& words, std::size_t at) {
-    const auto bits = static_cast<std::uint32_t>(words[at]) | std::uint64_t{static_cast<std::uint32_t>(words[at + 1])} << 32;
+    const auto bits = static_cast<std::uint32_t>(words[at]) | std::uint64_t{static_cast<std::uint32_t>(words[at + 1])}
+                                                                  << 32;
     if constexpr (sizeof(T) == 4)
         return std::bit_cast<T>(static_cast<std::uint32_t>(bits));
     else
