@@ -3,12 +3,15 @@
 
 #include "runtime/transputer/fpu.hpp"
 
+#include "runtime/random.hpp"
 #include "tests/runtime/transputer/exact_reals.hpp"
 #include "tests/runtime/transputer/real_values.hpp"
 
 #include <doctest/doctest.h>
 
 #include <array>
+#include <bit>
+#include <cfenv>
 #include <cmath>
 #include <cstdint>
 #include <functional>
