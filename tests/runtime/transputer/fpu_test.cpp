@@ -297,9 +297,9 @@ TEST_CASE("fpunoround keeps the fraction for the next operation, and a store cut
         Fpu unit = with_doubles(0, std::uint64_t(wide));
         unit.fpunoround();
         CHECK_FALSE(unit.error());
-        Fpu sum = unit;
-        sum.fpldnladdsn(0);
-        CHECK_EQ(sum.fa(), single(std::bit_cast<std::uint32_t>(float(std::bit_cast<double>(std::uint64_t(wide))))));
+        Fpu product = unit;
+        product.fpldnlmulsn(0x3F800000);
+        CHECK_EQ(product.fa(), single(std::bit_cast<std::uint32_t>(float(std::bit_cast<double>(std::uint64_t(wide))))));
         CHECK_EQ(unit.fpstnlsn(), narrow);
     }
 }
