@@ -19,7 +19,7 @@ TESTS = pathlib.Path(__file__).parent.parent / "occam"
 BESIDE_INMOS = EXAMPLES / "occam/beside-inmos"
 D7205 = os.environ.get("PLACEDPAR_D7205")
 
-OUTPUTS = ("integers", "channels", "reals", "arrays", "functions", "predefined")
+OUTPUTS = ("integers", "channels", "reals", "arrays", "functions", "predefined", "bits")
 
 
 def output_of(text):
