@@ -12,6 +12,8 @@ void Checker::check_units() {
         declare(unit->declarations);
         names_.leave(0);
     }
+    declare(program_.routines);
+    names_.leave(0);
 }
 
 void Checker::check_program() {

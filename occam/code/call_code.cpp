@@ -1,6 +1,7 @@
 #include "occam/code/generator.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace placedpar::occam {
 
@@ -24,8 +25,7 @@ Generator::Routine& Generator::routine_of(const Declaration& d) {
 }
 
 bool Generator::returns_in_register(const Function& f) const {
-    return f.result_types.size() == 1 &&
-           (is_word(*f.result_types.front()) || (is_real(*f.result_types.front()) && has_reals()));
+    return f.result_types.size() == 1 && (is_word(*f.result_types.front()) || is_real(*f.result_types.front()));
 }
 
 void Generator::generate_routine(const Declaration& d, Routine& routine) {
@@ -125,7 +125,7 @@ void Generator::instance(const Process& p, const Instance& i) {
     const auto& procedure = std::get<Procedure>(i.meaning->form);
     if (procedure.is_inline && std::ranges::none_of(i.arguments, is_channel_table))
         return copied(procedure, i.arguments);
-    call(*i.meaning, i.arguments, {});
+    call(*i.meaning, pointers_to(i.arguments), {});
     clear_error();
 }
 
@@ -166,14 +166,23 @@ void Generator::copied(const Function& function, const std::vector<Expression>& 
     value_process(function.body, [&] { result_in_register(function); });
 }
 
-void Generator::call(const Declaration& d, const std::vector<Expression>& arguments,
-                     const std::vector<Storage>& results) {
+std::vector<const Expression*> Generator::pointers_to(const std::vector<Expression>& expressions) {
+    std::vector<const Expression*> pointers;
+    for (const Expression& each : expressions)
+        pointers.push_back(&each);
+    return pointers;
+}
+
+/// Calls a procedure or function. `more`: words behind the arguments, before the addresses of the results.
+void Generator::call(const Declaration& d, const std::vector<const Expression*>& arguments,
+                     const std::vector<Storage>& results, Arguments more) {
     Routine& routine = routine_of(d);
     const auto* procedure = std::get_if<Procedure>(&d.form);
     const auto& parameters = procedure ? procedure->parameters : std::get<Function>(d.form).parameters;
     Arguments words;
     for (std::size_t i = 0; i < arguments.size(); ++i)
-        add_argument(words, *parameters[i], arguments[i]);
+        add_argument(words, *parameters[i], *arguments[i]);
+    std::ranges::move(more, std::back_inserter(words));
     for (const Storage& each : results)
         words.push_back({1, [this, each] { address(each); }});
     call_with(routine, std::move(words));
@@ -286,15 +295,17 @@ void Generator::call_with(Routine& routine, Arguments words) {
 /// Calls a function. Without places for its results, its only one is left in a register.
 void Generator::call_function(const Expression& e, const std::vector<Storage>& results) {
     const auto& c = std::get<Call>(e.form);
-    if (std::holds_alternative<Predefined>(c.meaning->form))
-        return predefined_call(e, c, results);
-    const auto& function = std::get<Function>(c.meaning->form);
-    const bool in_register = returns_in_register(function);
-    if (in_register && function.is_inline)
-        copied(function, c.arguments);
+    const bool is_predefined = std::holds_alternative<Predefined>(c.meaning->form);
+    if (is_predefined && predefined_call(e, c, results))
+        return;
+    const Declaration& called = is_predefined ? library_routine(e.at, c.name) : *c.meaning;
+    const auto* function = std::get_if<Function>(&called.form); // null of a routine of the library that is a procedure
+    const bool in_register = function && returns_in_register(*function);
+    if (in_register && function->is_inline)
+        copied(*function, c.arguments);
     else
-        call(*c.meaning, c.arguments, in_register ? std::vector<Storage>() : results);
-    const bool is_word_result = in_register && is_word(*function.result_types.front());
+        call(called, pointers_to(c.arguments), in_register ? std::vector<Storage>() : results);
+    const bool is_word_result = in_register && is_word(*function->result_types.front());
     stack_ = is_word_result ? 1 : 0;
     if (!in_register)
         return clear_error();

@@ -9,6 +9,8 @@ using transputer::Operation;
 void Generator::expression(const Expression& e) {
     if (const auto value = constant_of(e))
         return constant(*value);
+    if (const auto routine = real_routine(e))
+        return call_real_routine(e, *routine, {});
     if (const auto* unary_operation = std::get_if<UnaryOperation>(&e.form))
         return unary(*unary_operation);
     if (const auto* operation = std::get_if<BinaryOperation>(&e.form))
@@ -25,6 +27,8 @@ void Generator::expression(const Expression& e) {
 int Generator::depth_of(const Expression& e) const {
     if (constant_of(e))
         return 1;
+    if (real_routine(e))
+        return 3;
     const bool is_short = is_word(*e.type) && size_of(*e.type) == 2;
     if (const auto* operation = std::get_if<UnaryOperation>(&e.form)) {
         if (operation->operation == Operator::size)

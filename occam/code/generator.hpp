@@ -118,9 +118,10 @@ private:
 
     // location_code.cpp
     static const Type& plain(const Type&);
-    static bool is_word(const Type&);
+    bool is_word(const Type&) const;  ///< a value for the register stack, also a REAL32 for routines
     static bool is_wide(const Type&); ///< INT64 or REAL64
-    static bool is_real(const Type&);
+    bool is_real(const Type&) const;  ///< a value for the floating-point unit
+    static bool has_real_type(const Type&);
     static bool is_compound(const Type& type) {
         return type.kind == Type::Kind::array || type.kind == Type::Kind::record;
     }
@@ -213,8 +214,8 @@ private:
     void real_load(Storage);
     void real_store(Storage);
     int depth_of_real(const Expression&) const;
-    static bool disturbs_reals(const Expression&);
-    static bool is_real_leaf(const Expression&);
+    bool disturbs_reals(const Expression&) const;
+    bool is_real_leaf(const Expression&) const;
     void real_operands(const Expression& left, const Expression& right, bool commutes);
     void real_binary(const BinaryOperation&);
     void real_remainder(const Expression& left, const Expression& right);
@@ -226,16 +227,27 @@ private:
     void check_reals();
     void begin_reals();
 
+    // routine_code.cpp
+    struct RealRoutine {
+        std::string name;
+        std::vector<const Expression*> operands;
+        std::optional<int> mode = {}; ///< of rounding, the last parameter of a conversion
+        bool negated = false;         ///< its result is the opposite of what is wanted
+    };
+    const Declaration& library_routine(const Place&, const std::string& name) const;
+    std::optional<RealRoutine> real_routine(const Expression&) const;
+    void call_real_routine(const Expression&, const RealRoutine&, const std::vector<Storage>& results);
+
     // process_code.cpp
     void process(const Process&);
     void assignment(const Assignment&);
     void assign(const Expression& target, const Expression& value);
     void assign_to(const Expression& value, const Storage& target);
-    bool is_copied(const Expression& value) const;
     bool is_bits(const Expression& value) const;
     void assign_word(const Expression& value, int depth, const std::function<Storage()>& target);
     void assign_compound(const Expression& value, int depth, const std::function<Storage()>& target);
     void copy(const Storage& source, Storage target);
+    bool is_word_of_frame(const Expression& target);
     void store_from(const Storage& value, const Expression& target);
     void check_sizes(const Storage&, const Storage&);
     void multiple_assignment(const Assignment&);
@@ -333,7 +345,9 @@ private:
     void abbreviate_parameters(const std::vector<DeclarationBox>&, const std::vector<Expression>& arguments);
     void copied(const Procedure&, const std::vector<Expression>& arguments);
     void copied(const Function&, const std::vector<Expression>& arguments);
-    void call(const Declaration&, const std::vector<Expression>& arguments, const std::vector<Storage>& results);
+    void call(const Declaration&, const std::vector<const Expression*>& arguments, const std::vector<Storage>& results,
+              Arguments more = {});
+    static std::vector<const Expression*> pointers_to(const std::vector<Expression>&);
     void add_argument(Arguments&, const Declaration& parameter, const Expression&);
     void add_value(Arguments&, const Expression&);
     Storage channel_table(const TableLiteral&, const Type&);
@@ -343,8 +357,8 @@ private:
     void call_function(const Expression&, const std::vector<Storage>& results);
 
     // predefined_code.cpp
-    void predefined_call(const Expression&, const Call&, const std::vector<Storage>& results);
-    bool word_function(const Expression&, const Call&, const std::vector<Storage>& results);
+    bool predefined_call(const Expression&, const Call&, const std::vector<Storage>& results);
+    bool word_function(const Call&, const std::vector<Storage>& results);
     bool predefined_shift(const Call&);
     bool real_test(const Call&);
     bool real_function(const Expression&, const Call&);

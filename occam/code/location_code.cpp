@@ -11,9 +11,9 @@ const Type& Generator::plain(const Type& type) {
     return type.kind == Type::Kind::derived || type.kind == Type::Kind::port ? plain(*type.element) : type;
 }
 
-bool Generator::is_word(const Type& given) {
+bool Generator::is_word(const Type& given) const {
     const Type& type = plain(given);
-    return type.kind == Type::Kind::basic && bytes_of(type.basic) <= 4 && type.basic != Basic::real32;
+    return type.kind == Type::Kind::basic && bytes_of(type.basic) <= 4 && !is_real(type);
 }
 
 bool Generator::is_wide(const Type& given) {
@@ -21,7 +21,9 @@ bool Generator::is_wide(const Type& given) {
     return type.kind == Type::Kind::basic && bytes_of(type.basic) == 8;
 }
 
-bool Generator::is_real(const Type& given) {
+bool Generator::is_real(const Type& type) const { return has_reals() && has_real_type(type); }
+
+bool Generator::has_real_type(const Type& given) {
     const Type& type = plain(given);
     return type.kind == Type::Kind::basic && occam::is_real(type.basic);
 }

@@ -38,13 +38,16 @@ constexpr std::array<WordFunction, 14> word_functions = {{
 
 } // namespace
 
-void Generator::predefined_call(const Expression& e, const Call& c, const std::vector<Storage>& results) {
+/// Generates a predefined function that has instructions. Returns false for others.
+bool Generator::predefined_call(const Expression& e, const Call& c, const std::vector<Storage>& results) {
     const bool left_in_register = results.empty();
-    if (word_function(e, c, results))
-        return;
+    if (word_function(c, results))
+        return true;
     if (predefined_shift(c)) {
         if (!left_in_register)
             store(results.front());
+    } else if (!has_reals()) {
+        return false;
     } else if (real_test(c)) {
         if (!left_in_register)
             store(results.front());
@@ -52,17 +55,16 @@ void Generator::predefined_call(const Expression& e, const Call& c, const std::v
         if (!left_in_register)
             real_store(results.front());
     } else {
-        refuse(e.at, c.name + " is not compiled yet");
+        return false;
     }
+    return true;
 }
 
-bool Generator::word_function(const Expression& e, const Call& c, const std::vector<Storage>& results) {
+bool Generator::word_function(const Call& c, const std::vector<Storage>& results) {
     const std::string_view name = c.name == "CRCBYTE" ? "CRCWORD" : std::string_view(c.name);
     const auto* function = std::ranges::find(word_functions, name, &WordFunction::name);
-    if (function == word_functions.end())
+    if (function == word_functions.end() || (function->second_generation && options_.model == transputer::Model::t414))
         return false;
-    if (function->second_generation && options_.model == transputer::Model::t414)
-        refuse(e.at, c.name + " needs an instruction that a T414 does not have");
     std::vector<const Expression*> operands;
     for (const int each : function->operands)
         if (each >= 0)
@@ -74,12 +76,20 @@ bool Generator::word_function(const Expression& e, const Call& c, const std::vec
     if (results.empty())
         return true;
     settle();
+    const auto result = [&](std::ptrdiff_t i) {
+        return results[static_cast<std::size_t>(function->results[static_cast<std::size_t>(i)])];
+    };
+    if (std::ranges::all_of(results, [](const Storage& each) { return each.base == Storage::Base::cell; })) {
+        for (std::ptrdiff_t i = 0; i < count_of; ++i)
+            store(result(i));
+        return true;
+    }
     std::array<Cell, 3> kept;
     for (std::ptrdiff_t i = 0; i < count_of; ++i)
         store(kept[static_cast<std::size_t>(i)] = temporary());
     for (std::ptrdiff_t i = 0; i < count_of; ++i) {
         load(kept[static_cast<std::size_t>(i)]);
-        store(results[static_cast<std::size_t>(function->results[static_cast<std::size_t>(i)])]);
+        store(result(i));
     }
     return true;
 }
@@ -116,19 +126,14 @@ bool Generator::predefined_shift(const Call& c) {
 
 bool Generator::real_test(const Call& c) {
     const std::string_view name = c.name.starts_with('D') ? std::string_view(c.name).substr(1) : c.name;
-    const bool two = c.name.ends_with("EQ") || c.name.ends_with("GT") || name == "ORDERED";
-    const bool one = name == "ISNAN" || name == "NOTFINITE";
+    const bool two = name == "ORDERED", one = name == "ISNAN" || name == "NOTFINITE";
     if (!two && !one)
         return false;
     stack_ = 0;
     real(c.arguments[0]);
     if (two)
         real_operands_behind(c.arguments[1]);
-    op(name == "ISNAN"          ? Operation::fpnan
-       : name == "NOTFINITE"    ? Operation::fpnotfinite
-       : name == "ORDERED"      ? Operation::fpordered
-       : c.name.ends_with("EQ") ? Operation::fpeq
-                                : Operation::fpgt);
+    op(two ? Operation::fpordered : name == "ISNAN" ? Operation::fpnan : Operation::fpnotfinite);
     reals_ = 0;
     return true;
 }
@@ -227,10 +232,8 @@ void Generator::predefined_instance(const Process& p, const Instance& i) {
         frame_->need_below(3);
         return clear_error();
     }
-    if (i.name != "MOVE2D" && i.name != "DRAW2D" && i.name != "CLIP2D")
-        refuse(p.at, i.name + " is not compiled yet");
     if (options_.model == transputer::Model::t414)
-        refuse(p.at, i.name + " needs instructions that a T414 does not have");
+        return call(library_routine(p.at, i.name), pointers_to(i.arguments), {});
     move_in_two_dimensions(i);
 }
 

@@ -64,7 +64,7 @@ void Generator::assign(const Expression& target, const Expression& value) {
     const int depth = depth_of_location(target);
     if (is_word(*target.type) || is_bits(value))
         return assign_word(value, depth, where);
-    if (is_copied(value))
+    if (is_compound(plain(*value.type)))
         return assign_compound(value, depth, where);
     if (!is_real(*target.type))
         return wide_store(wide(value), pointer_to(locate(target)));
@@ -74,18 +74,6 @@ void Generator::assign(const Expression& target, const Expression& value) {
     stack_ = 0;
     real(value);
     real_store(first ? pointer : locate(target));
-}
-
-/// Returns whether a value is copied as bytes: arrays and records, and reals without a floating-point unit if nothing
-/// is computed.
-bool Generator::is_copied(const Expression& value) const {
-    if (is_compound(plain(*value.type)))
-        return true;
-    const auto* call = std::get_if<Call>(&value.form);
-    const bool is_call = call && std::holds_alternative<Function>(call->meaning->form);
-    return is_real(*value.type) && !has_reals() &&
-           (value.constant || is_call || std::holds_alternative<NameUse>(value.form) ||
-            std::holds_alternative<Subscript>(value.form) || std::holds_alternative<ValueProcess>(value.form));
 }
 
 /// Returns whether a REAL32 is copied as a word, since nothing is computed.
@@ -99,7 +87,7 @@ void Generator::assign_to(const Expression& value, const Storage& target) {
     const auto where = [&] { return target; };
     if (is_word(*target.type) || is_bits(value)) {
         assign_word(value, 1, where);
-    } else if (is_copied(value)) {
+    } else if (is_compound(plain(*value.type))) {
         assign_compound(value, 1, where);
     } else if (is_real(*target.type)) {
         begin_reals();
@@ -185,8 +173,20 @@ void Generator::check_sizes(const Storage& a, const Storage& b) {
 void Generator::multiple_assignment(const Assignment& a) {
     std::vector<Storage> results;
     const auto* values = std::get_if<ValueProcess>(&a.values.front().form);
-    for (const Expression& target : a.targets)
+    const auto* called = std::get_if<Call>(&a.values.front().form);
+    if (called && std::holds_alternative<Predefined>(called->meaning->form) &&
+        std::ranges::all_of(a.targets, [this](const Expression& target) { return is_word_of_frame(target); })) {
+        for (const Expression& target : a.targets)
+            results.push_back(locate(target));
+        return call_function(a.values.front(), results);
+    }
+    for (const Expression& target : a.targets) {
         results.push_back(temporary_location(*target.type));
+        if (results.back().is_scalar && called) { // a function writes only the bytes of the type
+            constant(0);
+            store(results.back().cell);
+        }
+    }
     if (a.values.size() > 1) {
         for (std::size_t i = 0; i < results.size(); ++i)
             assign_to(a.values[i], results[i]);
@@ -202,6 +202,14 @@ void Generator::multiple_assignment(const Assignment& a) {
         stack_ = 0;
         store_from(results[i], a.targets[i]);
     }
+}
+
+/// Returns whether a place for a result is a whole word of the workspace.
+bool Generator::is_word_of_frame(const Expression& target) {
+    if (!is_word(*target.type) || size_of(*target.type) != 4 || depth_of_location(target) != 1)
+        return false;
+    const Storage location = locate(target);
+    return location.base == Storage::Base::cell && location.cell.frame->level == level_;
 }
 
 /// Copies a value from a location that needs no registers.

@@ -14,8 +14,6 @@ bool is_long(const Type& type) { return bytes_of(type) == 8; }
 
 /// Loads a value onto the stack of the floating-point unit.
 void Generator::real(const Expression& e) {
-    if (!has_reals())
-        refuse(e.at, "REAL arithmetic needs a transputer with a floating-point unit: --processor T800 or T805");
     if (const auto bits = constant_of(e); bits && *bits == 0) {
         op(is_long(*e.type) ? Operation::fpldzerodb : Operation::fpldzerosn);
         ++reals_;
@@ -101,7 +99,7 @@ int Generator::depth_of_real(const Expression& e) const {
 }
 
 /// Returns whether an expression may use the floating-point unit, or call a function that does.
-bool Generator::disturbs_reals(const Expression& e) {
+bool Generator::disturbs_reals(const Expression& e) const {
     if (e.constant || std::holds_alternative<NameUse>(e.form))
         return false;
     if (const auto* subscript = std::get_if<Subscript>(&e.form))
@@ -112,7 +110,7 @@ bool Generator::disturbs_reals(const Expression& e) {
 }
 
 /// Returns whether a value is in memory, at an address that is computed without the floating-point unit.
-bool Generator::is_real_leaf(const Expression& e) {
+bool Generator::is_real_leaf(const Expression& e) const {
     if (const auto bits = constant_of(e))
         return *bits != 0;
     const bool in_memory = std::holds_alternative<NameUse>(e.form) || std::holds_alternative<Subscript>(e.form);
@@ -228,9 +226,9 @@ void Generator::real_conversion(const Expression& e, const Conversion& converted
         op(Operation::fpunoround);
     load_address(value.cell.after(1));
     op(Operation::fpi32tor64);
+    op(Operation::fpuexpinc32);
     if (!is_long(to))
         op(Operation::fpunoround);
-    op(Operation::fpuexpinc32);
     round();
     op(Operation::fpadd);
     ++reals_;

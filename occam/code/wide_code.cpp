@@ -38,7 +38,9 @@ Generator::Wide Generator::wide(const Expression& e) {
         return wide_copy(location);
     }
     const Wide result{.cell = temporary(2)};
-    if (const auto* operation = std::get_if<UnaryOperation>(&e.form))
+    if (const auto routine = real_routine(e))
+        call_real_routine(e, *routine, {{.cell = result.cell, .type = e.type}});
+    else if (const auto* operation = std::get_if<UnaryOperation>(&e.form))
         wide_unary(*operation, result.cell);
     else if (const auto* binary_operation = std::get_if<BinaryOperation>(&e.form))
         wide_binary(*binary_operation, result.cell);

@@ -163,6 +163,10 @@ Parsed parse(std::shared_ptr<const SourceFile> file, const ParseOptions& options
     reading.open.push_back({std::filesystem::weakly_canonical(file->path(), error).string(), {}});
     try {
         parsed.program->declarations = Parser(reading, add_file(reading, std::move(file), {})).parse_file();
+        if (auto text = options.built_in ? options.built_in("predef.lib") : std::nullopt) {
+            auto library = std::make_shared<const SourceFile>("<predef.lib>", std::move(*text));
+            parsed.program->routines = Parser(reading, add_file(reading, std::move(library), {})).parse_file();
+        }
     } catch (const GiveUp&) { // the last diagnostic has the reason
     }
     parsed.options = reading.source_options;

@@ -454,6 +454,8 @@ struct Program {
     std::vector<std::unique_ptr<Unit>> units;             ///< in order of use: each uses only earlier ones
     std::vector<DeclarationBox> declarations;             ///< of the main file
     std::vector<DeclarationBox> predefined;               ///< made by the check
+    /// What the code calls for predefined routines and for reals if no instruction does the work: the library predef.
+    std::vector<DeclarationBox> routines;
     Types types;
     /// `[c, d]` of channels is an array of them, as an argument. The language has no such tables, but a program that
     /// joins the processes of a network needs them.

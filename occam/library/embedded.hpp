@@ -13,6 +13,7 @@ std::string hostio_inc();
 std::string hostio_occ();
 std::string linkaddr_inc();
 std::string mathvals_inc();
+std::string predef_occ();
 std::string snglmath_occ();
 std::string streamio_inc();
 std::string streamio_occ();

@@ -18,8 +18,9 @@ constexpr std::array library_files{
     LibraryFile{"dblmath.lib", embedded::dblmath_occ},   LibraryFile{"hostio.inc", embedded::hostio_inc},
     LibraryFile{"hostio.lib", embedded::hostio_occ},     LibraryFile{"linkaddr.inc", embedded::linkaddr_inc},
     LibraryFile{"mathvals.inc", embedded::mathvals_inc}, LibraryFile{"snglmath.lib", embedded::snglmath_occ},
-    LibraryFile{"streamio.inc", embedded::streamio_inc}, LibraryFile{"streamio.lib", embedded::streamio_occ},
-    LibraryFile{"string.lib", embedded::string_occ},     LibraryFile{"terminal.lib", embedded::terminal_occ},
+    LibraryFile{"predef.lib", embedded::predef_occ},     LibraryFile{"streamio.inc", embedded::streamio_inc},
+    LibraryFile{"streamio.lib", embedded::streamio_occ}, LibraryFile{"string.lib", embedded::string_occ},
+    LibraryFile{"terminal.lib", embedded::terminal_occ},
 };
 
 } // namespace

@@ -200,56 +200,53 @@ RealResult<T> combined(RealOperation operation, Rounding mode, RealPattern<T> le
     return {computed.pattern, computed.error || error};
 }
 
+using Single = RealPattern<float>;
+
+/// Returns the value of a finite REAL32, whose fraction may be as long as that of a REAL64.
+double value_with_whole_fraction(const Real& real) {
+    const RealPattern<double> wide = RealPattern<double>::of(Single(real.bits).value());
+    return RealPattern<double>(wide.word() | (real.bits >> 32)).value();
+}
+
+/// Returns left op right, rounded once to a REAL32. The last bit of the REAL64 stands for all bits that it lacks.
+RealResult<float> combined_unrounded(RealOperation operation, Rounding mode, const Real& left, const Real& right) {
+    const double first = value_with_whole_fraction(left), second = value_with_whole_fraction(right);
+    const auto compute = [&](Rounding each) {
+        return rounded<double>(each, first, second,
+                               [operation](double x, double y) { return computed_on_host(operation, x, y); });
+    };
+    const auto cut = compute(Rounding::zero), up = compute(Rounding::plus), down = compute(Rounding::minus);
+    const bool is_exact = up.pattern.word() == down.pattern.word();
+    const RealPattern<double> odd(cut.pattern.word() | std::uint64_t(!is_exact));
+    auto result = shortened(odd.value(), mode);
+    result.error |= operation == RealOperation::divide && second == 0;
+    return result;
+}
+
 } // namespace
 
 void Fpu::combine_by_rules(RealOperation operation, const Real& left, const Real& right) {
     in_type_of(right.length, [&](auto type) {
         using T = decltype(type);
-        const auto result = combined(operation, rounding_, RealPattern<T>(left.bits), RealPattern<T>(right.bits));
+        auto result = combined(operation, rounding_, RealPattern<T>(left.bits), RealPattern<T>(right.bits));
+        if constexpr (sizeof(T) == 4) {
+            const bool is_longer = (left.bits | right.bits) >> 32 != 0; // a fraction after fpunoround
+            if (is_longer && Single(left.bits).finite() && Single(right.bits).finite())
+                result = combined_unrounded(operation, rounding_, left, right);
+        }
         a_ = real_of(result.pattern);
         error_ |= result.error;
     });
     rounding_ = Rounding::nearest;
 }
 
-/// Returns a REAL32, unrounded or not, as a REAL64.
-static RealPattern<double> lengthened(const Real& real) {
-    if (real.length != Length::real32)
-        return RealPattern<double>(real.bits);
-    const RealPattern<float> narrow(real.bits);
-    return narrow.finite() ? RealPattern<double>::of(narrow.value()) : widened<double>(narrow.word());
-}
-
-/// Computes in REAL64s. Of the two results beside an exact one, that with the odd fraction is taken: rounded to a
-/// REAL32, it gives what the exact one would give.
-void Fpu::combine_unrounded(RealOperation operation, const Real& left, const Real& right) {
-    const RealPattern<double> first = lengthened(left), second = lengthened(right);
-    const auto below = combined(operation, Rounding::minus, first, second);
-    const auto above = combined(operation, Rounding::plus, first, second);
-    const RealPattern<double> odd = (below.pattern.word() & 1) != 0 ? below.pattern : above.pattern;
-    const auto result = odd.nan() ? made<float>(MadeNan::shortened) : shortened(odd.value(), rounding_);
-    a_ = real_of(result.pattern);
-    error_ |= result.error || below.error || above.error;
-    rounding_ = Rounding::nearest;
-}
-
 /// FA := FA * factor, a power of 2.
 void Fpu::scale(float factor) {
-    if (a_.length == Length::unrounded) {
-        const double product = RealPattern<double>(a_.bits).value() * double(factor);
-        if (std::abs(product) >= 0x1p-126 && std::abs(product) < 0x1p128) {
-            a_.bits = RealPattern<double>::of(product).word();
-            rounding_ = Rounding::nearest;
-            return;
-        }
-        a_ = cut_off(a_);
-    }
     const Real by = in_type_of(a_.length, [&](auto type) { return real_of(RealPattern<decltype(type)>::of(factor)); });
     combine(RealOperation::multiply, a_, by);
 }
 
 std::uint32_t Fpu::fpstnli32() {
-    cut();
     const Real top = pop();
     return in_type_of(top.length, [&](auto type) {
         const RealPattern<decltype(type)> pattern(top.bits);
@@ -258,7 +255,6 @@ std::uint32_t Fpu::fpstnli32() {
 }
 
 bool Fpu::fpremfirst() {
-    cut();
     in_type_of(a_.length, [&](auto type) {
         using T = decltype(type);
         const RealPattern<T> left(b_.bits), right(a_.bits);
@@ -271,7 +267,6 @@ bool Fpu::fpremfirst() {
 }
 
 bool Fpu::fpgt() {
-    cut();
     const bool greater = in_type_of(a_.length, [&](auto type) {
         const RealPattern<decltype(type)> left(b_.bits), right(a_.bits);
         error_ |= !left.finite() || !right.finite();
@@ -283,7 +278,6 @@ bool Fpu::fpgt() {
 }
 
 bool Fpu::fpeq() {
-    cut();
     const bool equal = in_type_of(a_.length, [&](auto type) {
         const RealPattern<decltype(type)> left(b_.bits), right(a_.bits);
         error_ |= !left.finite() || !right.finite();
@@ -295,19 +289,16 @@ bool Fpu::fpeq() {
 }
 
 bool Fpu::fpordered() {
-    cut();
     return finished(in_type_of(a_.length, [&](auto type) {
         return !RealPattern<decltype(type)>(b_.bits).nan() && !RealPattern<decltype(type)>(a_.bits).nan();
     }));
 }
 
 bool Fpu::fpnan() {
-    cut();
     return finished(in_type_of(a_.length, [&](auto type) { return RealPattern<decltype(type)>(a_.bits).nan(); }));
 }
 
 bool Fpu::fpnotfinite() {
-    cut();
     return finished(in_type_of(a_.length, [&](auto type) { return !RealPattern<decltype(type)>(a_.bits).finite(); }));
 }
 
@@ -325,7 +316,6 @@ void Fpu::set_error(bool error) {
 void Fpu::fpi32tor32(std::uint32_t word) { push(real_of(shortened(std::int32_t(word), rounding_).pattern)); }
 
 void Fpu::fpint() {
-    cut();
     in_type_of(a_.length, [&](auto type) {
         const RealPattern<decltype(type)> pattern(a_.bits);
         if (pattern.finite())
@@ -342,7 +332,6 @@ void Fpu::fprtoi32() {
 }
 
 void Fpu::check_below(double limit) {
-    cut();
     in_type_of(a_.length, [&](auto type) {
         const double value = RealPattern<decltype(type)>(a_.bits).value();
         error_ |= !(-limit <= value && value < limit); // true for a NaN
@@ -351,7 +340,6 @@ void Fpu::check_below(double limit) {
 }
 
 void Fpu::fpur32tor64() {
-    cut();
     const RealPattern<float> narrow(a_.bits);
     a_ = real_of(narrow.finite() ? RealPattern<double>::of(narrow.value()) : widened<double>(narrow.word()));
     error_ |= !narrow.finite();
@@ -366,25 +354,18 @@ void Fpu::fpur64tor32() {
     rounding_ = Rounding::nearest;
 }
 
-Real Fpu::cut_off(const Real& real) {
-    const RealPattern<double> wide(real.bits);
+void Fpu::fpunoround() {
+    const RealPattern<double> wide(a_.bits);
     const std::uint64_t exponent = (wide.word() & wide.exponent_mask) >> wide.fraction_bits;
     const std::uint32_t lower = exponent == 0 ? 0 : std::uint32_t(exponent - 1023 + 127) & 0xFF;
     const RealPattern<float> narrow(lower << 23 | std::uint32_t(wide.fraction() >> 29));
-    return real_of(narrow.with_sign(wide.negative()));
-}
-
-void Fpu::fpunoround() {
-    const Real narrow = cut_off(a_);
-    const double value = RealPattern<double>(a_.bits).value();
-    const bool fits = std::isfinite(value) && std::abs(value) < 0x1p128 && std::abs(value) >= 0x1p-126;
-    const bool loses = fits && double(RealPattern<float>(narrow.bits).value()) != value;
-    a_ = loses ? Real{a_.bits, Length::unrounded} : narrow;
+    a_ = real_of(narrow.with_sign(wide.negative()));
+    if (lower != 0 && lower != 0xFF)
+        a_.bits |= (wide.fraction() & 0x1FFF'FFFF) << 32;
     rounding_ = Rounding::nearest;
 }
 
 void Fpu::fpuabs() {
-    cut();
     in_type_of(a_.length, [&](auto type) {
         const auto absolute = RealPattern<decltype(type)>(a_.bits).absolute();
         a_ = real_of(absolute);
@@ -394,7 +375,6 @@ void Fpu::fpuabs() {
 }
 
 void Fpu::fpusqrtfirst() {
-    cut();
     in_type_of(a_.length, [&](auto type) {
         const auto result = root(RealPattern<decltype(type)>(a_.bits), rounding_);
         a_ = real_of(result.pattern);

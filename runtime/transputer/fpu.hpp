@@ -6,14 +6,12 @@
 
 namespace placedpar::transputer {
 
-enum class Length : std::uint8_t {
-    real32,
-    real64,
-    unrounded ///< a REAL32 with the longer fraction of a REAL64: what fpunoround leaves
-};
+enum class Length : std::uint8_t { real32, real64 };
 
 struct Real {
-    std::uint64_t bits = 0; ///< a REAL32 is in the lower half, and the upper half is 0; others have those of a REAL64
+    /// A REAL32 is in the lower half. The upper half is 0, but after fpunoround it has the 29 bits of the fraction that
+    /// follow: the unit keeps them, though a store leaves them out.
+    std::uint64_t bits = 0;
     Length length = Length::real32;
 
     friend bool operator==(const Real&, const Real&) = default;
@@ -74,10 +72,7 @@ public:
 
     /// These return what is stored. fpstnli32 stores the largest integer up to FA, modulo 2^32, and 0 for a NaN or
     /// infinity: programs take the halves of a long integer that way.
-    std::uint32_t fpstnlsn() {
-        cut();
-        return std::uint32_t(pop().bits);
-    }
+    std::uint32_t fpstnlsn() { return std::uint32_t(pop().bits); }
     std::uint64_t fpstnldb() { return pop().bits; }
     std::uint32_t fpstnli32();
 
@@ -133,9 +128,10 @@ public:
 
     void fpur32tor64();
     void fpur64tor32();
-    /// Makes FA a REAL32 by the lower bits of its exponent. The fraction keeps its length until it is used: sums,
-    /// products and fpuexpinc32 use all of it, and others cut it. So INMOS's occam compiler converts long integers,
-    /// whose halves are REAL64s, with one rounding. Sets no flag.
+    /// Makes FA a REAL32 with a fraction that is still as long as that of a REAL64, and with the lower bits of the
+    /// exponent. Sets no flag. The next operation computes with the whole fraction: INMOS's code adds the halves of an
+    /// INT64 that way, and so rounds once. (With a fraction that is cut, its code would give other results on a T800
+    /// than on a T414, and wrong ones.)
     void fpunoround();
 
     void fpuabs();
@@ -154,15 +150,6 @@ private:
     template <typename T>
     bool combined_at_once(RealOperation operation, const Real& left, const Real& right);
     void combine(RealOperation operation, const Real& left, const Real& right);
-    void combine_unrounded(RealOperation operation, const Real& left, const Real& right);
-    /// Cuts the fractions of FA and FB to their lengths.
-    void cut() {
-        if (a_.length == Length::unrounded)
-            a_ = cut_off(a_);
-        if (b_.length == Length::unrounded)
-            b_ = cut_off(b_);
-    }
-    static Real cut_off(const Real& real);
     void combine_by_rules(RealOperation operation, const Real& left, const Real& right);
     void combine_two(RealOperation operation);
     void scale(float factor);
@@ -208,11 +195,10 @@ bool Fpu::combined_at_once(RealOperation operation, const Real& left, const Real
 
 /// FA := left op right. The right operand determines the length.
 inline void Fpu::combine(RealOperation operation, const Real& left, const Real& right) {
-    if (left.length == Length::unrounded || right.length == Length::unrounded)
-        return combine_unrounded(operation, left, right);
     if (rounding_ == Rounding::nearest) {
-        if (right.length == Length::real32 ? combined_at_once<float>(operation, left, right)
-                                           : combined_at_once<double>(operation, left, right))
+        if (right.length == Length::real32
+                ? (left.bits | right.bits) >> 32 == 0 && combined_at_once<float>(operation, left, right)
+                : combined_at_once<double>(operation, left, right))
             return;
     }
     combine_by_rules(operation, left, right);

@@ -4,6 +4,7 @@ PLACEDPAR_D7205 names the folder of INMOS's occam toolset, unpacked from its ito
 makes of the same programs is not compared.
 """
 
+import itertools
 import json
 import os
 import pathlib
@@ -18,7 +19,7 @@ TESTS = pathlib.Path(__file__).parent.parent / "occam"
 BESIDE_INMOS = EXAMPLES / "occam/beside-inmos"
 D7205 = os.environ.get("PLACEDPAR_D7205")
 
-OUTPUTS = ("integers", "channels", "reals", "arrays", "functions")
+OUTPUTS = ("integers", "channels", "reals", "arrays", "functions", "predefined", "bits")
 
 
 def output_of(text):
@@ -35,9 +36,10 @@ class Programs(unittest.TestCase):
     def test_programs_print_what_those_that_inmos_compiled_printed(self):
         for name in OUTPUTS:
             expected = (TESTS / "code/programs" / f"{name}.txt").read_text(encoding="ascii")
-            for mode in ("halt", "stop", "universal"):
-                with self.subTest(name=name, mode=mode):
-                    self.assertEqual(self.run_program(TESTS / "code/programs" / f"{name}.occ", "--mode", mode), expected)
+            for mode, processor in itertools.product(("halt", "stop", "universal"), ("T800", "T414")):
+                with self.subTest(name=name, mode=mode, processor=processor):
+                    self.assertEqual(self.run_program(TESTS / "code/programs" / f"{name}.occ", "--mode", mode,
+                                                      "--processor", processor), expected)
 
     def test_a_compiled_file_runs_like_the_program(self):
         program = BESIDE_INMOS / "ring-seq.occ"

@@ -89,9 +89,6 @@ TEST_CASE("an error stops its process in mode stop, and others go on") {
 }
 
 TEST_CASE("what is not compiled is refused by its name and place") {
-    CHECK_THROWS_WITH_AS(
-        execute("REAL32 r:\nSEQ\n  r := 1.0(REAL32)\n  r := r + r\n", {.model = transputer::Model::t414}),
-        doctest::Contains("needs a transputer with a floating-point unit"), RefusedInput);
     CHECK_THROWS_WITH_AS(execute("[10000][10000]INT a:\na[0][0] := 1\n"),
                          doctest::Contains("\"a\" needs 400000000 bytes; a variable can have at most 268435456"),
                          RefusedInput);

@@ -1,6 +1,7 @@
 #include "executed.hpp"
 
 #include "occam/check/check.hpp"
+#include "occam/library/library.hpp"
 #include "runtime/transputer/core.hpp"
 
 #include <fmt/format.h>
@@ -38,7 +39,7 @@ private:
     std::optional<std::pair<transputer::Word, transputer::Word>> asked_;
 };
 
-BootedCode::BootedCode(const occam::Code& code, const occam::CodeOptions& options)
+BootedCode::BootedCode(const occam::Code& code, const occam::CodeOptions& options, std::uint32_t memory_bytes)
     : results_(
           static_cast<transputer::Word>(where_code_is(code, options) + code.bytes.size() + code.vector_space_bytes)) {
     const std::vector<std::uint8_t> file = bootable(code, options);
@@ -69,6 +70,10 @@ bool BootedCode::run(transputer::HalfCycles most) {
     return true;
 }
 
+void BootedCode::set_results(std::span<const std::int32_t> words) {
+    core_->copy_to_memory(results_, {reinterpret_cast<const std::uint8_t*>(words.data()), words.size_bytes()});
+}
+
 std::int32_t BootedCode::result(std::uint32_t index) const {
     return static_cast<std::int32_t>(core_->memory().word(results_ + 4 * index));
 }
@@ -78,7 +83,9 @@ const transputer::Core& BootedCode::core() const { return *core_; }
 occam::Code compiled_program(const std::string& text, const occam::CodeOptions& options) {
     Reporter reporter;
     const auto file = std::make_shared<SourceFile>("test.occ", text);
-    occam::Parsed parsed = occam::parse(file, {}, reporter);
+    occam::ParseOptions reading;
+    reading.built_in = [](const std::string& name) { return occam::library_text(name); };
+    occam::Parsed parsed = occam::parse(file, reading, reporter);
     if (!reporter.failed())
         occam::check(*parsed.program, parsed.options, reporter);
     if (reporter.failed())
@@ -96,11 +103,13 @@ std::string indented(std::string_view text, std::size_t blanks) {
     return result;
 }
 
-Executed execute(std::string_view body, const occam::CodeOptions& options, std::string_view declarations) {
+Executed execute(std::string_view body, const occam::CodeOptions& options, std::string_view declarations,
+                 std::span<const std::int32_t> initial) {
     const std::string text = fmt::format("PROTOCOL SP IS INT16::[]BYTE:\n{}PROC main (CHAN OF SP fs, ts, []INT "
                                          "memory)\n{}:\n",
                                          declarations, indented(body, 2));
-    BootedCode booted(compiled_program(text, options), options);
+    BootedCode booted(compiled_program(text, options), options, 1 << 24);
+    booted.set_results(initial);
     constexpr transputer::HalfCycles most = 4'000'000'000;
     if (!booted.run(most))
         throw std::runtime_error("the program does not end");
@@ -110,7 +119,7 @@ Executed execute(std::string_view body, const occam::CodeOptions& options, std::
     if (core.stopped() != transputer::Stopped::nothing && !done.halted)
         done.trouble = core.why_stopped();
     done.cycles = core.busy() / 2;
-    constexpr std::uint32_t words_of_results = 1024;
+    constexpr std::uint32_t words_of_results = 1 << 17;
     for (std::uint32_t i = 0; i < words_of_results; ++i)
         done.results.push_back(booted.result(i));
     return done;

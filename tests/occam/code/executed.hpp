@@ -5,26 +5,27 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace placedpar::test {
 
-/// A transputer with 1 Mbyte that has been booted with code.
+/// A transputer that has been booted with code.
 class BootedCode {
 public:
-    static constexpr std::uint32_t memory_bytes = 1 << 20;
-
     /// REQUIRES: the code and what it needs take at most half of the memory.
-    BootedCode(const occam::Code&, const occam::CodeOptions&);
+    BootedCode(const occam::Code&, const occam::CodeOptions&, std::uint32_t memory_bytes = 1 << 20);
     ~BootedCode();
     BootedCode(const BootedCode&) = delete;
     BootedCode& operator=(const BootedCode&) = delete;
 
     /// Runs until nothing can happen any more. Returns whether that comes before the limit.
     bool run(transputer::HalfCycles most);
-    /// Returns a word of what the main procedure gets as its free memory.
+    /// Sets the first words of what the main procedure gets as its free memory. REQUIRES: called before run().
+    void set_results(std::span<const std::int32_t>);
+    /// Returns a word of this memory.
     std::int32_t result(std::uint32_t index) const;
     const transputer::Core& core() const;
 
@@ -44,10 +45,11 @@ struct Executed {
 };
 
 /// Compiles a program and boots a transputer with it. `text` is the body of
-/// PROC main (CHAN OF SP fs, ts, []INT memory), which stores its results in `memory`; `declarations` stand before it.
-/// Throws std::runtime_error with the messages if the program has errors; throws as compile() does.
+/// PROC main (CHAN OF SP fs, ts, []INT memory), which stores its results in `memory`; `declarations` stand before it;
+/// `memory` begins with the words `initial`. Throws std::runtime_error with the messages if the program has errors;
+/// throws as compile() does.
 Executed execute(std::string_view body, const occam::CodeOptions& = {.model = transputer::Model::t800},
-                 std::string_view declarations = "");
+                 std::string_view declarations = "", std::span<const std::int32_t> initial = {});
 
 /// Compiles a program. Throws std::runtime_error with the messages if it has errors; throws as compile() does.
 occam::Code compiled_program(const std::string& text, const occam::CodeOptions&);

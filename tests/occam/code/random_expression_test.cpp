@@ -356,7 +356,8 @@ TEST_CASE("random expressions of all types give what an exact evaluator gives") 
             at += 2;
         }
         const auto mode = static_cast<occam::ErrorMode>(seed % 3);
-        const Executed done = execute(with_variables(maker, body), {.model = transputer::Model::t800, .mode = mode});
+        const auto model = seed % 2 == 0 ? transputer::Model::t800 : transputer::Model::t414;
+        const Executed done = execute(with_variables(maker, body), {.model = model, .mode = mode});
         CHECK(done.trouble == "");
         CHECK_FALSE(done.halted);
         for (const auto& check : checks)
@@ -377,10 +378,11 @@ TEST_CASE("random expressions that are errors halt the processor, or stop the pr
         CAPTURE(term.text);
         const std::string body =
             with_variables(maker, "memory[0] := 1\n" + storing(term, type, 2) + "memory[1] := 1\n");
-        const Executed halted = execute(body);
+        const auto model = seed % 3 == 0 ? transputer::Model::t414 : transputer::Model::t800;
+        const Executed halted = execute(body, {.model = model});
         CHECK(halted.halted);
         CHECK(halted.results[0] == 1);
-        const Executed stopped = execute(body, {.model = transputer::Model::t800, .mode = occam::ErrorMode::stop});
+        const Executed stopped = execute(body, {.model = model, .mode = occam::ErrorMode::stop});
         CHECK_FALSE(stopped.halted);
         CHECK(stopped.results[0] == 1);
         CHECK(stopped.results[1] == 0);

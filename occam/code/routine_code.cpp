@@ -1,0 +1,86 @@
+#include "occam/code/generator.hpp"
+
+#include <algorithm>
+
+namespace placedpar::occam {
+
+using transputer::Operation;
+
+// Routines of the library predef.lib do what has no instructions: predefined routines, and the arithmetic of reals
+// without a floating-point unit. A REAL32 is a word there, and a REAL64 is two words, as an INT64 is.
+
+const Declaration& Generator::library_routine(const Place& at, const std::string& name) const {
+    const auto found = std::ranges::find(program_.routines, name, [](const auto& each) { return each->name; });
+    if (found == program_.routines.end())
+        refuse(at, "the library of routines has no " + name);
+    return **found;
+}
+
+namespace {
+
+/// Returns the second part of the name of a routine that does an operation.
+const char* verb_of(Operator operation) {
+    switch (operation) {
+    case Operator::add: return ".add";
+    case Operator::subtract: return ".subtract";
+    case Operator::multiply: return ".multiply";
+    case Operator::divide: return ".divide";
+    case Operator::remainder: return "REM";
+    case Operator::equal:
+    case Operator::unequal: return ".equal";
+    default: return ".greater";
+    }
+}
+
+} // namespace
+
+/// Returns how a routine does an operation on reals; nothing if it is none, or if there is a floating-point unit.
+std::optional<Generator::RealRoutine> Generator::real_routine(const Expression& e) const {
+    if (has_reals() || e.constant)
+        return std::nullopt;
+    if (const auto* operation = std::get_if<UnaryOperation>(&e.form)) {
+        if (operation->operation == Operator::size || !has_real_type(*operation->operand->type))
+            return std::nullopt;
+        return RealRoutine{name_of(plain(*e.type)) + ".negate", {operation->operand.get()}};
+    }
+    if (const auto* operation = std::get_if<BinaryOperation>(&e.form)) {
+        const Operator kind = operation->operation;
+        const Expression *left = operation->left.get(), *right = operation->right.get();
+        if (!has_real_type(*left->type))
+            return std::nullopt;
+        if (kind == Operator::less || kind == Operator::greater_or_equal)
+            std::swap(left, right);
+        return RealRoutine{.name = name_of(plain(*left->type)) + verb_of(kind),
+                           .operands = {left, right},
+                           .negated = kind == Operator::unequal || kind == Operator::less_or_equal ||
+                                      kind == Operator::greater_or_equal};
+    }
+    const auto* converted = std::get_if<Conversion>(&e.form);
+    if (!converted || is_compound(plain(*e.type)))
+        return std::nullopt;
+    const Type &from = plain(*converted->operand->type), &to = plain(*e.type);
+    if ((!has_real_type(from) && !has_real_type(to)) || from.basic == to.basic)
+        return std::nullopt;
+    const auto name = [&](const Type& type) {
+        return has_real_type(type) ? name_of(type) : is_wide(type) ? "INT64" : "INT";
+    };
+    return RealRoutine{.name = std::string(name(from)) + "." + std::string(name(to)),
+                       .operands = {converted->operand.get()},
+                       .mode = converted->rounding == Conversion::Rounding::truncate ? 0 : 1};
+}
+
+/// Calls a routine. Without places for its results, its only one is left in a register.
+void Generator::call_real_routine(const Expression& e, const RealRoutine& routine,
+                                  const std::vector<Storage>& results) {
+    Arguments mode;
+    if (routine.mode)
+        mode.push_back({1, [this, &routine] { constant(*routine.mode); }});
+    call(library_routine(e.at, routine.name), routine.operands, results, std::move(mode));
+    stack_ = results.empty() ? 1 : 0;
+    if (routine.negated)
+        op(Operation::eqc, 0);
+    if (routine.mode && results.empty() && size_of(*e.type) < 4)
+        fit(*e.type, true);
+}
+
+} // namespace placedpar::occam
