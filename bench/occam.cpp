@@ -134,7 +134,10 @@ std::uint64_t fingerprint_of(const Ran& ran) {
 /// Runs a program of examples/occam/beside-inmos several times. `turns`: of its loop; 0 if it has none to tell about.
 void measure_program(const std::string& name, long repeats, double turns) {
     const std::string path = fmt::format("{}/examples/occam/beside-inmos/{}.occ", PLACEDPAR_SOURCE_DIR, name);
-    const Image image = compiled(load_source(path).file);
+    const LoadedSource source = load_source(path);
+    if (has_errors(source.problems))
+        give_up(render(source.problems));
+    const Image image = compiled(source.file);
     double simulated_s = 0, host_s = 0;
     Ran ran;
     for (long i = 0; i < repeats; ++i) {
