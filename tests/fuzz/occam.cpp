@@ -40,7 +40,7 @@ std::vector<std::string> pieces_of(const std::string& text, bool into_lines) {
 /// Deletes, doubles, exchanges or replaces pieces: four bytes of `changes` say what is done to which two pieces.
 std::string damaged(std::string text, std::string_view changes) {
     const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(changes[at]); };
-    for (; changes.size() >= 5 && !text.empty(); changes.remove_prefix(5)) {
+    for (int left = 6; left > 0 && changes.size() >= 5 && !text.empty(); --left, changes.remove_prefix(5)) {
         std::vector<std::string> pieces = pieces_of(text, (byte(0) & 4) != 0);
         std::string& one = pieces[(byte(1) * 256U + byte(2)) % pieces.size()];
         std::string& other = pieces[(byte(3) * 256U + byte(4)) % pieces.size()];
