@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <filesystem>
 #include <optional>
 
@@ -22,16 +23,25 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::array machine_options = {"--processor", "--memory", "--memorycycles", "--mode", "--no-checks"};
+constexpr std::array machine_options = {"--processor", "--memory", "--memorycycles"};
+constexpr std::array occam_options = {"--mode", "--no-checks"};
 
-/// Says why a text is not the size of a memory; "" if it is.
-std::string not_a_size(const std::string& text) {
+/// Returns the bytes of a size such as 32K or 2M; nothing if it is none.
+std::optional<std::uint64_t> bytes_of_size(const std::string& text) {
     const char unit = text.empty() ? ' ' : text.back();
     const std::optional<std::uint64_t> number =
         parse_number<std::uint64_t>(unit == 'K' || unit == 'M' ? text.substr(0, text.size() - 1) : text);
     if (!number)
+        return std::nullopt;
+    return std::min(*number, std::uint64_t{1} << 32) << (unit == 'K' ? 10 : unit == 'M' ? 20 : 0);
+}
+
+/// Says why a text is not the size of a memory; "" if it is.
+std::string not_a_size(const std::string& text) {
+    const std::optional<std::uint64_t> size = bytes_of_size(text);
+    if (!size)
         return fmt::format("\"{}\" is not a size such as 32K or 2M", text);
-    const std::uint64_t bytes = std::min(*number, std::uint64_t{1} << 32) << (unit == 'K' ? 10 : unit == 'M' ? 20 : 0);
+    const std::uint64_t bytes = *size;
     if (bytes < 2048 || bytes > 0xffff'ff00 || bytes % 256 != 0)
         return fmt::format("{}: code can be executed with 2K to just below 4G of memory, in steps of 256 bytes", text);
     return "";
@@ -92,6 +102,10 @@ void refuse_for_netlists(const Options& typed, const NetlistOptions& netlist, co
                 fmt::format("{}: only a bootable file can be run with this option, but {} is a netlist, which "
                             "states its processors itself",
                             option, netlist.file));
+    const bool has_code = std::ranges::any_of(network.nodes, [](const Node& node) { return node.image != nullptr; });
+    for (const char* option : occam_options)
+        if (typed.is_given(option) && !has_code)
+            throw UserError(fmt::format("{}: no process of {} is in occam", option, netlist.file));
     if (has_bootable_file(network))
         return;
     if (!options.arguments.empty())
@@ -150,11 +164,15 @@ void add_booted(Options& command, BootedOptions& options) {
 }
 
 std::function<std::shared_ptr<iserver::Terminal>()>
-terminal_for(const BootedOptions& options, std::function<bool()> interrupted, bool uses_standard_input) {
+terminal_for(const BootedOptions& options, std::function<bool()> interrupted, std::function<void()> unread,
+             bool uses_standard_input) {
     if (!options.keys && uses_standard_input)
-        return [interrupted] { return std::make_shared<iserver::Console>(interrupted); };
-    return [keys = keys_of(options.keys.value_or(""))] {
-        return std::make_shared<iserver::ScriptedTerminal>(keys, iserver::write_to_screen);
+        return [interrupted, unread] { return std::make_shared<iserver::Console>(interrupted, 0, unread); };
+    return [unread, keys = keys_of(options.keys.value_or(""))] {
+        return std::make_shared<iserver::ScriptedTerminal>(keys, [unread](std::string_view text) {
+            if (!iserver::write_to_screen(text))
+                unread();
+        });
     };
 }
 
@@ -163,6 +181,11 @@ namespace {
 CompiledProgram compiled_program(const NetlistOptions& netlist, const BootedOptions& options) {
     CompiledOccam made =
         compile_occam(netlist.file, netlist.read.include, options.occam, *transputer::model_named(options.processor));
+    if (made.memory_bytes > *bytes_of_size(options.memory))
+        throw UserError(fmt::format("{}: the program needs {} bytes of memory, but the transputer has {}\nhint: --memory "
+                                    "{}M",
+                                    netlist.file, made.memory_bytes, options.memory,
+                                    std::bit_ceil((made.memory_bytes + (1 << 20) - 1) >> 20)));
     return {std::make_shared<const std::vector<std::uint8_t>>(std::move(made.file)),
             std::make_shared<const SourceFile>("lines of " + netlist.file, std::move(made.lines))};
 }
@@ -174,6 +197,8 @@ Network load_network(const Options& typed, const NetlistOptions& netlist, const 
     const bool bootable =
         occam || (netlist.file != "-" && (looks_bootable(netlist.file) || is_empty_program(netlist.file)));
     ReadOptions read = read_options_of(netlist.read);
+    if (!bootable)
+        read.code = choices_of(options.occam);
     if (occam)
         read.compiled[netlist.file] = compiled_program(netlist, options);
     else if (bootable)

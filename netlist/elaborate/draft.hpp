@@ -150,6 +150,7 @@ struct Draft {
     Location default_used;
     std::size_t things = 0;
     std::vector<SetByOption> set;
+    CompileChoices code = {}; ///< stated by options
 };
 
 } // namespace placedpar

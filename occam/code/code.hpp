@@ -5,11 +5,15 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace placedpar::occam {
 
 enum class ErrorMode : std::uint8_t { halt, stop, universal };
+
+/// Returns the mode of this name. Throws std::invalid_argument if there is none.
+ErrorMode error_mode(std::string_view name);
 
 struct CodeOptions {
     transputer::Model model{};
@@ -31,12 +35,20 @@ struct CodeName {
     std::string name; ///< such as "phil" or "phil/PAR 12:3"
 };
 
-/// A process that is a component of the main procedure's PAR, with the words of its workspace and of all that it calls.
-/// They count from the first workspace pointer, and are below it.
+/// The meaning of an error of the instruction that ends at an offset: a text for transputer::print_error().
+struct CodeError {
+    std::uint32_t offset = 0;
+    std::string text;
+};
+
+/// Words of a process that is a component of a PAR: of its workspace, and of what it calls. They count from the first
+/// workspace pointer, and are below it.
 struct CodeWorkspace {
     std::int64_t from = 0, until = 0;
-    std::string name;  ///< of the PROC that it is an instance of, with its place if there are several; or its place
-    std::string place; ///< of the component: line and column, "12:3"
+    std::string name; ///< such as "phil[2]", or its place; with its place if several processes have this name
+    std::string
+        inner; ///< its name within the outermost component, "" for that itself: "fork[1]" if `name` is "ring/fork[1]"
+    std::size_t outermost = 0; ///< number of the outermost component, in the order of the text
 };
 
 /// Code of a program that can stand anywhere in memory.
@@ -49,7 +61,9 @@ struct Code {
     std::uint64_t vector_space_bytes = 0;    ///< behind the code
     std::vector<CodeLine> lines;             ///< in order of offsets
     std::vector<CodeName> names;
-    std::vector<CodeWorkspace> workspaces; ///< in order of the text; empty if several PARs share the words
+    std::vector<CodeError> errors;         ///< in order of offsets
+    /// Leaves out processes whose words are used by several constructs of a procedure, one after the other.
+    std::vector<CodeWorkspace> workspaces;
 };
 
 } // namespace placedpar::occam

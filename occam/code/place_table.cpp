@@ -32,6 +32,8 @@ std::string place_table(const Code& code, const Program& program, std::uint32_t 
     }
     for (const CodeName& name : code.names)
         fmt::format_to(to, "entry +#{:X} {}\n", code_at + name.offset, name.name.substr(0, longest_path));
+    for (const CodeError& error : code.errors)
+        fmt::format_to(to, "error +#{:X} {}\n", code_at + error.offset, error.text);
     const std::int64_t first_workspace = code_at - 4 * static_cast<std::int64_t>(code.first_workspace_words);
     for (const CodeWorkspace& each : code.workspaces)
         fmt::format_to(to, "process +#{:X} +#{:X} {}\n", first_workspace + 4 * each.from,

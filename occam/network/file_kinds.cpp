@@ -231,20 +231,35 @@ private:
         return known;
     }
 
-    /// Names the workspaces by the processes of the netlist, which are in the order of text_of_image().
+    /// Names the workspaces by the processes of the netlist, which are in the order of text_of_image(). A process
+    /// within one has its name behind it: "table/phil[2]". Other processes of the node have the node's name in front.
     static void name_workspaces(Code& code, const Network& network, std::size_t node) {
         std::vector<std::string> names;
+        std::size_t low = 0;
         for (const bool high : {true, false})
             for (const ProcessInstance& process : network.processes)
-                if (process.node == node && process.high_priority == high)
+                if (process.node == node && process.high_priority == high) {
                     names.push_back(process.name);
-        for (std::size_t i = 0; names.size() == code.workspaces.size() && i < names.size(); ++i)
-            code.workspaces[i].name = names[i];
+                    low += !high;
+                }
+        std::size_t outermost = 0;
+        for (const CodeWorkspace& each : code.workspaces)
+            outermost = std::max(outermost, each.outermost + 1);
+        const bool agrees = outermost == names.size() + (low == 0); // SKIP is there if no process has low priority
+        for (CodeWorkspace& each : code.workspaces)
+            if (agrees && each.outermost < names.size())
+                each.name = names[each.outermost] + (each.inner.empty() ? "" : "/") + each.inner;
+            else
+                each.name = network.nodes[node].name + "." + each.name;
     }
 
     std::shared_ptr<const transputer::Image> compiled(const Network& network, std::size_t node,
                                                       Reporter& reporter) const {
-        CodeOptions options{.ends_run = false};
+        const CompileChoices& chosen = network.code;
+        CodeOptions options{.mode = error_mode(chosen.mode),
+                            .range_checks = chosen.range_checks,
+                            .run_time_checks = chosen.run_time_checks,
+                            .ends_run = false};
         options.model = *transputer::model_named(network.nodes[node].type);
         Folders folders;
         const auto program_of = [&](const ProcessInstance& process) {

@@ -22,11 +22,13 @@ struct CodeLinesError : std::runtime_error {
 ///     code FROM UNTIL LINE COLUMN FILE   the code in [FROM, UNTIL) is of this place; no two rows overlap
 ///     entry ADDRESS NAME                 a procedure begins here
 ///     process FROM UNTIL NAME            a process whose workspace is in [FROM, UNTIL); no two rows overlap
+///     error ADDRESS TEXT                 what it means if the instruction in front of ADDRESS sets Error, or is a
+///                                        `stopp`; see print_error()
 ///     node NAME                          the rows that follow are for the node of this name
 ///     end                                the last row
 ///
-/// An address is hexadecimal, #80000170, or counts from MemStart, +#100. FILE and NAME go on to the end of the line.
-/// Rows before the first `node` are for the node that the file boots. Empty lines and lines that begin with -- are
+/// An address is hexadecimal, #80000170, or counts from MemStart, +#100. FILE, NAME and TEXT go on to the end of the
+/// line. Rows before the first `node` are for the node that the file boots. Empty lines and lines that begin with -- are
 /// comments.
 class CodeLines {
 public:
@@ -45,6 +47,9 @@ public:
     /// Returns the name of the process that has this workspace; "" if the table has none.
     std::string process(Word workspace) const;
 
+    /// Returns the text for an error of the instruction in front of an address; "" if the table has none.
+    std::string_view error(Word address) const;
+
 private:
     struct Row {
         Word from, until; ///< of an entry `until` is `from`
@@ -52,7 +57,7 @@ private:
         std::size_t line; ///< of the table
     };
     class Reader;
-    std::vector<Row> code_, entries_, processes_; ///< by address
+    std::vector<Row> code_, entries_, processes_, errors_; ///< by address
 };
 
 } // namespace placedpar::transputer

@@ -1,7 +1,10 @@
 #include "executed.hpp"
 
 #include "occam/check/check.hpp"
+#include "occam/code/place_table.hpp"
 #include "runtime/transputer/core.hpp"
+#include "runtime/transputer/error_text.hpp"
+#include "runtime/transputer/waiting.hpp"
 
 #include <fmt/format.h>
 
@@ -42,7 +45,12 @@ private:
     std::optional<std::pair<transputer::Word, transputer::Word>> asked_;
 };
 
-occam::Code compiled_program(const std::string& text, const occam::CodeOptions& options) {
+struct Compiled {
+    std::unique_ptr<occam::Program> program;
+    occam::Code code;
+};
+
+Compiled compiled_program(const std::string& text, const occam::CodeOptions& options) {
     Reporter reporter;
     const auto file = std::make_shared<SourceFile>("test.occ", text);
     occam::Parsed parsed = occam::parse(file, {}, reporter);
@@ -50,7 +58,16 @@ occam::Code compiled_program(const std::string& text, const occam::CodeOptions& 
         occam::check(*parsed.program, parsed.options, reporter);
     if (reporter.failed())
         throw std::runtime_error(render(reporter.take()));
-    return occam::compile(*parsed.program, *occam::main_procedure(*parsed.program), options);
+    occam::Code code = occam::compile(*parsed.program, *occam::main_procedure(*parsed.program), options);
+    return {std::move(parsed.program), std::move(code)};
+}
+
+/// Describes the error with its place in the text without the lines that execute() adds.
+std::string described(const transputer::Core& core, const transputer::ErrorNote& found,
+                      const transputer::CodeLines& lines) {
+    const transputer::ErrorNote error = error_to_name(core, found, lines);
+    const std::string place = lines.file_place(error.after - 1);
+    return place.substr(place.find(':') + 1) + " " + print_error(core, error, lines);
 }
 
 /// Runs the core until nothing can happen any more.
@@ -85,19 +102,28 @@ Executed execute(std::string_view body, const occam::CodeOptions& options, std::
     const std::string text = fmt::format("PROTOCOL SP IS INT16::[]BYTE:\n{}PROC main (CHAN OF SP fs, ts, []INT "
                                          "memory)\n{}:\n",
                                          declarations, indented(body, 2));
-    const occam::Code code = compiled_program(text, options);
+    const auto [program, code] = compiled_program(text, options);
     std::vector<std::uint8_t> file = bootable(code, options);
     const std::size_t loader = file.front();
     BootLink link({file.begin() + 1 + static_cast<std::ptrdiff_t>(loader), file.end()});
     transputer::Core core(options.model, memory_bytes, {.memory_cycles = 1}, link);
     const transputer::Word start = transputer::traits_of(options.model).memory_start;
     core.copy_to_memory(start, {file.data() + 1, loader});
+    const transputer::CodeLines lines(place_table(code, *program, where_code_is(code, options) - start), "",
+                                      transputer::most_negative + start);
+    core.know_errors(lines);
     core.boot(static_cast<transputer::Word>(loader), 4);
     run_to_end(core, link);
     Executed done;
     done.halted = core.stopped() == transputer::Stopped::by_error;
     if (core.stopped() != transputer::Stopped::nothing && !done.halted)
         done.trouble = core.why_stopped();
+    if (done.halted)
+        done.errors.push_back(described(core, core.error(), lines));
+    for (const transputer::Core::StoppedProcess& each : core.stopped_processes())
+        done.errors.push_back(described(core, each.error, lines));
+    for (const transputer::WaitingProcess& each : transputer::waiting_processes(core))
+        done.waiting.push_back(lines.process(each.workspace) + (each.channels.empty() ? " for nothing" : ""));
     done.cycles = core.busy() / 2;
     const auto memory =
         static_cast<transputer::Word>(where_code_is(code, options) + code.bytes.size() + code.vector_space_bytes);

@@ -15,6 +15,8 @@ struct Executed {
     std::vector<std::int32_t> results; ///< the words that it stored in `memory`
     bool halted = false;               ///< an error has halted the processor
     std::string trouble;               ///< why the core stopped otherwise; "" if it did not
+    std::vector<std::string> errors;   ///< those that halted the processor or stopped a process: "5:3 STOP"
+    std::vector<std::string> waiting;  ///< the names of processes that wait at the end
     std::uint64_t cycles = 0;          ///< in which instructions were executed
 };
 
