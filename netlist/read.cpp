@@ -174,9 +174,7 @@ std::optional<Network> ParsedNetlist::Syntax::network(const Catalogue& catalogue
     if (reporter.failed())
         return std::nullopt;
     elaborator.run(set);
-    Draft draft = elaborator.take();
-    draft.code = options.code;
-    auto network = complete(std::move(draft), catalogue, reporter, options.compiled);
+    auto network = complete(elaborator.take(), catalogue, reporter, options.compiled);
     if (reporter.failed())
         return std::nullopt;
     network.source_path = file->path();

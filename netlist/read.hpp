@@ -34,7 +34,6 @@ struct ReadOptions {
     std::vector<std::filesystem::path> include_folders =
         {};                               ///< folders searched for files that are not beside the including file
     std::vector<std::string> faults = {}; ///< faults stated by options: `t[0].link[1] silent (from = 20ms)`
-    CompileChoices code = {};             ///< of kinds that are made of files
     CompiledPrograms compiled = {};       ///< programs that were compiled, instead of bootable files, by their paths
     ProgramKinds programs =
         {}; ///< kinds that replace programs; it is an error to name a program that the netlist does not use

@@ -197,8 +197,6 @@ Network load_network(const Options& typed, const NetlistOptions& netlist, const 
     const bool bootable =
         occam || (netlist.file != "-" && (looks_bootable(netlist.file) || is_empty_program(netlist.file)));
     ReadOptions read = read_options_of(netlist.read);
-    if (!bootable)
-        read.code = choices_of(options.occam);
     if (occam)
         read.compiled[netlist.file] = compiled_program(netlist, options);
     else if (bootable)
@@ -206,7 +204,10 @@ Network load_network(const Options& typed, const NetlistOptions& netlist, const 
     const ParsedNetlist parsed = bootable
                                      ? ParsedNetlist::of_text(netlist_around(netlist.file, options), netlist.file, read)
                                      : ParsedNetlist(netlist.file, read);
-    Network network = load_network(parsed, overrides_of(netlist.set), known_kinds(known_problems(0)), print_warnings);
+    const Catalogue kinds = known_kinds(known_problems(0));
+    if (!bootable)
+        kinds.files()->choose(choices_of(options.occam));
+    Network network = load_network(parsed, overrides_of(netlist.set), kinds, print_warnings);
     if (!bootable)
         refuse_for_netlists(typed, netlist, options, network);
     network.host = services_of(options);

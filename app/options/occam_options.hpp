@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/options.hpp"
-#include "netlist/network/network.hpp"
+#include "netlist/kinds/file_kinds.hpp"
 #include "occam/code/compile.hpp"
 
 #include <cstdint>

@@ -19,7 +19,6 @@ std::string Completion::free_link(std::size_t node) const {
 Network complete(Draft draft, const Catalogue& catalogue, Reporter& reporter, const CompiledPrograms& compiled) {
     Completion completion{std::move(draft), catalogue, reporter, compiled, {}, {}, {}, {}, {}, {}};
     completion.network.set = std::move(completion.draft.set);
-    completion.network.code = completion.draft.code;
     completion.network.nodes = std::move(completion.draft.nodes);
     place_code(completion);
     complete_hosts(completion);

@@ -150,7 +150,6 @@ struct Draft {
     Location default_used;
     std::size_t things = 0;
     std::vector<SetByOption> set;
-    CompileChoices code = {}; ///< stated by options
 };
 
 } // namespace placedpar

@@ -254,13 +254,6 @@ struct HostServices {
     iserver::OfferedBoard* board = nullptr; ///< where another program is the host of a node with one; null: nowhere
 };
 
-/// How the code of kinds that are made of files is compiled.
-struct CompileChoices {
-    std::string mode = "halt";  ///< what an error at run time does: halt, stop or universal
-    bool range_checks = true;   ///< checks of subscripts and the like
-    bool run_time_checks = true; ///< also of overflow
-};
-
 struct Network {
     std::vector<Node> nodes;
     std::vector<LinkConnection> connections; ///< the wires, then the ways over buses
@@ -273,7 +266,6 @@ struct Network {
     std::vector<std::string> included_paths; ///< paths of the included files
     bool includes_toolset = false; ///< the netlist includes a file of the toolset, or uses its predefined names
     std::vector<SetByOption> set;
-    CompileChoices code;    ///< set by an option, not by the netlist
     HostServices host;      ///< set by the program that runs the network, not by the netlist
     std::uint64_t hash = 0; ///< FNV-1a of its canonical form (netlist/print/print.hpp)
 

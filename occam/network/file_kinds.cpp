@@ -133,6 +133,11 @@ public:
         return program.substr(0, program.find('#')).ends_with(".occ");
     }
 
+    void choose(const CompileChoices& choices) override {
+        const std::lock_guard lock(mutex_);
+        chosen_ = choices;
+    }
+
     std::string read(const std::string& program, const Location& named_at, const Folders& folders,
                      Reporter& reporter) override {
         const std::lock_guard lock(mutex_);
@@ -255,10 +260,9 @@ private:
 
     std::shared_ptr<const transputer::Image> compiled(const Network& network, std::size_t node,
                                                       Reporter& reporter) const {
-        const CompileChoices& chosen = network.code;
-        CodeOptions options{.mode = error_mode(chosen.mode),
-                            .range_checks = chosen.range_checks,
-                            .run_time_checks = chosen.run_time_checks,
+        CodeOptions options{.mode = error_mode(chosen_.mode),
+                            .range_checks = chosen_.range_checks,
+                            .run_time_checks = chosen_.run_time_checks,
                             .ends_run = false};
         options.model = *transputer::model_named(network.nodes[node].type);
         Folders folders;
@@ -288,6 +292,7 @@ private:
     }
 
     mutable std::mutex mutex_;
+    CompileChoices chosen_;
     std::map<std::pair<std::string, Folders>, std::shared_ptr<const FileOfPrograms>> files_;
     std::list<KindOfFile> all_; ///< also those of files that have changed since
     std::map<std::string, const KindOfFile*, std::less<>> newest_;

@@ -232,6 +232,30 @@ PROC main (CHAN OF SP fs, ts)
         self.assertEqual(done.returncode, 1)
         self.assertIn('--no-checks: "bounds" is not the name of a check: the names are usage, alias, range and all', done.stderr)
 
+    def test_unused_names_are_warnings(self):
+        text = """PROC main (CHAN BYTE keyboard?, screen!, error!)
+  VAL n IS 3:
+  INT used, unused:
+  CHAN OF INT c:
+  TIMER clock:
+  [4]INT a:
+  b IS a[2]:
+  PROC never (VAL INT p)
+    SKIP
+  :
+  INT FUNCTION f (VAL INT x) IS 1:
+  SEQ
+    used := f (2)
+    screen ! BYTE used
+:
+"""
+        done = self.run_text(text, command="check")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        warned = re.findall(r'test\.occ:(\d+):\d+: warning: the (\w+) "([\w.]+)" is never used', done.stderr)
+        self.assertEqual(warned, [("2", "constant", "n"), ("3", "variable", "unused"), ("4", "channel", "c"), ("5", "timer", "clock"),
+                                  ("7", "abbreviation", "b"), ("8", "procedure", "never"), ("8", "parameter", "p"),
+                                  ("11", "parameter", "x")])
+
     def test_usage_is_checked_unless_it_is_left_out(self):
         text = "PROC main ()\n  INT x:\n  PAR\n    x := 1\n    x := 2\n:\n"
         self.assertEqual(self.run_text(text, command="check").returncode, 1)
