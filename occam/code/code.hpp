@@ -55,6 +55,7 @@ struct CodeWorkspace {
 struct Code {
     std::vector<std::uint8_t> bytes;
     std::uint32_t entry = 0;                 ///< offset of the first instruction, which needs no values in registers
+    std::uint32_t constants = 0;             ///< offset of the constants, which are behind the instructions
     std::uint32_t end = 0;                   ///< offset behind the last instruction, which stops the first process
     std::uint64_t workspace_words = 0;       ///< of the first process, with those of everything it calls
     std::uint64_t first_workspace_words = 0; ///< those of them that the first workspace pointer has above it

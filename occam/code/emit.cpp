@@ -186,6 +186,7 @@ Code Emitter::finish(const std::vector<const CodeBuffer*>& buffers, Label entry)
     std::vector<CodeElement> all;
     for (const CodeBuffer* each : buffers)
         all.insert(all.end(), each->begin(), each->end());
+    const std::size_t first_constant = all.size();
     for (const ConstantBytes& each : constants_) {
         if (each.aligned)
             all.push_back({.kind = CodeElement::Kind::align});
@@ -213,6 +214,7 @@ Code Emitter::finish(const std::vector<const CodeBuffer*>& buffers, Label entry)
     for (const ConstantBytes& each : constants_)
         std::ranges::copy(each.bytes, code.bytes.begin() + static_cast<std::ptrdiff_t>(layout.offset(each.label)));
     code.entry = layout.offset(entry);
+    code.constants = layout.offset_at(first_constant);
     return code;
 }
 
