@@ -8,8 +8,8 @@
 
 namespace placedpar::iserver {
 
-/// Writes a text unchanged to standard output, or to standard error if standard output receives a file. Returns false if
-/// its reader has gone. Throws UserError if it cannot be written for another reason. REQUIRES: SIGPIPE is ignored.
+/// Writes a text unchanged to standard output, or to standard error if standard output receives a file. Returns false
+/// if its reader has gone. Throws UserError if it cannot be written for another reason. REQUIRES: SIGPIPE is ignored.
 bool write_to_screen(std::string_view text);
 
 /// The terminal on which PlacedPar was started, or the files and pipes that stand in for it. Keys are read as INMOS's

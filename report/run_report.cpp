@@ -111,7 +111,8 @@ std::string print_stops(const std::vector<ProgramUse>& programs) {
     std::string out;
     for (const ProgramUse& program : programs) {
         for (const ProgramUse::Stop& stop : program.stops)
-            out += fmt::format("{} stopped at {}: {}, at {}\n", stop.process, stop.place, stop.error, to_string(stop.at));
+            out +=
+                fmt::format("{} stopped at {}: {}, at {}\n", stop.process, stop.place, stop.error, to_string(stop.at));
         if (const std::uint64_t others = program.count_of_stops - program.stops.size(); others > 0)
             out += fmt::format("{}: {} more stopped\n", program.name, counted(others, "process"));
     }

@@ -163,9 +163,10 @@ void add_booted(Options& command, BootedOptions& options) {
     add_occam(command, options.occam);
 }
 
-std::function<std::shared_ptr<iserver::Terminal>()>
-terminal_for(const BootedOptions& options, std::function<bool()> interrupted, std::function<void()> unread,
-             bool uses_standard_input) {
+std::function<std::shared_ptr<iserver::Terminal>()> terminal_for(const BootedOptions& options,
+                                                                 std::function<bool()> interrupted,
+                                                                 std::function<void()> unread,
+                                                                 bool uses_standard_input) {
     if (!options.keys && uses_standard_input)
         return [interrupted, unread] { return std::make_shared<iserver::Console>(interrupted, 0, unread); };
     return [unread, keys = keys_of(options.keys.value_or(""))] {
@@ -182,10 +183,10 @@ CompiledProgram compiled_program(const NetlistOptions& netlist, const BootedOpti
     CompiledOccam made =
         compile_occam(netlist.file, netlist.read.include, options.occam, *transputer::model_named(options.processor));
     if (made.memory_bytes > *bytes_of_size(options.memory))
-        throw UserError(fmt::format("{}: the program needs {} bytes of memory, but the transputer has {}\nhint: --memory "
-                                    "{}M",
-                                    netlist.file, made.memory_bytes, options.memory,
-                                    std::bit_ceil((made.memory_bytes + (1 << 20) - 1) >> 20)));
+        throw UserError(fmt::format(
+            "{}: the program needs {} bytes of memory, but the transputer has {}\nhint: --memory "
+            "{}M",
+            netlist.file, made.memory_bytes, options.memory, std::bit_ceil((made.memory_bytes + (1 << 20) - 1) >> 20)));
     return {std::make_shared<const std::vector<std::uint8_t>>(std::move(made.file)),
             std::make_shared<const SourceFile>("lines of " + netlist.file, std::move(made.lines))};
 }

@@ -122,9 +122,10 @@ void add_occam(Options& command, OccamOptions& options) {
 CompileChoices choices_of(const OccamOptions& options) {
     for (const char* check : {"usage", "alias"})
         if (leaves_out(options, check))
-            throw UserError(fmt::format("--no-checks: a netlist cannot leave out the check \"{}\" of its programs; write "
-                                        "#OPTION \"{}\" into the file",
-                                        check, check[0] == 'u' ? "N" : "A"));
+            throw UserError(
+                fmt::format("--no-checks: a netlist cannot leave out the check \"{}\" of its programs; write "
+                            "#OPTION \"{}\" into the file",
+                            check, check[0] == 'u' ? "N" : "A"));
     const bool all = leaves_out(options, "all");
     return {options.mode, !all && !leaves_out(options, "range"), !all};
 }

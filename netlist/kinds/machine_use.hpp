@@ -117,7 +117,7 @@ struct ProgramUse {
         std::string error; ///< "division by zero: 1 / 0"
         Time at;
     };
-    std::vector<Stop> stops{};       ///< the first of them
+    std::vector<Stop> stops{};        ///< the first of them
     std::uint64_t count_of_stops = 0; ///< how many they are in all
 };
 

@@ -1,4 +1,3 @@
-#include "occam/check/check.hpp"
 #include "occam/check/checker.hpp"
 
 #include <algorithm>
@@ -37,18 +36,14 @@ std::string_view kind_of_name(const Declaration& declaration) {
 
 } // namespace
 
-/// Names outside of all procedures may be for other files, and the parameters of the main procedure are those that it
-/// must have. Only the main file is asked about.
+/// Names outside of all procedures, and the parameters of these procedures, may be for other files. Only the main file
+/// is asked about.
 void Checker::warn_of_unused() {
-    const Declaration* const main = main_procedure(program_);
-    const auto is_of_main = [&](const Declaration* each) {
-        return main && std::ranges::any_of(std::get<Procedure>(main->form).parameters,
-                                           [&](const DeclarationBox& parameter) { return parameter.get() == each; });
-    };
     std::ranges::sort(declared_, {}, [](const Declaration* each) { return std::pair(each->at.line, each->at.column); });
     for (const Declaration* const each : declared_) {
         const std::string_view kind = kind_of_name(*each);
-        if (each->at.file == 0 && !kind.empty() && depths_.at(each) > 0 && !used_.contains(each) && !is_of_main(each))
+        const std::size_t least_depth = std::holds_alternative<Parameter>(each->form) ? 2 : 1;
+        if (each->at.file == 0 && !kind.empty() && depths_.at(each) >= least_depth && !used_.contains(each))
             reporter_.warning(program_.location(each->at),
                               "the " + std::string(kind) + " \"" + each->name + "\" is never used", "leave it out");
     }

@@ -41,8 +41,8 @@ struct CodeError {
     std::string text;
 };
 
-/// Words of a process that is a component of a PAR: of its workspace, and of what it calls. They count from the first
-/// workspace pointer, and are below it.
+/// Where the workspace pointer of a process that is a component of a PAR can be, also in what it calls. The words count
+/// from the first workspace pointer, and are below it.
 struct CodeWorkspace {
     std::int64_t from = 0, until = 0;
     std::string name; ///< such as "phil[2]", or its place; with its place if several processes have this name
@@ -62,7 +62,7 @@ struct Code {
     std::uint64_t vector_space_bytes = 0;    ///< behind the code
     std::vector<CodeLine> lines;             ///< in order of offsets
     std::vector<CodeName> names;
-    std::vector<CodeError> errors;         ///< in order of offsets
+    std::vector<CodeError> errors; ///< in order of offsets
     /// Leaves out processes whose words are used by several constructs of a procedure, one after the other.
     std::vector<CodeWorkspace> workspaces;
 };

@@ -206,7 +206,8 @@ Code Emitter::finish(const std::vector<const CodeBuffer*>& buffers, Label entry)
         } else if (element.kind == CodeElement::Kind::name) {
             code.names.push_back({layout.offset_at(i), names_[static_cast<std::size_t>(element.value)]});
         } else if (element.kind == CodeElement::Kind::error) {
-            code.errors.push_back({layout.offset_at(i), errors_[static_cast<std::size_t>(element.value)].with_offsets()});
+            code.errors.push_back(
+                {layout.offset_at(i), errors_[static_cast<std::size_t>(element.value)].with_offsets()});
         }
         const std::vector<std::uint8_t> bytes = layout.bytes_of(i);
         code.bytes.insert(code.bytes.end(), bytes.begin(), bytes.end());

@@ -24,8 +24,7 @@ std::string place_table(const Code& code, const Program& program, std::uint32_t 
     const auto to = std::back_inserter(table);
     for (std::size_t i = 0; i < code.lines.size(); ++i) {
         const CodeLine& row = code.lines[i];
-        const std::uint32_t until =
-            i + 1 < code.lines.size() ? code.lines[i + 1].offset : code.constants;
+        const std::uint32_t until = i + 1 < code.lines.size() ? code.lines[i + 1].offset : code.constants;
         if (row.place.line > 0 && row.offset < until)
             fmt::format_to(to, "code +#{:X} +#{:X} {} {} {}\n", code_at + row.offset, code_at + until, row.place.line,
                            row.place.column, path_in_table(*program.files[row.place.file]));

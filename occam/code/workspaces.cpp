@@ -35,8 +35,8 @@ void count_names(const Frame& frame, NameCounts& counts) {
         count_names(each->main, counts);
 }
 
-/// Collects the workspaces of the processes that a frame starts, from the outermost on. A frame that starts processes at
-/// several places uses the same words for all of them, so these get no names.
+/// Collects the workspaces of the processes that a frame starts, from the outermost on. A frame that starts processes
+/// at several places uses the same words for all of them, so these get no names.
 class Workspaces {
 public:
     explicit Workspaces(const Frame& first) { add_within(first, 0, {}); }
@@ -76,8 +76,8 @@ private:
         std::int64_t base = at - words_of_scheduler - component.words();
         for (std::int64_t i = 0; i < replication.components && found_.size() < most_workspaces; ++i) {
             Naming with_index = naming;
-            with_index.indices += replication.base ? "[" + std::to_string(*replication.base + i) + "]"
-                                                   : "[+" + std::to_string(i) + "]";
+            with_index.indices +=
+                replication.base ? "[" + std::to_string(*replication.base + i) + "]" : "[+" + std::to_string(i) + "]";
             add(component, base, with_index);
             base -= component.words() + component.below;
         }
@@ -88,9 +88,9 @@ private:
             return add_started(component, base, naming);
         const std::int64_t at = base + component.coordinate;
         const bool is_one_of_several = naming.counts->at(component.name) > 1;
-        const std::string name =
-            component.name + naming.indices + (is_one_of_several ? " " + component.place : "");
-        const CodeWorkspace own{at - component.below, at + component.words(), naming.before + name,
+        const std::string name = component.name + naming.indices + (is_one_of_several ? " " + component.place : "");
+        // The pointer moves down from here, to the words of what the process calls.
+        const CodeWorkspace own{at - component.below + 1, at + 1, naming.before + name,
                                 naming.is_outermost ? "" : naming.before_inner + name, outermost_};
         Naming within = naming;
         within.is_outermost = false;

@@ -28,8 +28,8 @@ struct CodeLinesError : std::runtime_error {
 ///     end                                the last row
 ///
 /// An address is hexadecimal, #80000170, or counts from MemStart, +#100. FILE, NAME and TEXT go on to the end of the
-/// line. Rows before the first `node` are for the node that the file boots. Empty lines and lines that begin with -- are
-/// comments.
+/// line. Rows before the first `node` are for the node that the file boots. Empty lines and lines that begin with --
+/// are comments.
 class CodeLines {
 public:
     CodeLines() = default;

@@ -145,7 +145,9 @@ public:
     };
     /// Returns the processes that `stoperr` has stopped, and those that have stopped at an instruction for which the
     /// table has a text of an error; the first of them, in order of time.
-    std::span<const StoppedProcess> stopped_processes() const { return {stops_.data(), std::min(errors_, stops_.size())}; }
+    std::span<const StoppedProcess> stopped_processes() const {
+        return {stops_.data(), std::min(errors_, stops_.size())};
+    }
     /// Returns how many they are in all.
     std::size_t count_stopped() const { return errors_; }
     /// Names the table. REQUIRES: it outlives the run.

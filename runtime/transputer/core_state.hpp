@@ -54,8 +54,8 @@ struct CoreState {
     bool analysed_ = false, breaks_at_j0_ = false;
     bool is_analysed_ = false; ///< the analyse pin is set
     Stopped stopped_ = Stopped::nothing;
-    Word stopped_at_ = 0;      ///< the address that was bad
-    bool other_error_ = false; ///< Error of the interrupted process
+    Word stopped_at_ = 0;              ///< the address that was bad
+    bool other_error_ = false;         ///< Error of the interrupted process
     std::array<ErrorNote, 2> noted_{}; ///< for each priority, the instruction that has set its Error
     std::size_t errors_ = 0;           ///< processes that an error has stopped
     Fpu fpu_, interrupted_fpu_;

@@ -206,7 +206,7 @@ private:
     std::vector<std::uint8_t> start_; ///< what an image begins with, until the run begins
     std::function<void()> when_stopped_ = [] {}, when_idle_ = [] {};
     const CodeLines* lines_ = nullptr;
-    bool has_image_ = false; ///< whose table has whole names of processes
+    bool has_image_ = false;                      ///< whose table has whole names of processes
     std::unique_ptr<ProcessTrace> process_trace_; ///< null until a boot, and if the run is not traced
 };
 

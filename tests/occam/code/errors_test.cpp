@@ -205,10 +205,11 @@ TEST_CASE("components of replicated PARs are named by their indices") {
 TEST_CASE("processes that a procedure starts are named behind its name") {
     constexpr const char* row = "PROC row ([]CHAN OF INT c)\n  PAR i = 0 FOR 2\n    reader (c[i])\n:\n";
     CHECK(names_of_waiting("[2]CHAN OF INT c:\nrow (c)\n", row) == "reader[0], reader[1]");
-    CHECK(names_of_waiting("[2]CHAN OF INT c:\n[2][2]CHAN OF INT d:\nPAR\n  row (c)\n  PAR i = 0 FOR 2\n    row (d[i])\n",
-                           row) ==
-          "row 14:5/reader[0], row 14:5/reader[1], row[0] 16:7/reader[0], row[0] 16:7/reader[1], row[1] 16:7/reader[0], "
-          "row[1] 16:7/reader[1]");
+    CHECK(
+        names_of_waiting("[2]CHAN OF INT c:\n[2][2]CHAN OF INT d:\nPAR\n  row (c)\n  PAR i = 0 FOR 2\n    row (d[i])\n",
+                         row) ==
+        "row 14:5/reader[0], row 14:5/reader[1], row[0] 16:7/reader[0], row[0] 16:7/reader[1], row[1] 16:7/reader[0], "
+        "row[1] 16:7/reader[1]");
     // The words of PARs that follow one another are the same, so they get no names.
     CHECK(names_of_waiting("[2]CHAN OF INT c, d:\nSEQ\n  PAR\n    SKIP\n    SKIP\n  row (c)\n", row) == ", ");
 }
