@@ -205,7 +205,8 @@ Network load_network(const Options& typed, const NetlistOptions& netlist, const 
     const ParsedNetlist parsed = bootable
                                      ? ParsedNetlist::of_text(netlist_around(netlist.file, options), netlist.file, read)
                                      : ParsedNetlist(netlist.file, read);
-    const Catalogue kinds = known_kinds(known_problems(0));
+    const ProblemRegistry problems = known_problems(0);
+    const Catalogue kinds = known_kinds(problems);
     if (!bootable)
         kinds.files()->choose(choices_of(options.occam));
     Network network = load_network(parsed, overrides_of(netlist.set), kinds, print_warnings);
