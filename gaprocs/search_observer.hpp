@@ -7,6 +7,7 @@
 #include "runtime/time.hpp"
 
 #include <cstdint>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -66,6 +67,25 @@ public:
 
 protected:
     ~SearchObserver() = default;
+};
+
+/// Passes the events of searches in several threads to an observer, one event at a time.
+class OneEventAtATime final : public SearchObserver {
+public:
+    /// REQUIRES: the observer outlives this object.
+    explicit OneEventAtATime(SearchObserver& observer) : observer_(observer) {}
+    void observe(const ObservedGeneration& event) override { pass(event); }
+    void observe(const ObservedMigration& event) override { pass(event); }
+    void observe(const ObservedAnswer& event) override { pass(event); }
+
+private:
+    void pass(const auto& event) {
+        const std::lock_guard lock(mutex_);
+        observer_.observe(event);
+    }
+
+    SearchObserver& observer_;
+    std::mutex mutex_;
 };
 
 /// Returns a listener for Search::listen() that passes generations to an observer. `now` returns the virtual time; null

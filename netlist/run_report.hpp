@@ -23,7 +23,9 @@ struct ProcessUse {
 
 /// Reports a run: how it ended, what the processes measured, and how its work used the machine.
 struct RunReport : MachineUse {
-    RunResult result; ///< the fingerprint in `result` covers the measurements, too
+    bool is_native = false; ///< the processes ran natively: times are those of the wall clock, there is no fingerprint,
+                            ///< and the processors are threads
+    RunResult result;       ///< the fingerprint in `result` covers the measurements, too
     std::vector<Measurement> measurements;
     std::vector<ProcessUse> processes;
     std::vector<FaultUse> faults;

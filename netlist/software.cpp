@@ -32,15 +32,20 @@ Software::Software(const Network& network, const Catalogue& catalogue, std::uint
 void Software::start(Simulation& simulation, const std::vector<Executive*>& executives) {
     for (std::size_t i = 0; i < network_.processes.size(); ++i)
         processes_.push_back(&start(simulation, i, executives[network_.processes[i].node]));
-    expect_partners();
+    expect_partners(processes_);
 }
 
-void Software::expect_partners() {
+void Software::start_natively(Simulation& simulation, const std::vector<bool>& nodes) {
+    for (std::size_t i = 0; i < network_.processes.size(); ++i)
+        processes_.push_back(nodes[network_.processes[i].node] ? &start(simulation, i, nullptr) : nullptr);
+}
+
+void Software::expect_partners(const std::vector<Process*>& all) {
     for (std::size_t i = 0; i < channels_.size(); ++i) {
         if (const ChannelEnd& from = network_.channels[i].from; !from.at_edge())
-            channels_[i]->expect_outputter(*processes_[from.process]);
+            channels_[i]->expect_outputter(*all[from.process]);
         if (const ChannelEnd& to = network_.channels[i].to; !to.at_edge())
-            channels_[i]->expect_inputter(*processes_[to.process]);
+            channels_[i]->expect_inputter(*all[to.process]);
     }
 }
 

@@ -28,7 +28,12 @@ public:
     /// Makes all processes. `executives` holds an executive for each node, or null if processes there take no time.
     /// REQUIRES: called once, and this object outlives the simulation's run.
     void start(Simulation&, const std::vector<Executive*>& executives);
-    /// Returns the processes by their index in Network::processes.
+    /// Makes the processes of some nodes, which take no time. REQUIRES: as start().
+    void start_natively(Simulation&, const std::vector<bool>& nodes);
+    /// Declares the ends of all channels. `all` holds the processes by their index in Network::processes, wherever they
+    /// were made.
+    void expect_partners(const std::vector<Process*>& all);
+    /// Returns the processes by their index in Network::processes; null for those that this object has not made.
     const std::vector<Process*>& processes() const { return processes_; }
 
     const Catalogue& catalogue() const { return catalogue_; }
@@ -38,7 +43,6 @@ public:
 
 private:
     Process& start(Simulation&, std::size_t process, Executive*);
-    void expect_partners();
 
     const Network& network_;
     const Catalogue& catalogue_;

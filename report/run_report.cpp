@@ -398,6 +398,12 @@ boost::json::object deadlock_json(const Deadlock& deadlock) {
     return json;
 }
 
+boost::json::value fingerprint_json(const RunReport& report) {
+    if (report.is_native)
+        return nullptr;
+    return boost::json::value(hex(report.result.fingerprint));
+}
+
 std::string print_ending(Ending ending) {
     bool well = ending == Ending::completed || ending == Ending::time_limit;
     return painted(well ? Paint::success : Paint::failure, name_of(ending));
@@ -416,11 +422,11 @@ std::string print_never_ran(const std::vector<std::string>& names) {
 
 std::string print_report(const RunReport& report, const Network& network, const GenerationLog& searches) {
     bool stopped = report.result.ending == Ending::time_limit;
-    std::string out =
-        fmt::format("{}: {} at {}{}\nfingerprint: {:016x}\n", network.source_path, print_ending(report.result.ending),
-                    to_string(report.result.time), stopped ? "; the figures below cover the time until then" : "",
-                    report.result.fingerprint) +
-        print_set(network) + print_faults(report.faults) + print_switches(report.switches);
+    std::string out = fmt::format("{}: {} {} {}{}\n", network.source_path, print_ending(report.result.ending),
+                                  report.is_native ? "natively, after" : "at", to_string(report.result.time),
+                                  stopped ? "; the figures below cover the time until then" : "") +
+                      (report.is_native ? "" : fmt::format("fingerprint: {:016x}\n", report.result.fingerprint)) +
+                      print_set(network) + print_faults(report.faults) + print_switches(report.switches);
     if (report.result.deadlock)
         out +=
             (report.result.ending == Ending::stuck ? "\n" : "\nin a deadlock while other processes could continue:\n") +
@@ -443,7 +449,7 @@ boost::json::object report_json(const RunReport& report, const Network& network,
     boost::json::object json{{"manifest", manifest_json(manifest, network)},
                              {"outcome", name_of(report.result.ending)},
                              {"time_ps", report.result.time.count()},
-                             {"fingerprint", hex(report.result.fingerprint)},
+                             {"fingerprint", fingerprint_json(report)},
                              {"measurements", json_of(measurements_of(report.measurements).rows)},
                              {"processors", json_of(processors_of(report).rows)},
                              {"links", json_of(links_of(report, report.links).rows)},

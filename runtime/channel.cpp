@@ -155,6 +155,12 @@ void AnyChannel::hand_over() {
     message_ = slot_ = nullptr;
 }
 
+void AnyChannel::take_from(AnyChannel& other) {
+    note_communication(inputter_.process->kernel());
+    move_message(other.message_, slot_);
+    slot_ = nullptr;
+}
+
 MessageBytes AnyChannel::message_in_bytes() const {
     MessageBytes bytes;
     byte_form()->write(message_, bytes);

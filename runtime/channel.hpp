@@ -157,6 +157,10 @@ public:
     // The next functions are for carriers.
     /// Hands the outputter's message to the inputter. REQUIRES: both processes are in the channel.
     void hand_over();
+    /// Hands the message of another channel to the inputter of this one: the two channels are the halves of a channel
+    /// between two kernels. REQUIRES: both have the same protocol; a process is in output of the other, and one in
+    /// input of this.
+    void take_from(AnyChannel& other);
     /// Returns how messages of the protocol are written as bytes; null if they have no form in bytes.
     virtual const AnyByteForm* byte_form() const = 0;
     /// Returns the outputter's message as bytes. REQUIRES: byte_form() is not null; a process is in output.

@@ -8,6 +8,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <iterator>
 #include <string_view>
 #include <unordered_map>
@@ -17,14 +19,23 @@ namespace placedpar {
 
 namespace {
 
-using Processes = std::vector<const Process*>; ///< in order of creation
+using Processes = std::vector<const Process*>; ///< by kernel, and in order of creation
+
+/// Returns a number that orders the processes of a run.
+std::uint64_t place_of(const Process& outermost, std::uint32_t ordinal) {
+    return std::uint64_t{outermost.kernel().number()} << 32 | ordinal;
+}
+std::uint64_t place_of(const Process* process) { return place_of(process->outermost(), process->ordinal()); }
 
 /// Returns the process that has to act at a channel's end. This is the end's last user or, if this user was a component
 /// that has ended, the component's outermost ancestor.
 const Process* who_is(const AnyChannel::User& user, const Processes& living) {
-    auto found = std::ranges::lower_bound(living, user.ordinal, {}, &Process::ordinal);
+    if (!user.outermost)
+        return nullptr;
+    const std::uint64_t place = place_of(*user.outermost, user.ordinal);
+    auto found = std::ranges::lower_bound(living, place, {}, [](const Process* each) { return place_of(each); });
     // The address is not enough: a later component may have the address of one that ended.
-    bool lives = found != living.end() && (*found)->ordinal() == user.ordinal && *found == user.process;
+    bool lives = found != living.end() && place_of(*found) == place && *found == user.process;
     return lives ? user.process : user.outermost;
 }
 
@@ -282,8 +293,12 @@ bool needs_partner(const Process* process) {
 
 } // namespace
 
-Deadlock find_deadlock(const Kernel& kernel) {
-    auto living = kernel.living();
+Deadlock find_deadlock(const Kernel& kernel) { return find_deadlock(std::array{&kernel}); }
+
+Deadlock find_deadlock(std::span<const Kernel* const> kernels) {
+    Processes living;
+    for (const Kernel* kernel : kernels)
+        std::ranges::copy(kernel->living(), std::back_inserter(living));
     return deadlock_of(living, living);
 }
 

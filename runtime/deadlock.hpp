@@ -3,6 +3,7 @@
 #include "runtime/process.hpp"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,9 @@ struct Deadlock {
 
 /// Reports all processes that have not ended.
 Deadlock find_deadlock(const Kernel&);
+/// Does the same for a run with several kernels, which are in the order of their numbers. REQUIRES: the ends of their
+/// channels have been declared (AnyChannel::expect_outputter).
+Deadlock find_deadlock(std::span<const Kernel* const>);
 /// Reports the processes that wait only for each other or for processes that have ended, while other processes could
 /// still continue. Returns nothing if there are no such processes. A process is not counted if it waits on a channel
 /// whose other end has not been used: some process may still use that end.

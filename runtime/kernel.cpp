@@ -2,6 +2,7 @@
 
 #include "runtime/executive.hpp"
 #include "runtime/fiber_scheduler.hpp"
+#include "runtime/surroundings.hpp"
 #include "runtime/trace.hpp"
 #include "runtime/worker.hpp"
 
@@ -83,6 +84,8 @@ void Kernel::heed_operations() {
         return;
     if (hot_.rare_conditions.any_of(RareConditions::interrupted))
         return give_way();
+    if (surroundings_)
+        return read_wall_clock();
     if (hot_.operations_at_once > most_operations_at_once)
         throw std::logic_error(
             fmt::format("process {} computes for ever without any time passing", hot_.running->path()));
@@ -159,6 +162,8 @@ Process* Kernel::choose_next() {
         if (hot_.rare_conditions.any()) [[unlikely]] {
             if (over())
                 return nullptr;
+            if (surroundings_)
+                look_around();
             if (shuffle_)
                 put_off_some(hot_.ready, *shuffle_);
         }
@@ -167,11 +172,45 @@ Process* Kernel::choose_next() {
                 continue;
             return p;
         }
-        if (!hot_.future.empty())
+        if (surroundings_) [[unlikely]] {
+            if (!rest())
+                return nullptr;
+        } else if (!hot_.future.empty())
             pass_to(hot_.future.next_time());
         else if (!go_on_after_work())
             return nullptr;
     }
+}
+
+void Kernel::run_among(Surroundings& surroundings, std::uint32_t number) {
+    surroundings_ = &surroundings;
+    number_ = number;
+    hot_.rare_conditions.set(RareConditions::native);
+}
+
+[[gnu::cold, gnu::noinline]] void Kernel::read_wall_clock() { hot_.now = std::max(hot_.now, surroundings_->now()); }
+
+/// Takes the messages of other kernels, and lets the events happen that are due.
+[[gnu::noinline]] void Kernel::look_around() {
+    read_wall_clock();
+    hot_.between_programs = true;
+    surroundings_->take_arrivals();
+    while (!hot_.future.empty() && hot_.future.next_time() <= hot_.now)
+        hot_.future.happen_next();
+    hot_.between_programs = false;
+}
+
+/// Waits for other kernels or for the next event. Returns false when the run is over.
+[[gnu::noinline]] bool Kernel::rest() {
+    switch (surroundings_->rest(hot_.future.empty() ? Time::max() : hot_.future.next_time())) {
+    case Surroundings::Rest::over: break;
+    case Surroundings::Rest::quiet:
+        read_wall_clock();
+        go_on_after_work();
+        break;
+    case Surroundings::Rest::forever: read_wall_clock(); return false;
+    }
+    return true;
 }
 
 /// Ends the work, and wakes the processes that wait for its end. Returns whether any process waits.
@@ -219,7 +258,7 @@ Process* Kernel::next_with_worker() {
 }
 
 bool Kernel::pass_time(Time until) {
-    if (!hot_.ready.empty() || until > hot_.limit || until == Time::max())
+    if (surroundings_ || !hot_.ready.empty() || until > hot_.limit || until == Time::max())
         return false;
     if (hot_.rare_conditions.any() && (hot_.rare_conditions.any_of(RareConditions::unwinding) || over())) [[unlikely]]
         return false;
@@ -354,8 +393,12 @@ Ending Kernel::run(Time limit, Observer observer) {
     if (Process* first = next_with_worker())
         switch_to(first);
     Ending how = ending();
+    if (surroundings_)
+        surroundings_->wait_for_stop(end_.failure != nullptr);
     end_work();
     tell([&] { end_.observer.run_over(how); });
+    if (surroundings_)
+        surroundings_->wait_for_reports();
     unwind_all();
     current_ = nullptr;
     boost::fibers::use_scheduling_algorithm<boost::fibers::algo::round_robin>();

@@ -23,6 +23,7 @@ namespace placedpar {
 
 class FiberScheduler;
 class ReplayLog;
+class Surroundings;
 class TraceSink;
 
 /// The reason why a run ended. `stuck`: some processes will never be woken.
@@ -54,6 +55,8 @@ struct Failure {
 /// process is ready, the earliest event happens, and virtual time becomes its time. Within an instant events happen by
 /// priority (EventQueue::Priority). Within a priority they happen by rank or, without ranks, by insertion. Nothing else
 /// decides, and no wall clock is read, so a simulation is deterministic.
+///
+/// A kernel of a native run differs: see run_among().
 ///
 /// The work is over when no process is ready and no event is scheduled. It is also over when every process of the
 /// program has ended, even if the machine could continue. The run then ends too, unless processes have asked to
@@ -167,6 +170,18 @@ public:
         shuffle_.emplace(seed, "ready queue");
         hot_.rare_conditions.set(RareConditions::shuffled);
     }
+    /// Runs natively, as one of the kernels of a run: time is that of the wall clock, and others send messages. An
+    /// event that is due happens between two turns of processes, and the run is over when all its kernels have nothing
+    /// to do. `number`: of the kernel in the run. REQUIRES: called before the run; the surroundings outlive it.
+    void run_among(Surroundings& surroundings, std::uint32_t number);
+    /// Returns the surroundings of a native run; null in virtual time.
+    Surroundings* surroundings() const { return surroundings_; }
+    std::uint32_t number() const { return number_; }
+    /// Brings now() up to the wall clock. Does nothing in virtual time.
+    void look_at_clock() {
+        if (surroundings_) [[unlikely]]
+            read_wall_clock();
+    }
     /// Ends the run before the next process or event. May be called from a signal handler or another thread.
     void interrupt() { hot_.rare_conditions.set(RareConditions::interrupted); }
 
@@ -199,6 +214,9 @@ private:
     Process* choose_next();
     bool begin_communication(Process&);
     void pass_to(Time next);
+    void read_wall_clock();
+    void look_around();
+    bool rest();
     void fail_with(std::exception_ptr);
     bool go_on_after_work();
     void end_work();
@@ -259,8 +277,10 @@ private:
     Population population_;
     Fibers fibers_;
     End end_;
-    std::uint64_t ranks_ = 0;             ///< number of ranks that were given out
-    std::optional<RandomStream> shuffle_; ///< set if RareConditions::shuffled is set
+    std::uint64_t ranks_ = 0;              ///< number of ranks that were given out
+    std::optional<RandomStream> shuffle_;  ///< set if RareConditions::shuffled is set
+    Surroundings* surroundings_ = nullptr; ///< not null if RareConditions::native is set
+    std::uint32_t number_ = 0;
 };
 
 } // namespace placedpar

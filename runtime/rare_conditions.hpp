@@ -15,7 +15,8 @@ public:
         unwinding = 16,      ///< the run is over, and its processes are unwound
         histories = 32,      ///< a process keeps a history
         shuffled = 64,       ///< the ready queue is shuffled
-        unguarded = 128      ///< some stacks have no guard page
+        unguarded = 128,     ///< some stacks have no guard page
+        native = 256         ///< time is that of the wall clock, and other kernels send messages
     };
 
     /// Returns whether any condition except `histories` holds. Only processes that keep a history test `histories`.

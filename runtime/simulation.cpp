@@ -1,5 +1,7 @@
 #include "runtime/simulation.hpp"
 
+#include "runtime/surroundings.hpp"
+
 namespace placedpar {
 
 namespace {
@@ -10,6 +12,10 @@ std::vector<std::string> who_never_ran(const Kernel& kernel) {
         if (!process->has_begun())
             paths.push_back(process->path());
     return paths;
+}
+
+Deadlock deadlock_of(const Kernel& kernel) {
+    return kernel.surroundings() ? find_deadlock(kernel.surroundings()->kernels()) : find_deadlock(kernel);
 }
 
 } // namespace
@@ -43,8 +49,8 @@ RunResult Simulation::run(Time limit, const std::function<void()>& work_over) {
     };
     observer.run_over = [&](Ending ending) {
         if (ending == Ending::stuck)
-            result.deadlock = find_deadlock(kernel_);
-        else if (ending != Ending::completed)
+            result.deadlock = deadlock_of(kernel_);
+        else if (ending != Ending::completed && !kernel_.surroundings())
             result.deadlock = find_partial_deadlock(kernel_);
         result.never_ran = who_never_ran(kernel_);
     };

@@ -74,6 +74,8 @@ public:
 
     /// Selects another possible execution of the program: see Kernel::shuffle.
     void shuffle(std::uint64_t seed) { kernel_.shuffle(seed); }
+    /// Makes run() native: see Kernel::run_among.
+    void run_among(Surroundings& surroundings, std::uint32_t number) { kernel_.run_among(surroundings, number); }
     /// REQUIRES: the sink outlives run().
     void trace_to(TraceSink& sink) { kernel_.trace_to(sink); }
 
@@ -85,6 +87,7 @@ public:
         Time limit = Time::max(), const std::function<void()>& work_over = [] {});
     /// Returns the failure of the process whose exception run() rethrew.
     const std::optional<Failure>& who_failed() const { return kernel_.who_failed(); }
+    const Kernel& kernel() const { return kernel_; }
     /// Ends the current run. May be called from a signal handler or another thread.
     void interrupt() { kernel_.interrupt(); }
 

@@ -2,6 +2,7 @@
 #include "app/options/booted_options.hpp"
 #include "app/options/common_options.hpp"
 #include "app/options/many_runs.hpp"
+#include "app/options/native_options.hpp"
 #include "app/options/netlist_options.hpp"
 #include "app/recorders.hpp"
 #include "app/signals.hpp"
@@ -42,6 +43,7 @@ namespace {
 struct RunOptions {
     NetlistOptions netlist;
     BootedOptions booted;
+    NativeOptions native;
     std::string json, log, convergence; ///< files; "": not written
     RecordedFiles recorded;
     Time until = Time::max();
@@ -88,6 +90,16 @@ void require_outputs(const RunOptions& options) {
             require_writable(path);
 }
 
+/// Throws UserError for an option that only simulated runs have.
+void require_native(const RunOptions& options) {
+    refuse_with_native(options.native, {{options.until != Time::max(), "--until"},
+                                        {options.seeds > 1, "--seeds"},
+                                        {options.shuffle.has_value(), "--shuffle"},
+                                        {!options.recorded.trace.empty(), "--trace"},
+                                        {!options.recorded.page.empty(), "--page"},
+                                        {!options.offer.empty(), "--offer"}});
+}
+
 /// Throws UserError if an option cannot be used with this network.
 void require_fit(const Network& network, const RunOptions& options) {
     for (const std::string& input : paths_of_inputs(network))
@@ -98,6 +110,8 @@ void require_fit(const Network& network, const RunOptions& options) {
 
 RunReport run_observed(const Network& network, const RunOptions& options, std::uint64_t seed, TraceSink* trace,
                        Interruption& interruption, SearchObserver* observer) {
+    if (options.native.is_native)
+        return run_natively(network, options.native, seed, observer, interruption);
     return run_netlist(network, known_problems(seed),
                        {.seed = seed,
                         .until = options.until,
@@ -230,6 +244,7 @@ bool offer_link(Network& network, const RunOptions& options, const Interruption&
 ExitCode run(const RunOptions& options, const Options& command, const std::string& typed) {
     Manifest manifest = options.manifest(typed);
     require_outputs(options);
+    require_native(options);
     Network network = load_network(command, options.netlist, options.booted);
     InterruptedBySignals interruption;
     network.host.lists_code = options.listing;
@@ -301,6 +316,7 @@ Action declare_run(Options& command, const std::string& typed) {
     add_searches(command, *options);
     add_file(command, "--page", options->recorded.page, "writes one self-contained HTML page that shows the run");
     add_trace(command, *options);
+    add_native(command, options->native);
     add_booted(command, options->booted);
     command.add_flag("--listing", options->listing,
                      "prints the code that booted transputers executed, with its cycles");

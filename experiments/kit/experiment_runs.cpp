@@ -6,15 +6,11 @@
 
 namespace placedpar {
 
-namespace {
-
 void require_end(const RunReport& report, const std::filesystem::path& netlist) {
     if (Ending ending = report.result.ending; ending != Ending::completed)
         throw UnfinishedRun(fmt::format("{} did not complete: placedpar run shows where it stopped", netlist.string()),
                             ending);
 }
-
-} // namespace
 
 void end_if_requested(const Interruption& interruption) {
     if (interruption.requested())

@@ -17,6 +17,8 @@ public:
 
 /// Throws UnfinishedRun if an interruption was requested.
 void end_if_requested(const Interruption&);
+/// Throws UnfinishedRun unless the run completed.
+void require_end(const RunReport&, const std::filesystem::path& netlist);
 /// Runs a netlist of the examples to its end. Throws RefusedInput and UnfinishedRun.
 RunReport run_to_the_end(const std::filesystem::path& netlist, const Overrides&, const ReplayContext&);
 

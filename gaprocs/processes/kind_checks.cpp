@@ -38,6 +38,7 @@ public:
         check_estimates();
         if (!recorded_)
             return;
+        check_samples_for_code();
         if (has_objective())
             return refuse_given({"samples", "sample_bytes"}, "\"generations\" sets the length of the search");
         refuse_generations();
@@ -265,6 +266,25 @@ private:
                 "first_window",
                 fmt::format("the first generation waits for {} samples, but \"{}\" sends {}", first, name(host), sent),
                 fmt::format("set \"samples\" of \"{}\" to {} or more", name(host), first));
+    }
+
+    /// A program in a transputer's own code gets the bytes of a sample, so they must be all its values.
+    void check_samples_for_code() {
+        for (const PortBinding& each : ends_of(network_, process_, "to_masters")) {
+            const std::size_t node = end_beyond(network_, each).node;
+            if (node == nowhere || !network_.nodes[node].runs_own_code)
+                continue;
+            const auto bytes = static_cast<std::int64_t>(recorded_->problem()->channels() * sizeof(double));
+            if (has_objective())
+                refuse("problem", fmt::format("\"{}\" has no record, but the program of \"{}\" waits for its samples",
+                                              text("problem"), network_.nodes[node].name));
+            else if (integer("sample_bytes") != bytes)
+                refuse("sample_bytes",
+                       fmt::format("sample_bytes = {}, but the program of \"{}\" gets all values of a sample",
+                                   integer("sample_bytes"), network_.nodes[node].name),
+                       fmt::format("set it to {}, the length of the values as REAL64", bytes));
+            return;
+        }
     }
 
     void check_coding() {

@@ -3,11 +3,16 @@
 #include "gaprocs/processes/share.hpp"
 #include "gaprocs/search.hpp"
 #include "gaprocs/search_problem.hpp"
+#include "runtime/byte_form.hpp"
 #include "runtime/protocol.hpp"
 #include "runtime/time.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace placedpar {
@@ -34,6 +39,29 @@ struct HostMessage : SizedMessage {
     Time read_at{}; ///< time at which the sensors read the sample, if there is a ga.sensors
     bool operator==(const HostMessage& other) const {
         return bytes == other.bytes && end == other.end && sample == other.sample;
+    }
+};
+
+/// For programs in a transputer's own code a sample is `INT::[]REAL64`: its values, and zeros up to the length of the
+/// message. The end of the record is an array of NaN. REQUIRES: the length is a multiple of 8, and the values fit.
+template <>
+struct ByteForm<HostMessage> {
+    using SameAs = std::vector<double>;
+
+    static void write(const HostMessage& message, MessageBytes& to) {
+        std::vector<double> values = message.sample;
+        values.resize(message.bytes / sizeof(double));
+        if (message.end)
+            std::ranges::fill(values, std::numeric_limits<double>::quiet_NaN());
+        ByteForm<SameAs>::write(values, to);
+    }
+    static std::uint32_t next_part(std::span<const std::uint8_t> so_far) { return ByteForm<SameAs>::next_part(so_far); }
+    static HostMessage read(std::span<const std::uint8_t> bytes) {
+        HostMessage message;
+        message.sample = ByteForm<SameAs>::read(bytes);
+        message.bytes = static_cast<std::uint32_t>(message.sample.size() * sizeof(double));
+        message.end = std::ranges::any_of(message.sample, [](double each) { return std::isnan(each); });
+        return message;
     }
 };
 

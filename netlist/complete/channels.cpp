@@ -104,8 +104,8 @@ private:
     /// do, and with a C++ type if its byte form is that of their protocol.
     static bool agree(const PortDescription& a, const PortDescription& b) {
         if (a.type != b.type)
-            return std::ranges::find(a.byte_types, b.type) != a.byte_types.end() ||
-                   std::ranges::find(b.byte_types, a.type) != b.byte_types.end();
+            return std::ranges::find(a.byte_types, b.bytes_as) != a.byte_types.end() ||
+                   std::ranges::find(b.byte_types, a.bytes_as) != b.byte_types.end();
         return a.make_channel || a.protocol == b.protocol;
     }
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <typeindex>
 #include <utility>
 #include <vector>
 
@@ -43,6 +44,15 @@ ParameterDescription text(std::string name, TextTraits traits, std::string about
 /// Returns the parameter with ParameterDescription::noun set to `noun`.
 ParameterDescription deciding(std::string noun, ParameterDescription parameter);
 
+/// Returns the C++ type whose byte form that of T is.
+template <class T>
+std::type_index bytes_as() {
+    if constexpr (requires { typename ByteForm<T>::SameAs; })
+        return typeid(typename ByteForm<T>::SameAs);
+    else
+        return typeid(T);
+}
+
 /// Describes a channel end for messages of type T.
 template <class T>
 PortDescription port(std::string name, Direction direction, std::string protocol, std::string about) {
@@ -53,7 +63,8 @@ PortDescription port(std::string name, Direction direction, std::string protocol
             .type = typeid(T),
             .make_channel = [](std::string channel) { return std::make_unique<Channel<T>>(std::move(channel)); },
             .about = std::move(about),
-            .has_byte_form = HasByteForm<T>};
+            .has_byte_form = HasByteForm<T>,
+            .bytes_as = bytes_as<T>()};
 }
 
 template <class T>

@@ -22,6 +22,8 @@ struct Packet {
 /// transputer's own code is an INT.
 template <>
 struct ByteForm<Packet> {
+    using SameAs = std::int32_t;
+
     static void write(const Packet& packet, MessageBytes& to) {
         const std::size_t begin = to.size();
         ByteForm<std::int32_t>::write(static_cast<std::int32_t>(packet.number), to);

@@ -30,6 +30,7 @@ struct PortDescription {
     std::string about;          ///< one line
     std::string formerly = "";  ///< the port's name in older netlists; "" if the name has never changed
     bool has_byte_form = false; ///< messages can travel to and from programs in a transputer's own code (HasByteForm)
+    std::type_index bytes_as = type; ///< the C++ type whose byte form theirs is: `type`, or ByteForm::SameAs
     /// Lists the C++ types whose byte form is that of the messages. Only ports of code have them
     /// (ProcessKind::is_code).
     std::vector<std::type_index> byte_types = {};

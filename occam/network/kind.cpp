@@ -1,7 +1,6 @@
 #include "occam/network/kind.hpp"
 
 #include "netlist/kinds/description.hpp"
-#include "netlist/kinds/packet.hpp"
 
 #include <fmt/format.h>
 
@@ -49,10 +48,7 @@ std::vector<std::type_index> types_of_basic(Basic basic, bool counted) {
     case Basic::integer:
     case Basic::int32: break;
     }
-    std::vector<std::type_index> types = single_or_counted<std::int32_t>(counted);
-    if (!counted)
-        types.emplace_back(typeid(Packet));
-    return types;
+    return single_or_counted<std::int32_t>(counted);
 }
 
 /// Returns the C++ types whose byte form is that of the protocol.

@@ -94,6 +94,30 @@ class Replay(unittest.TestCase):
         self.assertEqual(times, sorted(times, reverse=True))
         self.assertLess(times[3], times[0] / 2.8)
 
+    def test_programs_in_occam_take_the_time_of_inmos_code_and_breed_the_generations_of_cpp(self):
+        run, document = replay("occam", self.folder)
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        ticks = [cell for cell in document["cells"] if cell["unit"] == "ticks"]
+        self.assertEqual(len(ticks), 15)
+        self.assertEqual(self.cell(document, "sieve", "mode stop")["INMOS"], 11345)
+        for cell in ticks:
+            self.assertEqual(cell["tolerance_percent"], 6)
+        evaluation, cluster, congruential, _, islands, _ = document["other_readings"]
+        judged = [cell for cell in cluster["cells"] + islands["cells"] if "judged_by" in cell]
+        self.assertEqual([cell["simulated"] for cell in judged], [1] * 12)
+        self.assertEqual(len([cell for cell in evaluation["cells"] if "judged_by" in cell]), 3)
+        # Messages take the same time, whatever the generator is.
+        for slaves in ("0 slaves", "1 slave", "2 slaves", "3 slaves"):
+            first, second = (self.cell(each, "C_time2", slaves) for each in (cluster, congruential))
+            self.assertAlmostEqual(first["simulated"], second["simulated"], delta=0.01)
+        self.assertLess(self.cell(congruential, "S_time2", "0 slaves")["simulated"],
+                        self.cell(cluster, "S_time2", "0 slaves")["simulated"] / 2)
+
+    def test_programs_in_occam_have_the_seed_of_the_replay(self):
+        run, document = replay("occam", self.folder, "--seed", 7)
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        self.assertTrue(document["within_tolerance"])
+
     def test_the_evidence_is_every_constant_and_every_published_figure_with_its_source(self):
         _, evidence = replay("evidence", self.folder)
         self.assertTrue(evidence["within_tolerance"])

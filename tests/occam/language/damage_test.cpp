@@ -72,7 +72,7 @@ void read_and_print(const std::string& text) {
 } // namespace
 
 TEST_CASE("damaged programs of occam are read or refused") {
-    for (const auto& file : test::occam_files(test::occam_path("programs"), ".occ")) {
+    for (const auto& file : test::occam_programs()) {
         const std::string text = test::whole_file(file);
         for (const auto seed : test::seeds(150)) {
             INFO(test::replay(seed), " ", file.string());

@@ -65,7 +65,7 @@ std::vector<std::size_t> error_lines(const std::string& messages) {
 
 TEST_CASE("a single fault has few messages, the first of them near it") {
     std::size_t refused = 0, near = 0, few = 0;
-    for (const auto& file : test::occam_files(test::occam_path("programs"), ".occ"))
+    for (const auto& file : test::occam_programs())
         for (const auto seed : test::seeds(100)) {
             INFO(test::replay(seed), " ", file.string());
             std::mt19937_64 random(seed);

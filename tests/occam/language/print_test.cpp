@@ -70,7 +70,7 @@ std::size_t check_printed(const std::vector<std::filesystem::path>& files) {
 } // namespace
 
 TEST_CASE("a printed program has the words of its source") {
-    const auto files = test::occam_files(test::occam_path("programs"), ".occ");
+    const auto files = test::occam_programs();
     CHECK(check_printed(files) == files.size());
     for (const auto& file : files) {
         CAPTURE(file.string());

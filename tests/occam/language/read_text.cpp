@@ -22,6 +22,12 @@ std::vector<std::filesystem::path> occam_files(const std::filesystem::path& fold
     return files;
 }
 
+std::vector<std::filesystem::path> occam_programs() {
+    auto files = occam_files(occam_path("programs"), ".occ");
+    std::ranges::copy(occam_files(occam_path("../../examples/occam/beside-inmos"), ".occ"), std::back_inserter(files));
+    return files;
+}
+
 std::string whole_file(const std::filesystem::path& path) {
     std::ifstream in(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};

@@ -13,6 +13,8 @@ namespace placedpar::test {
 std::filesystem::path occam_path(const std::string& name = "");
 /// Returns the files of a folder with this extension, in order of their names.
 std::vector<std::filesystem::path> occam_files(const std::filesystem::path& folder, const std::string& extension);
+/// Returns good programs: those of these tests, and the examples that are compared with INMOS's code.
+std::vector<std::filesystem::path> occam_programs();
 std::string whole_file(const std::filesystem::path&);
 
 /// What reading a text gives.

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <atomic>
+
+namespace placedpar::native {
+
+/// A message to a kernel. It is in at most one inbox at a time, so it needs no memory of its own.
+class Arrival {
+public:
+    Arrival() = default;
+    Arrival(const Arrival&) = delete;
+    Arrival& operator=(const Arrival&) = delete;
+
+protected:
+    ~Arrival() = default;
+
+private:
+    friend class Inbox;
+    /// Called by the thread of the kernel that receives the message, between two turns of its processes.
+    virtual void arrive() noexcept = 0;
+
+    Arrival* next_ = nullptr;
+};
+
+/// The messages that wait for a kernel. Any thread may post; the kernel's thread takes them in the order of posting.
+class Inbox {
+public:
+    bool empty() const { return newest_.load() == nullptr; }
+    /// REQUIRES: the message is in no inbox.
+    void post(Arrival& arrival) {
+        arrival.next_ = newest_.load(std::memory_order_relaxed);
+        while (!newest_.compare_exchange_weak(arrival.next_, &arrival)) {
+        }
+    }
+    /// Lets each message arrive that has been posted before the call.
+    void take() noexcept {
+        if (empty())
+            return;
+        Arrival* oldest = nullptr;
+        for (Arrival* each = newest_.exchange(nullptr); each;) {
+            Arrival* const older = each->next_;
+            each->next_ = oldest;
+            oldest = each;
+            each = older;
+        }
+        while (oldest) {
+            Arrival* const next = oldest->next_; // read first: an arrival may be posted again while it is handled
+            oldest->arrive();
+            oldest = next;
+        }
+    }
+
+private:
+    std::atomic<Arrival*> newest_{nullptr};
+};
+
+} // namespace placedpar::native

@@ -1,0 +1,68 @@
+#include "native/crossing.hpp"
+
+#include "runtime/process.hpp"
+
+namespace placedpar::native {
+
+void Crossing::Giver::output(AnyChannel& channel, const WireForm&, const SourceLocation& where) {
+    Process& self = Kernel::here().running();
+    c.outputter_ = &self;
+    c.offer_ = Offer::made;
+    if (!c.is_posted_.exchange(true))
+        c.to_.post(c.offered_);
+    self.wait_for(Activity::outputting, &channel, where);
+}
+
+bool Crossing::Giver::give_up_output(AnyChannel&) {
+    Offer made = Offer::made;
+    if (!c.offer_.compare_exchange_strong(made, Offer::none))
+        return false;
+    c.outputter_->kernel().make_ready(*c.outputter_);
+    return true;
+}
+
+void Crossing::Taken::arrive() noexcept { c.outputter_->kernel().make_ready(*c.outputter_); }
+
+/// Returns whether there is an offer, which the outputter cannot give up from then on.
+bool Crossing::claim() {
+    Offer made = Offer::made;
+    return offer_.compare_exchange_strong(made, Offer::taken);
+}
+
+/// Hands the claimed message to the inputter.
+void Crossing::take() {
+    input_.take_from(output_);
+    from_.post(taken_);
+}
+
+void Crossing::Taker::input(AnyChannel& channel, const SourceLocation& where) {
+    if (c.claim())
+        return c.take();
+    Process& self = Kernel::here().running();
+    c.inputter_ = &self;
+    self.wait_for(Activity::inputting, &channel, where);
+    c.inputter_ = nullptr;
+}
+
+bool Crossing::Taker::message_waits(const AnyChannel&) const { return c.offer_ == Offer::made; }
+
+bool Crossing::Taker::give_up_input(AnyChannel&) {
+    Process* const waiting = std::exchange(c.inputter_, nullptr);
+    if (!waiting)
+        return false;
+    waiting->kernel().make_ready(*waiting);
+    return true;
+}
+
+void Crossing::Offered::arrive() noexcept {
+    c.is_posted_ = false;
+    if (!c.inputter_)
+        return c.offer_ == Offer::made ? c.input_.announce() : void();
+    if (!c.claim())
+        return;
+    c.take();
+    Process* const waiting = std::exchange(c.inputter_, nullptr);
+    waiting->kernel().make_ready(*waiting);
+}
+
+} // namespace placedpar::native

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "native/group.hpp"
+#include "runtime/carrier.hpp"
+#include "runtime/channel.hpp"
+
+#include <atomic>
+
+namespace placedpar::native {
+
+/// Joins the two halves of a channel between two kernels: the outputter's kernel has the one, the inputter's the other.
+///
+/// 1. The outputter offers its message, which stays where it is, and waits.
+/// 2. The inputter's kernel takes an offered message when its process inputs, and notifies the outputter's kernel. An
+/// ALT that does not take it leaves the offer.
+///
+/// So the communication is synchronous, and no message is copied more than once.
+class Crossing {
+public:
+    /// Puts the channels on their carriers. REQUIRES: the channels have the same protocol and are unused; all objects
+    /// outlive the run.
+    Crossing(AnyChannel& outputters, Member& from, AnyChannel& inputters, Member& to)
+        : output_(outputters), input_(inputters), from_(from), to_(to) {
+        output_.put_on(giver_);
+        input_.put_on(taker_);
+    }
+    Crossing(const Crossing&) = delete;
+    Crossing& operator=(const Crossing&) = delete;
+
+    AnyChannel& outputters_half() const { return output_; }
+    AnyChannel& inputters_half() const { return input_; }
+
+private:
+    enum class Offer { none, made, taken };
+
+    bool claim();
+    void take();
+
+    struct Giver final : Carrier {
+        explicit Giver(Crossing& crossing) : c(crossing) {}
+        void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
+        void input(AnyChannel&, const SourceLocation&) override {}
+        bool message_waits(const AnyChannel&) const override { return false; }
+        std::string why_not_given_up() const override { return ""; }
+        bool give_up_output(AnyChannel&) override;
+        Crossing& c;
+    };
+    struct Taker final : Carrier {
+        explicit Taker(Crossing& crossing) : c(crossing) {}
+        void output(AnyChannel&, const WireForm&, const SourceLocation&) override {}
+        void input(AnyChannel&, const SourceLocation&) override;
+        bool message_waits(const AnyChannel&) const override;
+        std::string why_not_given_up() const override { return ""; }
+        bool give_up_input(AnyChannel&) override;
+        Crossing& c;
+    };
+    /// Tells the inputter's kernel that an offer may have been made.
+    struct Offered final : Arrival {
+        explicit Offered(Crossing& crossing) : c(crossing) {}
+        void arrive() noexcept override;
+        Crossing& c;
+    };
+    /// Tells the outputter's kernel that its message has been taken.
+    struct Taken final : Arrival {
+        explicit Taken(Crossing& crossing) : c(crossing) {}
+        void arrive() noexcept override;
+        Crossing& c;
+    };
+
+    AnyChannel &output_, &input_;
+    Member &from_, &to_;
+    Giver giver_{*this};
+    Taker taker_{*this};
+    Offered offered_{*this};
+    Taken taken_{*this};
+    std::atomic<Offer> offer_{Offer::none};
+    std::atomic<bool> is_posted_{false}; ///< `offered_` is in the inbox
+    Process* outputter_ = nullptr;       ///< who waits; of the outputter's kernel
+    Process* inputter_ = nullptr;        ///< who waits; of the inputter's kernel
+};
+
+} // namespace placedpar::native

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "native/arrivals.hpp"
+#include "runtime/kernel.hpp"
+#include "runtime/surroundings.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <vector>
+
+namespace placedpar {
+class Simulation;
+} // namespace placedpar
+
+namespace placedpar::native {
+
+class Group;
+
+/// A kernel of a native run on threads, as the other kernels see it: messages can be posted to it.
+class Member final : public Surroundings {
+public:
+    Member(Group& group, Simulation& simulation) : group_(group), simulation_(simulation) {}
+
+    /// Posts a message. May be called by any thread of the run. REQUIRES: the message is in no inbox.
+    void post(Arrival&);
+    /// Returns how long the kernel had nothing to do.
+    Time rested() const { return rested_; }
+
+    Time now() const override;
+    void take_arrivals() noexcept override { inbox_.take(); }
+    Rest rest(Time due) override;
+    void wait_for_stop(bool failed) override;
+    std::vector<const Kernel*> kernels() const override;
+    void wait_for_reports() override;
+
+private:
+    friend class Group;
+    enum class State { awake, asleep, asleep_for_time, stopped };
+
+    bool comes_soon(Time due) const;
+
+    Group& group_;
+    Simulation& simulation_;
+    Inbox inbox_;
+    std::atomic<bool> sleeps_{false}; ///< a message must wake the thread
+    // The mutex of the group guards these.
+    State state_ = State::awake;
+    std::uint64_t quiet_heard_ = 0; ///< how many times the kernel has been told that all kernels were quiet
+    std::condition_variable woken_;
+
+    Time rested_{};
+};
+
+/// The kernels of a native run, one for each thread. Finds out when none of them has anything to do.
+///
+/// A kernel sleeps under one mutex, and only if its inbox is empty. If all kernels sleep without a time to wake, or
+/// have stopped, and all inboxes are empty, then nothing can wake any of them: a kernel that posts a message is awake
+/// until it has posted. So the last one that goes to sleep finds it out, for certain and at once.
+class Group {
+public:
+    Group() : begun_(std::chrono::steady_clock::now()) {}
+    Group(const Group&) = delete;
+    Group& operator=(const Group&) = delete;
+
+    /// Adds a kernel. REQUIRES: called before any kernel runs; the simulation outlives the group.
+    Member& add(Simulation&);
+    Member& member(std::size_t number) { return members_[number]; }
+    std::size_t size() const { return members_.size(); }
+    /// Starts the clock of the run.
+    void begin() { begun_ = std::chrono::steady_clock::now(); }
+    /// Ends the run of each kernel. May be called by any thread.
+    void interrupt();
+
+private:
+    friend class Member;
+    void note_if_quiet();
+    void wake_all();
+    void wait_for_all(std::unique_lock<std::mutex>&, std::size_t& arrived);
+
+    std::chrono::steady_clock::time_point begun_;
+    std::deque<Member> members_;
+    std::mutex mutex_;
+    std::condition_variable at_the_end_;
+    std::uint64_t times_quiet_ = 0; ///< 1: the work is over; 2: the run is
+    bool interrupted_ = false;
+    std::size_t stopped_ = 0, reported_ = 0;
+};
+
+} // namespace placedpar::native

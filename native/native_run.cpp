@@ -1,0 +1,224 @@
+#include "native/native_run.hpp"
+
+#include "native/crossing.hpp"
+#include "native/group.hpp"
+#include "netlist/failed_process.hpp"
+#include "netlist/software.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <list>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+using namespace native;
+
+std::vector<bool> nodes_with_processes(const Network& network) {
+    std::vector<bool> has_process(network.nodes.size());
+    for (const ProcessInstance& process : network.processes)
+        has_process[process.node] = true;
+    return has_process;
+}
+
+/// Returns the thread of each node.
+std::vector<std::size_t> threads_of_nodes(const Network& network, std::size_t threads) {
+    const std::vector<bool> has_process = nodes_with_processes(network);
+    std::vector<std::size_t> result(network.nodes.size());
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < result.size(); ++i)
+        if (has_process[i])
+            result[i] = next++ % threads;
+    return result;
+}
+
+void require_native(const Network& network) {
+    for (const Node& node : network.nodes)
+        if (node.runs_own_code)
+            throw UserError(fmt::format("{}: \"{}\" executes the code of a transputer, which cannot run natively",
+                                        node.declared.text(), node.name));
+    for (const LinkConnection& wire : network.connections)
+        if (wire.at_run_time)
+            throw UserError(fmt::format("{}: a switch makes this connection during the run, and a native run has no "
+                                        "switches",
+                                        wire.connected.text()));
+    if (!network.faults.empty())
+        throw UserError(fmt::format("{}: a native run has no faults, for it has no machine that could fail",
+                                    network.faults.front().stated.text()));
+}
+
+/// The part of a run that one thread executes.
+struct Strand {
+    std::shared_ptr<const Catalogue> catalogue;
+    std::unique_ptr<Software> software;
+    Simulation simulation;
+    std::optional<RunResult> result; ///< empty if the run has thrown
+    std::exception_ptr thrown;
+};
+
+class NativeRun {
+public:
+    NativeRun(const Network& network, const NativeSettings& settings)
+        : network_(network), thread_of_node_(threads_of_nodes(network, settings.threads)), strands_(settings.threads) {
+        for (Strand& strand : strands_) {
+            strand.catalogue = settings.make_catalogue();
+            strand.software = std::make_unique<Software>(network, *strand.catalogue, settings.seed);
+            group_.add(strand.simulation);
+        }
+        for (std::size_t i = 0; i < network.channels.size(); ++i)
+            cross(i);
+        start_processes();
+    }
+
+    RunReport run(const std::function<bool()>& is_interrupted) {
+        std::vector<std::jthread> threads;
+        group_.begin();
+        for (Strand& strand : strands_)
+            threads.emplace_back([&] { execute(strand); });
+        std::unique_lock lock(mutex_);
+        while (!ended_.wait_for(lock, std::chrono::milliseconds(100), [&] { return running_ == 0; }))
+            if (is_interrupted())
+                group_.interrupt();
+        lock.unlock();
+        threads.clear();
+        rethrow_failure();
+        return report();
+    }
+
+private:
+    std::size_t thread_of(std::size_t process) const { return thread_of_node_[network_.processes[process].node]; }
+
+    void cross(std::size_t channel) {
+        const NetworkChannel& c = network_.channels[channel];
+        const std::size_t from = thread_of(c.from.process), to = thread_of(c.to.process);
+        if (from != to)
+            crossings_.emplace_back(strands_[from].software->channel(channel), group_.member(from),
+                                    strands_[to].software->channel(channel), group_.member(to));
+    }
+
+    void start_processes() {
+        std::vector<Process*> all(network_.processes.size());
+        for (std::size_t thread = 0; thread < strands_.size(); ++thread) {
+            std::vector<bool> nodes(network_.nodes.size());
+            for (std::size_t i = 0; i < nodes.size(); ++i)
+                nodes[i] = thread_of_node_[i] == thread;
+            strands_[thread].software->start_natively(strands_[thread].simulation, nodes);
+            for (std::size_t i = 0; i < all.size(); ++i)
+                if (Process* const made = strands_[thread].software->processes()[i])
+                    all[i] = made;
+        }
+        for (Strand& strand : strands_)
+            strand.software->expect_partners(all);
+    }
+
+    /// Runs on a thread of its own.
+    void execute(Strand& strand) {
+        try {
+            strand.result = strand.simulation.run();
+        } catch (...) {
+            strand.thrown = std::current_exception();
+        }
+        const std::lock_guard lock(mutex_);
+        if (--running_ == 0)
+            ended_.notify_one();
+    }
+
+    /// Rethrows what the earliest process threw.
+    void rethrow_failure() const {
+        const Strand* first = nullptr;
+        const auto time = [](const Strand& strand) { return strand.simulation.who_failed()->time; };
+        for (const Strand& strand : strands_)
+            if (strand.thrown && !strand.simulation.who_failed())
+                std::rethrow_exception(strand.thrown);
+            else if (strand.thrown && (!first || time(strand) < time(*first)))
+                first = &strand;
+        if (!first)
+            return;
+        try {
+            std::rethrow_exception(first->thrown);
+        } catch (...) {
+            rethrow_with_process(*first->simulation.who_failed(), network_, *first->catalogue);
+        }
+    }
+
+    /// A run is stuck if a thread is, and interrupted if another thread is. Else it is completed.
+    Ending ending() const {
+        const auto ends = [&](Ending how) {
+            return std::ranges::any_of(strands_, [how](const Strand& each) { return each.result->ending == how; });
+        };
+        return ends(Ending::interrupted) ? Ending::interrupted
+               : ends(Ending::stuck)     ? Ending::stuck
+                                         : Ending::completed;
+    }
+
+    /// Puts the processes of a deadlock into the order of the netlist.
+    void sort_by_netlist(std::vector<StuckProcess>& stuck) const {
+        const auto place = [&](const StuckProcess& each) {
+            const std::string name = each.path.substr(0, each.path.find('/'));
+            return std::ranges::find(network_.processes, name, &ProcessInstance::name) - network_.processes.begin();
+        };
+        std::ranges::stable_sort(stuck, {}, place);
+    }
+
+    RunReport report() {
+        RunReport report;
+        report.is_native = true;
+        report.result.ending = ending();
+        std::vector<Measurement> measurements;
+        for (std::size_t i = 0; i < strands_.size(); ++i) {
+            Strand& strand = strands_[i];
+            report.result.time = std::max(report.result.time, strand.result->time);
+            if (strand.result->deadlock)
+                report.result.deadlock = std::move(strand.result->deadlock);
+            std::ranges::copy(strand.software->measurements(), std::back_inserter(measurements));
+            report.processors.push_back(
+                {fmt::format("thread {}", i), "thread", strand.result->time - group_.member(i).rested(), Time{}});
+        }
+        report.measurements = in_order_of_netlist(std::move(measurements), network_);
+        for (std::size_t i = 0; i < network_.processes.size(); ++i)
+            report.processes.push_back(use_of(i));
+        if (report.result.deadlock) {
+            sort_by_netlist(report.result.deadlock->processes);
+            add_places(*report.result.deadlock, network_);
+        }
+        return report;
+    }
+
+    ProcessUse use_of(std::size_t process) const {
+        const std::size_t thread = thread_of(process);
+        const Process& made = *strands_[thread].software->processes()[process];
+        return {network_.processes[process].name, fmt::format("thread {}", thread), made.time_waited(), std::nullopt};
+    }
+
+    const Network& network_;
+    std::vector<std::size_t> thread_of_node_;
+    std::deque<Strand> strands_;
+    Group group_;
+    std::list<Crossing> crossings_;
+    std::mutex mutex_;
+    std::condition_variable ended_;
+    std::size_t running_ = strands_.size(); ///< threads
+};
+
+} // namespace
+
+std::size_t count_native_nodes(const Network& network) {
+    return static_cast<std::size_t>(std::ranges::count(nodes_with_processes(network), true));
+}
+
+RunReport run_natively(const Network& network, const NativeSettings& settings) {
+    require_native(network);
+    return NativeRun(network, settings).run(settings.is_interrupted);
+}
+
+} // namespace placedpar

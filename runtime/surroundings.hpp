@@ -1,0 +1,40 @@
+#pragma once
+
+#include "runtime/time.hpp"
+
+#include <vector>
+
+namespace placedpar {
+
+class Kernel;
+struct Deadlock;
+
+/// What a kernel of a native run finds outside of itself: the wall clock, and the other kernels of the run. A kernel
+/// without surroundings keeps virtual time, and is alone.
+class Surroundings {
+public:
+    virtual ~Surroundings() = default;
+
+    /// Returns the time since the beginning of the run.
+    virtual Time now() const = 0;
+    /// Handles the messages of other kernels that have come since the last call. Does not wait or throw.
+    virtual void take_arrivals() noexcept = 0;
+
+    enum class Rest {
+        over,   ///< something has come, or the time has come
+        quiet,  ///< no kernel of the run has anything to do any more: its work is over
+        forever ///< no kernel has had anything to do after the work either: the run is over
+    };
+    /// Waits until something comes, `due`, or an interruption of the kernel. Called when no process is ready.
+    virtual Rest rest(Time due) = 0;
+
+    /// Returns when all kernels of the run have stopped. Each kernel calls this function once, while its processes are
+    /// still in their waits. `failed`: one of them has thrown, so the other kernels must stop, too.
+    virtual void wait_for_stop(bool failed) = 0;
+    /// Returns all kernels of the run, by their numbers.
+    virtual std::vector<const Kernel*> kernels() const = 0;
+    /// Returns when all kernels have called it: none needs the processes of another any more.
+    virtual void wait_for_reports() = 0;
+};
+
+} // namespace placedpar

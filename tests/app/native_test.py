@@ -1,0 +1,104 @@
+"""Tests runs on threads: `placedpar run --native` makes the generations and results of the simulated run."""
+
+import csv
+import io
+import json
+import pathlib
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+from program import EXAMPLES, PROGRAM, placedpar
+
+# Netlists whose generations do not depend on the order of messages.
+SEARCHES = {
+    "genetic/islands/islands.cfs": [],
+    "genetic/coarse-fine/pair.cfs": [],
+    "genetic/farms/farm.cfs": [],
+    "thesis/figure-e2/figure-e2.cfs": [],
+    "thesis/table-e1/cluster.cfs": [],
+}
+THREADS = (1, 2, 3, 5)
+
+
+def generations(netlist, *arguments):
+    """Returns the rows of the log, without their times."""
+    with tempfile.TemporaryDirectory() as folder:
+        log = pathlib.Path(folder, "log.csv")
+        run = placedpar("run", netlist, "--log", log, *arguments)
+        if run.returncode != 0:
+            raise AssertionError(run.stdout + run.stderr)
+        return [{**row, "time_ms": ""} for row in csv.DictReader(io.StringIO(log.read_text(encoding="utf-8")))]
+
+
+def results(netlist, *arguments):
+    """Returns how the run ended, and what its processes measured that does not depend on times. Who gets a task of the
+    farm does, and how many packets a buffer holds; so tasks are added up."""
+    with tempfile.TemporaryDirectory() as folder:
+        report = pathlib.Path(folder, "report.json")
+        placedpar("run", netlist, "--json", report, *arguments)
+        found = json.loads(report.read_text(encoding="utf-8"))
+    timed = {"s", "ms", "us", "ns", "Kbyte/s", "1/s", "%"}
+    lasting = [each for each in found["measurements"]
+               if each["unit"] not in timed and each["name"] not in ("tasks", "most_held", "last_number")]
+    last = {each["value"] for each in found["measurements"] if each["name"] == "last_number"}
+    return (found["outcome"], lasting, sum(each["value"] for each in found["measurements"] if each["name"] == "tasks"),
+            last if "farm" not in str(netlist) else set())
+
+
+class Generations(unittest.TestCase):
+    def test_are_those_of_the_simulated_run(self):
+        for name, arguments in SEARCHES.items():
+            netlist = EXAMPLES / name
+            simulated = generations(netlist, *arguments)
+            self.assertGreater(len(simulated), 10)
+            for threads in THREADS:
+                with self.subTest(netlist=name, threads=threads):
+                    self.assertEqual(generations(netlist, "--native", "--threads", threads, *arguments), simulated)
+
+
+class Results(unittest.TestCase):
+    def test_of_every_classic_are_those_of_the_simulated_run(self):
+        netlists = [each for each in sorted(EXAMPLES.glob("csp/*/*.cfs")) if "own-process" not in str(each)]
+        self.assertGreater(len(netlists), 5)
+        for netlist in netlists:
+            simulated = results(netlist)
+            for threads in THREADS:
+                with self.subTest(netlist=netlist, threads=threads):
+                    self.assertEqual(results(netlist, "--native", "--threads", threads), simulated)
+
+
+class Endings(unittest.TestCase):
+    def test_a_deadlock_has_its_cycle_and_exit_code(self):
+        run = placedpar("run", EXAMPLES / "csp/deadlock/ring.cfs", "--native", "--threads", 3)
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("wait cycle: buffer[0] -> buffer[2] -> buffer[1] -> buffer[0]", run.stdout)
+
+    def test_ctrl_c_ends_a_run_within_a_second(self):
+        run = subprocess.Popen([PROGRAM, "run", EXAMPLES / "genetic/islands/islands.cfs", "--native", "--set",
+                                "trials=1000000"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(1)
+        self.assertIsNone(run.poll())
+        run.send_signal(signal.SIGINT)
+        begun = time.monotonic()
+        out, _ = run.communicate(timeout=20)
+        self.assertLess(time.monotonic() - begun, 1)
+        self.assertEqual(run.returncode, 130)
+        self.assertIn("interrupted", out)
+
+    def test_what_only_simulated_runs_have_is_refused(self):
+        netlist = EXAMPLES / "csp/deadlock/ring.cfs"
+        for option in (["--until", "1ms"], ["--seeds", "2"], ["--shuffle", "1"], ["--trace", "t.json"]):
+            run = placedpar("run", netlist, "--native", *option)
+            self.assertEqual(run.returncode, 1, option)
+            self.assertIn(f"{option[0]}: only simulated runs have this option", run.stderr)
+        run = placedpar("run", netlist, "--threads", 2)
+        self.assertEqual((run.returncode, "give --native" in run.stderr), (1, True))
+        run = placedpar("run", EXAMPLES / "occam/network/table.cfs", "--native")
+        self.assertEqual((run.returncode, "executes the code of a transputer" in run.stderr), (1, True))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,223 @@
+// Tests networks that run natively, on threads.
+
+#include "native/native_run.hpp"
+
+#include "classics/kinds.hpp"
+#include "netlist/kinds/csp_kinds.hpp"
+#include "netlist/kinds/description.hpp"
+#include "netlist/machine.hpp"
+#include "netlist/read.hpp"
+#include "runtime/parallel.hpp"
+#include "runtime/recovery.hpp"
+#include "runtime/timer.hpp"
+#include "text/user_error.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+using namespace placedpar;
+using namespace placedpar::description;
+using namespace std::chrono_literals;
+
+namespace {
+
+using Body = std::function<void(ProcessEnvironment&)>;
+
+/// Returns a kind with the ports `in` and `out` of numbers, which may stay unconnected.
+ProcessKind kind_of(const std::string& name, Body body) {
+    ProcessKind kind;
+    kind.name = name;
+    kind.ports = {optional(input<int>("in", "numbers", "numbers")), optional(output<int>("out", "numbers", "numbers"))};
+    kind.body = std::move(body);
+    return kind;
+}
+
+Catalogue kinds_with(const std::vector<ProcessKind>& own) {
+    Catalogue catalogue;
+    add_csp_kinds(catalogue);
+    add_classical_kinds(catalogue);
+    for (const ProcessKind& kind : own)
+        catalogue.add(ProcessKind(kind));
+    return catalogue;
+}
+
+Network network_of(const std::string& text, const Catalogue& catalogue) {
+    ReadResult read = read_netlist_text(text, catalogue, {});
+    REQUIRE_MESSAGE(read.network, render(read.diagnostics.front()));
+    return *read.network;
+}
+
+RunReport run_on(std::size_t threads, const std::string& text, const std::vector<ProcessKind>& own = {}) {
+    const Catalogue catalogue = kinds_with(own);
+    NativeSettings settings;
+    settings.threads = threads;
+    settings.make_catalogue = [&] { return std::make_shared<const Catalogue>(kinds_with(own)); };
+    return run_natively(network_of(text, catalogue), settings);
+}
+
+/// A ring of processes, each on a processor of its own.
+std::string ring(int processes, const std::string& kind) {
+    return fmt::format(R"(val n {};
+        T800 t[n]; rep i = 0 for n connect t[i].link[1] to t[(i + 1) % n].link[0];
+        process (interface (input in, output out)) p[n];
+        rep i = 0 for n use "{}" for p[i];
+        rep i = 0 for n connect p[i].out to p[(i + 1) % n].in;
+        rep i = 0 for n place p[i] on t[i];)",
+                       processes, kind);
+}
+
+} // namespace
+
+TEST_CASE("a token goes round a ring, whatever the number of threads") {
+    constexpr int rounds = 1000;
+    const auto relay = kind_of("relay", [](ProcessEnvironment& environment) {
+        const auto in = environment.input<int>("in");
+        const auto out = environment.output<int>("out");
+        int token = 0;
+        for (int i = 0; i < rounds; ++i) {
+            if (environment.index() > 0)
+                token = in.input();
+            out.output(token + 1);
+            if (environment.index() == 0)
+                token = in.input();
+        }
+        environment.measure("token", token);
+    });
+    for (const std::size_t threads : {1U, 2U, 3U, 5U}) {
+        const RunReport report = run_on(threads, ring(5, "relay"), {relay});
+        CHECK(report.result.ending == Ending::completed);
+        CHECK(report.measured("p[0]", "token") == 5 * rounds);
+        CHECK(report.measured("p[4]", "token") == 5 * rounds - 1);
+        CHECK(report.processors.size() == threads);
+    }
+}
+
+TEST_CASE("a deadlock over threads is found at once, and reported as that of a simulated run") {
+    const auto sender = kind_of("sender", [](ProcessEnvironment& environment) {
+        environment.output<int>("out").output(1);
+        environment.input<int>("in").input();
+    });
+    const Catalogue catalogue = kinds_with({sender});
+    const Network network = network_of(ring(4, "sender"), catalogue);
+    const Deadlock simulated = *Machine(network, catalogue, 1).run().result.deadlock;
+    for (const std::size_t threads : {1U, 2U, 3U, 4U}) {
+        const RunReport report = run_on(threads, ring(4, "sender"), {sender});
+        REQUIRE(report.result.ending == Ending::stuck);
+        CHECK(report.result.time < Time(2s));
+        REQUIRE(report.result.deadlock);
+        CHECK(report.result.deadlock->text() == simulated.text());
+    }
+}
+
+TEST_CASE("components of PARs on different threads are part of the wait cycle") {
+    const auto both = kind_of("both", [](ProcessEnvironment& environment) {
+        par([&] { environment.input<int>("in").input(); }, [&] { wait_for(1ms); });
+        environment.output<int>("out").output(1);
+    });
+    const RunReport report = run_on(2, ring(2, "both"), {both});
+    REQUIRE(report.result.deadlock);
+    CHECK(std::set(report.result.deadlock->cycle.begin(), report.result.deadlock->cycle.end()) ==
+          std::set<std::string>{"p[0]", "p[0]/0", "p[1]", "p[1]/0"});
+}
+
+TEST_CASE("what a process throws ends all threads, and names the process, its kind and its place") {
+    const auto failing = kind_of("failing", [](ProcessEnvironment& environment) {
+        if (environment.process() == "p[2]") {
+            wait_for(5ms);
+            throw UserError("there is no sand in this box");
+        }
+        environment.input<int>("in").input();
+    });
+    try {
+        run_on(3, ring(3, "failing"), {failing});
+        FAIL("nothing was thrown");
+    } catch (const UserError& refused) {
+        const std::string what = refused.what();
+        CHECK(what.find("process p[2] (failing) at ") != std::string::npos);
+        CHECK(what.find("there is no sand in this box") != std::string::npos);
+    }
+}
+
+TEST_CASE("an interruption ends processes that compute and processes that wait") {
+    const auto busy = kind_of("busy", [](ProcessEnvironment& environment) {
+        if (environment.index() == 0)
+            for (;;)
+                compute(Cycles{1});
+        environment.input<int>("in").input();
+    });
+    const Catalogue catalogue = kinds_with({busy});
+    NativeSettings settings;
+    settings.threads = 2;
+    settings.make_catalogue = [&] { return std::make_shared<const Catalogue>(kinds_with({busy})); };
+    settings.is_interrupted = [] { return true; };
+    const auto begun = std::chrono::steady_clock::now();
+    CHECK(run_natively(network_of(ring(2, "busy"), catalogue), settings).result.ending == Ending::interrupted);
+    CHECK(std::chrono::steady_clock::now() - begun < 1s);
+}
+
+TEST_CASE("threads that wait use hardly any of the processor") {
+    const auto waiting = kind_of("waiting", [](ProcessEnvironment& environment) {
+        if (environment.index() == 0) {
+            wait_for(500ms);
+            return environment.output<int>("out").output(1);
+        }
+        environment.input<int>("in").input();
+    });
+    const std::clock_t before = std::clock();
+    const RunReport report = run_on(2, ring(2, "waiting"), {waiting});
+    CHECK(report.result.ending == Ending::completed);
+    CHECK(report.result.time >= Time(500ms));
+    CHECK(static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC < 0.05);
+}
+
+TEST_CASE("a process waits for the end of the work on all threads") {
+    const auto last = kind_of("last", [](ProcessEnvironment& environment) {
+        if (environment.index() == 0) {
+            wait_until_work_is_over();
+            environment.measure("told", environment.input<int>("in").input());
+            return;
+        }
+        wait_for(20ms);
+        if (environment.index() == 1)
+            wait_until_work_is_over();
+        environment.output<int>("out").output(7);
+    });
+    const RunReport report = run_on(2, ring(2, "last"), {last});
+    CHECK(report.result.ending == Ending::completed);
+    CHECK(report.measured("p[0]", "told") == 7);
+}
+
+TEST_CASE("an input or output to another thread is given up after a time-out, and may be tried again") {
+    const auto trying = kind_of("trying", [](ProcessEnvironment& environment) {
+        if (environment.index() == 0) {
+            const auto out = environment.output<int>("out");
+            int given_up = 0;
+            while (!output_or_fail(out, 5, now() + 2ms)) {
+                ++given_up;
+                reset(out);
+            }
+            environment.measure("given up", given_up);
+        } else if (environment.index() == 1) {
+            wait_for(30ms);
+            const auto in = environment.input<int>("in");
+            environment.measure("got", in.input());
+        }
+    });
+    const RunReport report = run_on(2, ring(2, "trying"), {trying});
+    CHECK(report.result.ending == Ending::completed);
+    CHECK(report.measured("p[1]", "got") == 5);
+    CHECK(report.measured("p[0]", "given up") >= 1);
+}
+
+TEST_CASE("faults and transputers' own code are refused") {
+    CHECK_THROWS_WITH_AS(run_on(1, ring(2, "csp.identity") + "fault t[0] halts (from = 1ms);"),
+                         doctest::Contains("a native run has no faults"), UserError);
+}
