@@ -88,23 +88,23 @@ occam::CodeOptions in_mode(occam::ErrorMode mode) { return {.model = transputer:
 } // namespace
 
 TEST_CASE("an error halts the processor in mode halt and in mode universal") {
-    for (const auto& [error, said] : run_time_errors)
+    for (const RunTimeError& error : run_time_errors)
         for (const occam::ErrorMode mode : {occam::ErrorMode::halt, occam::ErrorMode::universal}) {
-            CAPTURE(error);
-            const Executed done = execute(with_values + indented(error, 2) + "  memory[1] := 1\n", in_mode(mode));
+            CAPTURE(error.text);
+            const Executed done = execute(with_values + indented(error.text, 2) + "  memory[1] := 1\n", in_mode(mode));
             CHECK(done.trouble == "");
             CHECK(done.halted);
             REQUIRE(done.errors.size() == 1);
-            CHECK(without_place(done.errors[0]) == said);
+            CHECK(without_place(done.errors[0]) == error.said);
             CHECK(done.results[0] == 1);
             CHECK(done.results[1] == 0);
         }
 }
 
 TEST_CASE("an error stops its process in mode stop, and others go on") {
-    for (const auto& [error, said] : run_time_errors) {
-        CAPTURE(error);
-        const std::string wrong = with_values + indented(error, 2) + "  memory[1] := 1\n";
+    for (const RunTimeError& error : run_time_errors) {
+        CAPTURE(error.text);
+        const std::string wrong = with_values + indented(error.text, 2) + "  memory[1] := 1\n";
         const Executed done = execute("SEQ\n  PAR\n" + indented(wrong, 4) + R"(    SEQ
       SEQ i = 0 FOR 1000
         memory[2] := i
@@ -119,7 +119,7 @@ TEST_CASE("an error stops its process in mode stop, and others go on") {
         CHECK(done.results[3] == 11);
         CHECK(done.results[4] == 0);
         REQUIRE(done.errors.size() == 1);
-        CHECK(without_place(done.errors[0]) == said);
+        CHECK(without_place(done.errors[0]) == error.said);
     }
 }
 
