@@ -20,8 +20,10 @@ namespace {
 class Carriers {
 public:
     explicit Carriers(Completion& c)
-        : c_(c), wires_(c.network.connections), load_(wires_.size() * 2, 0), search_(c.network.nodes, wires_, load_),
-          stated_(c, load_), broadcasts_(c, load_) {
+        : c_(c), wires_(c.network.connections), load_(wires_.size() * 2, 0),
+          search_(c.network.nodes, wires_, load_, nodes_without_code(c)), stated_(c, load_), broadcasts_(c, load_) {
+        if (std::ranges::any_of(c_.network.processes, &ProcessInstance::is_code))
+            search_for_code_.emplace(c.network.nodes, wires_, load_, nodes_for_code(c));
         for (std::size_t i = 0; i < c_.network.connections.size(); ++i) {
             const auto& connection = c_.network.connections[i];
             between_[{connection.a.node, connection.b.node}].push_back(i);
@@ -44,7 +46,8 @@ public:
         check_switched(c_);
         broadcasts_.check();
         for (auto& channel : c_.network.channels)
-            channel.placement.in_packets = travels_in_packets(channel.placement.route);
+            channel.placement.in_packets =
+                !is_between_code(c_.network, channel) && travels_in_packets(channel.placement.route);
         check_channels_to_code();
     }
 
@@ -82,6 +85,19 @@ private:
                    {{"first placed here", placed.by.at}});
         carry(channel, {broadcasts_.way_of(channel, placed)});
         channel.placement.broadcast_on = placed.bus();
+    }
+
+    static std::vector<bool> nodes_without_code(const Completion& c) {
+        std::vector<bool> result;
+        for (const Node& node : c.network.nodes)
+            result.push_back(!node.runs_own_code);
+        return result;
+    }
+
+    /// Returns the search for routes of this channel. Channels between processes that are code lead through other
+    /// processors than those of other processes.
+    RouteSearch& search(const NetworkChannel& channel) {
+        return is_between_code(c_.network, channel) ? *search_for_code_ : search_;
     }
 
     std::size_t& load(const RouteHop& hop) { return load_[hop.connection * 2 + (hop.from_a_to_b ? 1 : 0)]; }
@@ -172,8 +188,8 @@ private:
         auto here = end_of(route.back(), wires_).node;
         if (here == channel.to.node)
             return route;
-        auto rest = search_.best(here, channel.to.node, passed);
-        if (!rest || !search_.leads_through(here))
+        auto rest = search(channel).best(here, channel.to.node, passed);
+        if (!rest || !search(channel).leads_through(here))
             refuse_route(channel, wires, wires.back());
         route.insert(route.end(), rest->begin(), rest->end());
         return route;
@@ -225,7 +241,7 @@ private:
                 continue;
             std::optional<std::vector<RouteHop>> way{std::vector<RouteHop>{}};
             if (begin != here)
-                way = search_.leads_through(begin) ? search_.best(here, begin, around) : std::nullopt;
+                way = search(channel).leads_through(begin) ? search(channel).best(here, begin, around) : std::nullopt;
             if (!way ||
                 std::any_of(way->begin(), way->end(), [&](auto& each) { return end_of(each, wires_).node == end; }))
                 continue;
@@ -248,7 +264,7 @@ private:
     [[noreturn]] void refuse_route(const NetworkChannel& channel, const std::vector<StatedRoute>& wires,
                                    const StatedRoute& wire) {
         const auto& connection = wires_[wire.connection];
-        auto best = search_.best(channel.from.node, channel.to.node);
+        auto best = search(channel).best(channel.from.node, channel.to.node);
         std::vector<SecondPlace> places{{"the wire is connected here", connection.connected}};
         add_quotas(places, channel.from.node, channel.to.node);
         refuse(wire.at,
@@ -268,7 +284,7 @@ private:
             return choose_edge(channel);
         if (channel.from.node == nowhere || channel.to.node == nowhere || channel.from.node == channel.to.node)
             return; // already reported, or both processes are on one processor
-        auto route = search_.best(channel.from.node, channel.to.node);
+        auto route = search(channel).best(channel.from.node, channel.to.node);
         if (!route)
             route = way_over_switch(channel);
         if (!route)
@@ -350,6 +366,8 @@ private:
         std::vector<SecondPlace> places{{fmt::format("\"{}\" is placed here", sender.name), sender.placed},
                                         {fmt::format("\"{}\" is placed here", receiver.name), receiver.placed}};
         add_quotas(places, from, to);
+        if (is_between_code(c_.network, channel))
+            add_obstacles(places, from, to);
         refuse(channel.connected,
                fmt::format("the channel \"{}\" has no route: no wires through processors join \"{}\" and \"{}\"",
                            channel.name, node_name(from), node_name(to)),
@@ -367,6 +385,24 @@ private:
                                   c_.network.nodes[node].declared});
     }
 
+    /// Adds a note for each processor on the best route of other channels that cannot pass on a channel of code.
+    void add_obstacles(std::vector<SecondPlace>& places, std::size_t from, std::size_t to) {
+        const std::vector<RouteHop> route = search_.best(from, to).value_or(std::vector<RouteHop>{});
+        for (std::size_t i = 0; i + 1 < route.size(); ++i) {
+            const std::size_t node = end_of(route[i], wires_).node;
+            if (search_for_code_->leads_through(node))
+                continue;
+            const auto process = std::ranges::find(c_.draft.processes, node, &DraftProcess::node);
+            if (process == c_.draft.processes.end())
+                places.push_back({fmt::format("\"{}\" cannot pass it on: it executes no code", node_name(node)),
+                                  c_.network.nodes[node].declared});
+            else
+                places.push_back({fmt::format("\"{}\" cannot pass it on: \"{}\", which is not code, is placed here",
+                                              node_name(node), process->name),
+                                  process->placed});
+        }
+    }
+
     std::string missing_wire(std::size_t from, std::size_t to) const {
         auto here = c_.free_link(from), there = c_.free_link(to);
         return here.empty() || there.empty() ? "" : fmt::format("; connect {} to {};", here, there);
@@ -376,6 +412,7 @@ private:
     const std::vector<LinkConnection>& wires_;
     std::vector<std::size_t> load_; ///< number of channels on each connection in each direction, as in RouteSearch
     RouteSearch search_;
+    std::optional<RouteSearch> search_for_code_; ///< nothing if no process is code
     StatedRoutes stated_;
     Broadcasts broadcasts_;
     std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> between_;

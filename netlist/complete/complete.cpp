@@ -30,6 +30,7 @@ Network complete(Draft draft, const Catalogue& catalogue, Reporter& reporter, co
     complete_booted(completion);
     complete_channels(completion);
     complete_carriers(completion);
+    complete_relays(completion);
     complete_faults(completion);
     if (!reporter.failed())
         complete_checks(completion);

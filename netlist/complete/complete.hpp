@@ -66,6 +66,11 @@ void complete_checks(Completion& completion);
 void check_executes(Completion& completion, const Node& node, const std::vector<SecondPlace>& reason);
 /// images.cpp: marks the nodes with processes that are code, and checks them. Called by complete_booted().
 void mark_code_nodes(Completion& completion);
+/// images.cpp: returns the nodes through which channels between processes that are code may lead: they execute code,
+/// and no other processes.
+std::vector<bool> nodes_for_code(const Completion& completion);
+/// images.cpp: marks the nodes through which such channels lead, which then execute code that passes messages on.
+void complete_relays(Completion& completion);
 /// images.cpp: makes the images of these nodes. REQUIRES: nothing was refused.
 void complete_images(Completion& completion);
 

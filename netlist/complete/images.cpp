@@ -98,32 +98,85 @@ void mark_code_nodes(Completion& c) {
     }
 }
 
+std::vector<bool> nodes_for_code(const Completion& c) {
+    std::vector<bool> result;
+    for (const Node& node : c.network.nodes)
+        result.push_back(!node.runs_own_code && transputer::model_named(node.type));
+    for (std::size_t i = 0; i < c.draft.processes.size(); ++i)
+        if (const std::size_t node = c.draft.processes[i].node; node != nowhere)
+            result[node] = c.kinds[i] && c.kinds[i]->is_code;
+    return result;
+}
+
+namespace {
+
+/// Returns the nodes through which a channel between processes that are code leads.
+std::vector<std::size_t> nodes_between(const Network& network, const NetworkChannel& channel) {
+    std::vector<std::size_t> nodes;
+    const std::vector<RouteHop>& route = channel.placement.route;
+    for (std::size_t i = 0; is_between_code(network, channel) && i + 1 < route.size(); ++i)
+        nodes.push_back(end_of(route[i], network.connections).node);
+    return nodes;
+}
+
+/// Refuses a channel of other processes that leads through a node with code that passes messages on.
+void refuse_beside_relay(Completion& c, const NetworkChannel& channel, const NetworkChannel& relayed,
+                         std::size_t node) {
+    c.reporter.error(channel.connected,
+                     fmt::format("the channels \"{}\" and \"{}\" lead through \"{}\": it executes code that passes "
+                                 "messages on only between processes that are code",
+                                 channel.name, relayed.name, c.network.nodes[node].name),
+                     "place one of them on other wires: place p.out on a.link[1];",
+                     {{"the channel between processes that are code is connected here", relayed.connected}});
+}
+
+} // namespace
+
+void complete_relays(Completion& c) {
+    std::map<std::size_t, const NetworkChannel*> relays; // the first channel that leads through the node
+    for (const NetworkChannel& channel : c.network.channels)
+        for (const std::size_t node : nodes_between(c.network, channel))
+            relays.try_emplace(node, &channel);
+    for (const auto& [node, channel] : relays)
+        if (!std::exchange(c.network.nodes[node].runs_own_code, true))
+            check_executes(c, c.network.nodes[node],
+                           {{fmt::format("the channel \"{}\" leads through it", channel->name), channel->connected}});
+    for (const NetworkChannel& channel : c.network.channels)
+        if (const std::vector<RouteHop>& route = channel.placement.route; !is_between_code(c.network, channel))
+            for (std::size_t i = 0; i + 1 < route.size(); ++i)
+                if (const auto found = relays.find(end_of(route[i], c.network.connections).node); found != relays.end())
+                    return refuse_beside_relay(c, channel, *found->second, found->first);
+}
+
 namespace {
 
 /// Checks the channels of processes that are code, and makes the images of their nodes.
 class Images {
 public:
-    explicit Images(Completion& c) : c_(c), n_(c.network) {}
+    explicit Images(Completion& c) : c_(c), n_(c.network), has_code_(n_.nodes.size(), false) {
+        for (const ProcessInstance& process : n_.processes)
+            if (process.is_code)
+                has_code_[process.node] = true;
+        for (const NetworkChannel& channel : n_.channels)
+            for (const std::size_t node : nodes_between(n_, channel))
+                has_code_[node] = true;
+    }
 
     void run() {
         for (const NetworkChannel& channel : n_.channels)
             if (leads_to_code(channel))
                 check(channel);
         for (std::size_t i = 0; i < n_.nodes.size(); ++i)
-            if (has_code(i))
+            if (has_code_[i])
                 check_host(i);
         for (std::size_t i = 0; i < n_.nodes.size() && !c_.reporter.failed(); ++i)
-            if (has_code(i))
+            if (has_code_[i])
                 make(i);
     }
 
 private:
     bool is_code(const ChannelEnd& end) const { return !end.at_edge() && n_.processes[end.process].is_code; }
     bool leads_to_code(const NetworkChannel& channel) const { return is_code(channel.from) || is_code(channel.to); }
-    bool has_code(std::size_t node) const {
-        return std::ranges::any_of(
-            n_.processes, [&](const ProcessInstance& process) { return process.is_code && process.node == node; });
-    }
 
     void check(const NetworkChannel& channel) {
         if (channel.placement.kind == ChannelPlacement::Kind::soft)
@@ -135,14 +188,19 @@ private:
                 fmt::format("the channel \"{}\" leads from code to an edge, where no process is", channel.name),
                 leads_to_host(channel) ? "leave it out: a channel to the host needs no connection"
                                        : "connect the channel with one of a process");
-        const LinkConnection& first = n_.connections[route.front().connection];
-        if (route.size() > 1)
+        const auto is_wire = [&](const RouteHop& hop) {
+            return !n_.connections[hop.connection].over_bus && !n_.connections[hop.connection].at_run_time;
+        };
+        if (const auto other = std::ranges::find_if_not(route, is_wire); other != route.end())
+            c_.reporter.error(
+                channel.connected,
+                fmt::format("the channel \"{}\" of code can lead over a wire only, and not over {}", channel.name,
+                            n_.connections[other->connection].over_bus ? "a bus"
+                                                                       : "a switch that is set during the run"));
+        else if (is_between_code(n_, channel))
+            return;
+        else if (route.size() > 1)
             refuse_way(channel);
-        else if (first.over_bus || first.at_run_time)
-            c_.reporter.error(channel.connected,
-                              fmt::format("the channel \"{}\" of code can lead over a wire only, and not over {}",
-                                          channel.name,
-                                          first.over_bus ? "a bus" : "a switch that is set during the run"));
         else if (channel.placement.in_packets)
             refuse_shared(channel);
     }
@@ -158,12 +216,12 @@ private:
         std::vector<std::string> between;
         for (std::size_t i = 0; i + 1 < channel.placement.route.size(); ++i)
             between.push_back("\"" + n_.nodes[end_of(channel.placement.route[i], n_.connections).node].name + "\"");
+        const std::string from = n_.nodes[channel.from.node].name, to = n_.nodes[channel.to.node].name;
         c_.reporter.error(channel.connected,
-                          fmt::format("the channel \"{}\" of code leads from \"{}\" to \"{}\" through {}, but code has "
-                                      "channels only over wires between its processors",
-                                      channel.name, n_.nodes[channel.from.node].name, n_.nodes[channel.to.node].name,
-                                      fmt::join(between, ", ")),
-                          "connect the two processors, or place a process that passes the messages on");
+                          fmt::format("the channel \"{}\" leads from \"{}\" to \"{}\" through {}, but a channel "
+                                      "between code and a process that is not code has a wire for itself",
+                                      channel.name, from, to, fmt::join(between, ", ")),
+                          "connect the two processors, or let a process that is code pass the messages on");
     }
 
     /// Refuses channels from a node to another that share a direction of a wire. Reports each pair of nodes once.
@@ -181,11 +239,12 @@ private:
                     wires.push_back(link_name(n_.nodes, a));
         c_.reporter.error(
             channel.connected,
-            fmt::format("{} lead from \"{}\" to \"{}\", but only {} does; a direction of a wire carries one channel of "
-                        "code",
+            fmt::format("{} lead from \"{}\" to \"{}\", but only {} does; a direction of a wire carries one channel "
+                        "between code and a process that is not code",
                         counted(channels.size(), "channel"), n_.nodes[nodes.first].name, n_.nodes[nodes.second].name,
                         counted(wires.size(), "wire")),
-            fmt::format("the channels: {}; the wires: {}", fmt::join(channels, ", "), fmt::join(wires, ", ")));
+            fmt::format("the channels: {}; the wires: {}; between processes that are code, channels share wires",
+                        fmt::join(channels, ", "), fmt::join(wires, ", ")));
     }
 
     /// Returns whether a port of the process leads to the host.
@@ -237,6 +296,7 @@ private:
 
     Completion& c_;
     Network& n_;
+    std::vector<bool> has_code_;                            ///< for each node: it has an image
     std::set<std::pair<std::size_t, std::size_t>> refused_; ///< nodes
 };
 

@@ -16,7 +16,7 @@ constexpr std::size_t most_hubs = 64; ///< our choice; each hub takes 32 bytes p
 } // namespace
 
 RouteSearch::RouteSearch(const std::vector<Node>& nodes, const std::vector<LinkConnection>& connections,
-                         const std::vector<std::size_t>& load)
+                         const std::vector<std::size_t>& load, const std::vector<bool>& may_pass)
     : nodes_(nodes), connections_(connections), load_(load), leaving_(nodes.size()),
       beyond_quota_(2 * connections.size(), false), leads_through_(nodes.size()), routecost_(nodes.size()),
       distances_(nodes.size()), spent_(nodes.size()), within_(nodes.size()) {
@@ -31,7 +31,7 @@ RouteSearch::RouteSearch(const std::vector<Node>& nodes, const std::vector<LinkC
     for (std::size_t node = 0; node < nodes.size(); ++node)
         if (nodes[node].kind->passes_channels_on) {
             auto quota = static_cast<std::size_t>(nodes[node].integer("linkquota"));
-            leads_through_[node] = quota >= 2 && !nodes[node].runs_own_code;
+            leads_through_[node] = quota >= 2 && may_pass[node];
             routecost_[node] = nodes[node].integer("routecost");
             for (std::size_t i = quota; i < leaving_[node].size(); ++i) {
                 const RouteHop& hop = leaving_[node][i].hop;

@@ -28,12 +28,13 @@ struct RouteCost {
 
 /// Finds the best route over wires between two nodes, through processors that pass channels on. Such a processor uses
 /// only the lowest `linkquota` of its wired links. Wires that switches connect during the run are left out: a processor
-/// on the route could not know when they are connected. `load` counts the channels on each connection i: load[2 i] from
+/// on the route could not know when they are connected. `may_pass` has the nodes through which routes may lead if their
+/// kind and `linkquota` allow it. `load` counts the channels on each connection i: load[2 i] from
 /// b to a, load[2 i + 1] from a to b. REQUIRES: all arguments outlive this object.
 class RouteSearch {
 public:
     RouteSearch(const std::vector<Node>& nodes, const std::vector<LinkConnection>& connections,
-                const std::vector<std::size_t>& load);
+                const std::vector<std::size_t>& load, const std::vector<bool>& may_pass);
 
     /// Returns the best route, of at least one wire, that avoids the nodes in `around`; nothing if no such route
     /// exists.

@@ -268,7 +268,7 @@ std::string BootedNode::state_of_program() const {
         return "was served by another program";
     if (!device_.is_idle())
         return "runs";
-    return host_ && transputer::waiting_processes(device_.core()).empty()
+    return host_ && waiting_processes().empty()
                ? "has no process left, and did not tell the host to exit (so.exit in occam)"
                : "waits";
 }
@@ -288,6 +288,13 @@ bool never_goes_on(const transputer::WaitingProcess& process) {
 }
 
 } // namespace
+
+/// Returns the processes that wait, without those that only carry messages of others.
+std::vector<transputer::WaitingProcess> BootedNode::waiting_processes() const {
+    std::vector<transputer::WaitingProcess> waiting = transputer::waiting_processes(device_.core());
+    std::erase_if(waiting, [&](const auto& each) { return lines().is_carrier(each.workspace); });
+    return waiting;
+}
 
 ProgramWait BootedNode::describe(const transputer::WaitingProcess& process) const {
     using transputer::Wait;
@@ -319,7 +326,7 @@ std::vector<ProgramWait> BootedNode::program_waits() const {
     constexpr std::size_t most_copied_in_all = std::size_t{1} << 30;
     if (device_.activity() != transputer::Node::Activity::booted)
         return {};
-    const std::vector<transputer::WaitingProcess> waiting = transputer::waiting_processes(device_.core());
+    const std::vector<transputer::WaitingProcess> waiting = waiting_processes();
     const std::size_t bytes = device_.core().memory().size();
     const bool looks_ahead = bytes <= transputer::most_copied_bytes && bytes * waiting.size() <= most_copied_in_all;
     std::vector<ProgramWait> result;

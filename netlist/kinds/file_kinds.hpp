@@ -39,8 +39,9 @@ public:
 
     /// States how image() compiles from now on.
     virtual void choose(const CompileChoices&) = 0;
-    /// Makes the program of a node: all of its processes that are code. Returns null after reporting errors. REQUIRES:
-    /// each channel of these processes is soft, or alone in its direction of a wire of the node.
+    /// Makes the program of a node: all of its processes that are code, and what carries messages between such
+    /// processes on other nodes. Returns null after reporting errors. REQUIRES: each channel from or to a process that
+    /// is not code is alone in its direction of a wire of the node.
     virtual std::shared_ptr<const transputer::Image> image(const Network&, std::size_t node, Reporter&) = 0;
 };
 

@@ -75,6 +75,13 @@ Network with_code_inside(Network network) {
     return network;
 }
 
+bool is_between_code(const Network& network, const NetworkChannel& channel) {
+    const auto is_code = [&](const ChannelEnd& end) {
+        return !end.at_edge() && network.processes[end.process].is_code;
+    };
+    return is_code(channel.from) && is_code(channel.to);
+}
+
 bool is_set_at_run_time(const Network& network, std::size_t node) {
     LinkEnd config{node, configuration_link};
     return std::ranges::any_of(network.connections,

@@ -291,6 +291,9 @@ bool has_bootable_file(const Network& network);
 /// them. Their other channels end at their nodes, which run their own code.
 Network with_code_inside(Network network);
 
+/// Returns whether both ends of a channel are processes that are code.
+bool is_between_code(const Network& network, const NetworkChannel& channel);
+
 /// Returns whether a wire leads to the switch's configuration link.
 bool is_set_at_run_time(const Network& network, std::size_t node);
 

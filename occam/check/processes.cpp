@@ -68,9 +68,13 @@ void Checker::form_of(Process& process, Parallel& parallel) {
         if (!count.constant && count.type->kind != Type::Kind::mistaken)
             report(count.at, "the count of a replicated PAR must be a constant", "");
     }
-    const bool outer = std::exchange(inside_priority_par_, inside_priority_par_ || is_priority);
-    for (Process& each : parallel.processes)
+    // In a program that joins the processes of a network, those of low priority may have a PRI PAR of their own.
+    const bool only_high = is_priority && program_.has_channel_tables;
+    const bool outer = inside_priority_par_;
+    for (Process& each : parallel.processes) {
+        inside_priority_par_ = outer || (is_priority && !(only_high && &each == &parallel.processes.back()));
         check(each);
+    }
     inside_priority_par_ = outer;
     names_.leave(mark);
 }

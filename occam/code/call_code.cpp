@@ -35,6 +35,7 @@ void Generator::generate_routine(const Declaration& d, Routine& routine) {
     const auto* procedure = std::get_if<Procedure>(&d.form);
     const auto* function = std::get_if<Function>(&d.form);
     const Kept path(path_, routine.path);
+    const Kept is_main(is_main_, &d == main_);
     generate_level(level, routine.entry, routine.path + d.name, [&] {
         emitter_.line(d.at);
         bind_parameters(procedure ? procedure->parameters : function->parameters, level);

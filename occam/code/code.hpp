@@ -22,6 +22,7 @@ struct CodeOptions {
     bool run_time_checks = true; ///< also of overflow
     bool vector_space = true;    ///< arrays outside of the workspace
     bool ends_run = true;        ///< a main procedure without channels tells the host at its end
+    bool awaits_high = true;     ///< a PRI PAR of the main procedure waits for its component of high priority
 };
 
 /// Code at an offset came from a place of a file.
@@ -49,6 +50,15 @@ struct CodeWorkspace {
     std::string
         inner; ///< its name within the outermost component, "" for that itself: "fork[1]" if `name` is "ring/fork[1]"
     std::size_t outermost = 0; ///< number of the outermost component, in the order of the text
+    std::string entry;         ///< name of the code of the process, among Code::names; "" of a replicated one
+    bool carries = false;      ///< it carries messages of other processes; the compiler does not know
+};
+
+/// A channel that the main procedure declares outside of its process.
+struct CodeChannel {
+    std::int64_t word = 0;  ///< from the first workspace pointer, or from the start of memory if it is placed
+    bool is_placed = false; ///< at an address
+    std::string name;
 };
 
 /// Code of a program that can stand anywhere in memory.
@@ -65,6 +75,7 @@ struct Code {
     std::vector<CodeError> errors; ///< in order of offsets
     /// Leaves out processes whose words are used by several constructs of a procedure, one after the other.
     std::vector<CodeWorkspace> workspaces;
+    std::vector<CodeChannel> channels;
 };
 
 } // namespace placedpar::occam

@@ -31,6 +31,7 @@ Code Generator::generate(const Declaration& main) {
             declare(*each);
     for (const DeclarationBox& each : program_.declarations)
         declare(*each);
+    main_ = &main;
     Routine& routine = routine_of(main);
     Level& level = levels_.emplace_back(nullptr);
     level.main.need_below(3);
@@ -59,12 +60,28 @@ Code Generator::generate(const Declaration& main) {
     code.workspace_words = static_cast<std::uint64_t>(level.main.words() + level.main.below);
     code.first_workspace_words = static_cast<std::uint64_t>(level.main.words());
     code.workspaces = workspaces_of(level.main);
+    code.channels = channels_of_main(main, -words_of_call - routine.level->main.words());
     code.vector_space_bytes = static_cast<std::uint64_t>(memory * 4);
     if (4 * code.workspace_words + code.bytes.size() + code.vector_space_bytes > most_bytes_of_program)
         refuse(main.at, fmt::format("the program needs {} bytes of workspace and {} of vector space, more than a "
                                     "transputer can have",
                                     4 * code.workspace_words, code.vector_space_bytes));
     return code;
+}
+
+/// `base`: the workspace pointer of the procedure, in words from the first one.
+std::vector<CodeChannel> Generator::channels_of_main(const Declaration& main, std::int64_t base) const {
+    std::vector<CodeChannel> channels;
+    const auto* const scope = std::get_if<Scope>(&std::get<Procedure>(main.form).body->form);
+    for (std::size_t i = 0; scope && i < scope->declarations.size(); ++i)
+        if (const Declaration& each = *scope->declarations[i];
+            std::holds_alternative<Variable>(each.form) && each.type->kind == Type::Kind::channel) {
+            const Storage& storage = bindings_.at(&each);
+            const bool is_placed = storage.base == Storage::Base::absolute;
+            channels.push_back(
+                {is_placed ? storage.offset / 4 : base + coordinate_of(storage.cell), is_placed, each.name});
+        }
+    return channels;
 }
 
 /// Sends the host the request that ends a run with success, as so.exit does.

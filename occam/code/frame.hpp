@@ -69,6 +69,7 @@ struct Frame {
     std::vector<const Level*> calls; ///< the procedures that it calls and that start processes, each once
     std::string name;                ///< of a component of a PAR: of the PROC that it is an instance of, or its place
     std::string place;               ///< of a component: its line and column, "12:3"
+    std::string entry;               ///< of a component of a PAR: the name of its code
     bool is_instance = false;        ///< the component is an instance of a PROC
     bool is_parallel = false;        ///< the component is a PAR itself
 

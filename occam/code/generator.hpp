@@ -115,6 +115,7 @@ private:
     };
     using Arguments = std::vector<Argument>;
     void end_run();
+    std::vector<CodeChannel> channels_of_main(const Declaration& main, std::int64_t base) const;
     void add_main_argument(Arguments&, const Declaration& parameter, std::int64_t memory);
 
     // location_code.cpp
@@ -354,6 +355,8 @@ private:
     std::list<CodeBuffer> buffers_;
     std::list<Level> levels_;
     std::unordered_map<const Declaration*, Storage> bindings_; ///< looked up only
+    const Declaration* main_ = nullptr;
+    bool is_main_ = false; ///< the code is that of the main procedure itself
     std::unordered_map<const Declaration*, Range> ranges_;
     std::unordered_map<const Declaration*, std::unique_ptr<Routine>> routines_;
     std::deque<Type> arrays_; ///< types of segments and of words for channels

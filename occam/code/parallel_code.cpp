@@ -58,7 +58,8 @@ void Generator::parallel(const Process& p, const Parallel& each) {
     Frame& parent = *frame_;
     const Kept vector(level_->vector_now);
     for (std::size_t i = 0; i < frames.size(); ++i) {
-        emitter_.name(fmt::format("{}PAR {}:{}", path_, each.processes[i].at.line, i));
+        frames[i]->entry = fmt::format("{}PAR {}:{}", path_, each.processes[i].at.line, i);
+        emitter_.name(frames[i]->entry);
         if (i == 0)
             adjust(parent, *frames[0]);
         else
@@ -107,7 +108,7 @@ void Generator::component(const Process& p, Frame& frame, Frame& parent) {
 /// on after the PAR, so it goes on at low priority.
 void Generator::priority_parallel(const Parallel& each) {
     const Label done = emitter_.new_label(), start = emitter_.new_label(), low = emitter_.new_label();
-    join(done, 2);
+    join(done, is_main_ && !options_.awaits_high ? 1 : 2);
     Frame& parent = *frame_;
     const std::vector<Frame*> frames = {&new_component(each.processes[0]), &new_component(each.processes[1])};
     emitter_.address(start);

@@ -35,8 +35,9 @@ std::string place_table(const Code& code, const Program& program, std::uint32_t 
         fmt::format_to(to, "error +#{:X} {}\n", code_at + error.offset, error.text);
     const std::int64_t first_workspace = code_at - 4 * static_cast<std::int64_t>(code.first_workspace_words);
     for (const CodeWorkspace& each : code.workspaces)
-        fmt::format_to(to, "process +#{:X} +#{:X} {}\n", first_workspace + 4 * each.from,
-                       first_workspace + 4 * each.until, each.name.substr(0, longest_path));
+        fmt::format_to(to, "{} +#{:X} +#{:X} {}\n", each.carries ? "carrier" : "process",
+                       first_workspace + 4 * each.from, first_workspace + 4 * each.until,
+                       each.name.substr(0, longest_path));
     return table + "end\n";
 }
 

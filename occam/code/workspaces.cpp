@@ -90,8 +90,12 @@ private:
         const bool is_one_of_several = naming.counts->at(component.name) > 1;
         const std::string name = component.name + naming.indices + (is_one_of_several ? " " + component.place : "");
         // The pointer moves down from here, to the words of what the process calls.
-        const CodeWorkspace own{at - component.below + 1, at + 1, naming.before + name,
-                                naming.is_outermost ? "" : naming.before_inner + name, outermost_};
+        const CodeWorkspace own{at - component.below + 1,
+                                at + 1,
+                                naming.before + name,
+                                naming.is_outermost ? "" : naming.before_inner + name,
+                                outermost_,
+                                component.entry};
         Naming within = naming;
         within.is_outermost = false;
         if (component.is_instance) {

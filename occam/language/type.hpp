@@ -90,6 +90,8 @@ public:
     const Type* record(const Declaration*, std::vector<Field>);
     const Type* derived(const Declaration*, const Type* element);
     const ProtocolType* protocol(ProtocolType);
+    /// Returns all types that were made.
+    const std::deque<Type>& all() const { return types_; }
 
 private:
     const Type* unique(const Type&);

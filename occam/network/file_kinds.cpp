@@ -185,15 +185,16 @@ public:
         const std::lock_guard lock(mutex_);
         const auto first = std::ranges::find_if(
             network.processes, [&](const ProcessInstance& process) { return process.is_code && process.node == node; });
+        const Location& at = first == network.processes.end() ? network.nodes[node].declared : first->declared;
         try {
             return compiled(network, node, reporter);
         } catch (const RefusedInput& refused) {
             const std::string text = refused.what();
-            reporter.error(first->declared,
+            reporter.error(at,
                            fmt::format("the code of the processes on \"{}\" cannot be made", network.nodes[node].name),
                            text.substr(0, text.find('\n')));
         } catch (const UserError& refused) {
-            reporter.error(first->declared, refused.what());
+            reporter.error(at, refused.what());
         }
         return nullptr;
     }
@@ -236,26 +237,61 @@ private:
         return known;
     }
 
-    /// Names the workspaces by the processes of the netlist, which are in the order of text_of_image(). A process
-    /// within one has its name behind it: "table/phil[2]". Other processes of the node have the node's name in front.
-    static void name_workspaces(Code& code, const Network& network, std::size_t node) {
-        std::vector<std::string> names;
-        std::size_t low = 0;
-        for (const bool high : {true, false})
-            for (const ProcessInstance& process : network.processes)
-                if (process.node == node && process.high_priority == high) {
-                    names.push_back(process.name);
-                    low += !high;
-                }
+    /// Names the workspaces and the code of the components of the text. A process within one has its name behind it:
+    /// "table/phil[2]". What is not of the netlist has the name of the node in front.
+    static void name_components(Code& code, const TextOfImage& text, const std::string& node) {
+        const std::vector<Component>& all = text.components;
         std::size_t outermost = 0;
         for (const CodeWorkspace& each : code.workspaces)
             outermost = std::max(outermost, each.outermost + 1);
-        const bool agrees = outermost == names.size() + (low == 0); // SKIP is there if no process has low priority
-        for (CodeWorkspace& each : code.workspaces)
-            if (agrees && each.outermost < names.size())
-                each.name = names[each.outermost] + (each.inner.empty() ? "" : "/") + each.inner;
-            else
-                each.name = network.nodes[node].name + "." + each.name;
+        std::map<std::string, std::string> names; // by those that the compiler has given
+        for (CodeWorkspace& each : code.workspaces) {
+            const Component none{};
+            const Component& component = outermost == all.size() ? all[each.outermost] : none;
+            each.carries = component.carries;
+            if (!component.name.empty() && each.inner.empty() && !each.entry.empty())
+                names[each.entry] = component.name;
+            const std::string own = component.name.empty() ? each.name
+                                    : each.inner.empty()   ? component.name
+                                                           : component.name + "/" + each.inner;
+            each.name = component.name.empty() || component.carries ? node + "." + own : own;
+        }
+        for (CodeName& each : code.names)
+            if (const auto found = names.find(each.name); found != names.end())
+                each.name = found->second;
+    }
+
+    /// Returns rows of transputer::CodeLines that give channels their names in the network. If a channel leads to
+    /// another processor, its two ends have the same name, though words of two memories are between them.
+    static std::string channel_rows(const Code& code, const TextOfImage& text, transputer::Word first_workspace) {
+        std::string rows;
+        for (const CodeChannel& each : code.channels)
+            if (const auto found = text.channels.find(each.name); found != text.channels.end())
+                rows += fmt::format("channel #{:X} {}\n",
+                                    (each.is_placed ? transputer::most_negative : first_workspace) +
+                                        static_cast<transputer::Word>(4 * each.word),
+                                    found->second);
+        return rows;
+    }
+
+    ProgramOfProcess program_of(const ProcessInstance& process) const {
+        const KindOfFile& kind = *newest(process.kind);
+        return {kind.path, kind.file->program.get(), kind.procedure};
+    }
+
+    /// Sets what the files of the node's processes ask for, and returns the folders of one of them.
+    Folders read_options(const Network& network, std::size_t node, CodeOptions& options) const {
+        Folders folders;
+        for (const ProcessInstance& process : network.processes)
+            if (process.is_code && process.node == node) {
+                const KindOfFile& kind = *newest(process.kind);
+                const SourceOptions& asked = kind.file->options;
+                options.range_checks &= asked.range_checks && asked.run_time_checks;
+                options.run_time_checks &= asked.run_time_checks;
+                options.vector_space &= asked.vector_space;
+                folders = kind.folders;
+            }
+        return folders;
     }
 
     std::shared_ptr<const transputer::Image> compiled(const Network& network, std::size_t node,
@@ -265,29 +301,23 @@ private:
                             .run_time_checks = chosen_.run_time_checks,
                             .ends_run = false};
         options.model = *transputer::model_named(network.nodes[node].type);
-        Folders folders;
-        const auto program_of = [&](const ProcessInstance& process) {
-            const KindOfFile& kind = *newest(process.kind);
-            const SourceOptions& asked = kind.file->options;
-            options.range_checks &= asked.range_checks && asked.run_time_checks;
-            options.run_time_checks &= asked.run_time_checks;
-            options.vector_space &= asked.vector_space;
-            folders = kind.folders;
-            return ProgramOfProcess{kind.path, kind.file->program.get(), kind.procedure};
-        };
-        const std::string text = text_of_image(network, node, program_of);
-        const auto main = std::make_shared<const SourceFile>(fmt::format("<{}>", network.nodes[node].name), text);
+        const Folders folders = read_options(network, node, options);
+        const TextOfImage text =
+            text_of_image(network, node, [this](const ProcessInstance& process) { return program_of(process); });
+        options.awaits_high = !text.carries;
+        const auto main = std::make_shared<const SourceFile>(fmt::format("<{}>", network.nodes[node].name), text.text);
         const FileOfPrograms file = parsed_and_checked(main, folders, false);
         pass_errors_on(file, "the processor is declared here", network.nodes[node].declared, reporter);
         if (file.failed)
             return nullptr;
         Code code = compile(*file.program, *main_procedure(*file.program), options);
-        name_workspaces(code, network, node);
+        name_components(code, text, network.nodes[node].name);
         transputer::Image image = image_of(code, options);
         const std::uint32_t memory_start = transputer::traits_of(options.model).memory_start;
+        const std::string table = channel_rows(code, text, transputer::most_negative + image.workspace) +
+                                  place_table(code, *file.program, image.offset - memory_start);
         image.lines =
-            std::make_shared<const transputer::CodeLines>(place_table(code, *file.program, image.offset - memory_start),
-                                                          "", transputer::most_negative + memory_start);
+            std::make_shared<const transputer::CodeLines>(table, "", transputer::most_negative + memory_start);
         return std::make_shared<const transputer::Image>(std::move(image));
     }
 

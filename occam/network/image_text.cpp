@@ -3,6 +3,7 @@
 #include "netlist/kinds/file_kinds.hpp"
 #include "netlist/network/names.hpp"
 #include "occam/network/kind.hpp"
+#include "text/user_error.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,25 +19,16 @@ namespace placedpar::occam {
 
 namespace {
 
-constexpr int first_input = 4; ///< the link words of inputs follow those of outputs
-
 std::string without_array(const Type& channel) {
     return channel.kind == Type::Kind::array ? without_array(*channel.element) : name_of(channel);
 }
 
-std::string items_text(const std::vector<ProtocolItem>& items) {
-    std::string text;
-    for (const ProtocolItem& item : items)
-        text += (text.empty() ? "" : "; ") + (item.count ? name_of(*item.count) + "::" : "") + name_of(*item.type);
-    return text;
-}
-
 std::string declaration_of(const ProtocolType& protocol) {
     if (protocol.kind == ProtocolType::Kind::sequence)
-        return fmt::format("PROTOCOL {} IS {}:\n", protocol.declared->name, items_text(protocol.items));
+        return fmt::format("PROTOCOL {} IS {}:\n", protocol.declared->name, text_of_items(protocol.items));
     std::string text = fmt::format("PROTOCOL {}\n  CASE\n", protocol.declared->name);
     for (const ProtocolTag& tag : protocol.tags)
-        text += fmt::format("    {}{}{}\n", tag.name, tag.items.empty() ? "" : "; ", items_text(tag.items));
+        text += fmt::format("    {}{}{}\n", tag.name, tag.items.empty() ? "" : "; ", text_of_items(tag.items));
     return text + ":\n";
 }
 
@@ -73,56 +65,130 @@ std::string value_text(const Value& value, const Type& type) {
 
 class ImageText {
 public:
-    using ProgramOf = std::function<ProgramOfProcess(const ProcessInstance&)>;
     ImageText(const Network& network, std::size_t node, const ProgramOf& program_of)
-        : n_(network), node_(node), program_of_(program_of) {}
+        : n_(network), node_(node), program_of_(program_of), ways_(ways_over(network, node, program_of)),
+          carries_(!ways_.shared.empty() || !ways_.relays.empty()) {}
 
-    std::string write() {
-        const std::string indentation = has_high_priority() ? "      " : "    ";
-        std::string high, low;
-        int highs = 0, lows = 0;
+    TextOfImage write() {
+        const std::string indentation = carries_ || has_high_priority() ? "      " : "    ";
         for (const ProcessInstance& process : n_.processes)
-            if (process.is_code && process.node == node_) {
-                ++(process.high_priority ? highs : lows);
-                (process.high_priority ? high : low) += component(process, indentation);
-            }
+            if (process.is_code && process.node == node_)
+                add(process, indentation);
+        for (const CarriedChannel& each : ways_.passing)
+            pass_on(each);
+        for (const auto& [connection, wire] : ways_.shared)
+            add_carriers(text_of_shared_wire(wire));
+        for (const WaysOverNode::Relay& each : ways_.relays)
+            add_relay(each);
+        if (!ends_.empty())
+            low_.add({"", fmt::format("SEQ\n{}", ends_), true}, indentation);
         std::string text;
         for (const auto& [name, declaration] : protocols_)
             text += declaration;
-        text += "PROC node ()\n" + declarations_;
-        if (highs == 0)
-            return text + "  PAR\n" + low + ":\n";
-        return text + "  PRI PAR\n    PAR\n" + high + (lows == 0 ? "    SKIP\n" : "    PAR\n" + low) + ":\n";
+        image_.carries = carries_;
+        image_.text = text + wire_protocols_ + "PROC node ()\n" + declarations_ + body() + ":\n";
+        for (const Components* each : {&high_, &low_})
+            image_.components.insert(image_.components.end(), each->all.begin(), each->all.end());
+        return std::move(image_);
     }
 
 private:
+    /// Components of one priority.
+    struct Components {
+        std::vector<Component> all;
+        std::string text;
+
+        void add(Component component, const std::string& indentation) {
+            text += indented(component.text, indentation.size());
+            component.text.clear();
+            all.push_back(std::move(component));
+        }
+    };
+
     bool has_high_priority() const {
         return std::ranges::any_of(n_.processes, [&](const ProcessInstance& process) {
             return process.is_code && process.node == node_ && process.high_priority;
         });
     }
 
-    std::string component(const ProcessInstance& process, const std::string& indentation) {
+    std::string body() {
+        if (high_.all.empty())
+            return "  PAR\n" + low_.text;
+        if (low_.all.empty())
+            low_.all.push_back({"", "", true});
+        return "  PRI PAR\n    PAR\n" + high_.text + (low_.text.empty() ? "    SKIP\n" : "    PAR\n" + low_.text);
+    }
+
+    /// Adds a process. If others of high priority carry messages, and so never end, the program ends with the processes
+    /// of low priority. One of these then waits for the end of each process of high priority.
+    void add(const ProcessInstance& process, const std::string& indentation) {
+        Components& to = process.high_priority ? high_ : low_;
+        const bool is_awaited = process.high_priority && carries_;
+        if (has_terminal(process) && !is_awaited)
+            to.all.push_back({"terminal of " + process.name, "", false});
+        std::string text = component(process);
+        if (is_awaited) {
+            const std::string ended = fmt::format("netlist.ended.{}", to.all.size());
+            declarations_ += fmt::format("  CHAN OF BYTE {}:\n", ended);
+            text = fmt::format("SEQ\n{}  {} ! 0(BYTE)\n", indented(text, 2), ended);
+            ends_ += fmt::format("  BYTE any:\n  {} ? any\n", ended);
+        }
+        to.add({process.name, std::move(text), false}, indentation);
+    }
+
+    void add_carriers(CarrierText carriers) {
+        wire_protocols_ += carriers.protocols;
+        declarations_ += indented(carriers.declarations, 2);
+        for (Component& each : carriers.components)
+            high_.add(std::move(each), "      ");
+    }
+
+    /// Declares a channel that neither begins nor ends on this node.
+    void pass_on(const CarriedChannel& channel) {
+        declare_protocol(*channel.protocol);
+        declare(channel.number, "CHAN OF " + protocol_name(*channel.protocol));
+    }
+
+    void add_relay(const WaysOverNode::Relay& relay) {
+        const std::string in = name_of_channel(relay.channel.number), out = in + ".on";
+        declarations_ += fmt::format("  CHAN OF {} {}:\n", protocol_name(*relay.channel.protocol), out);
+        place(out, relay.out);
+        high_.add(text_of_relay(relay.channel, in, out), "      ");
+    }
+
+    static std::string protocol_name(const ProtocolType& protocol) {
+        return protocol.declared ? protocol.declared->name : text_of(protocol);
+    }
+
+    static bool uses_terminal(const ProcessInstance& process, const Declaration& parameter) {
+        return leads_to_terminal(parameter) && !is_connected(process, parameter);
+    }
+
+    bool has_terminal(const ProcessInstance& process) const {
+        return std::ranges::any_of(std::get<Procedure>(program_of_(process).procedure->form).parameters,
+                                   [&](const DeclarationBox& each) { return uses_terminal(process, *each); });
+    }
+
+    std::string component(const ProcessInstance& process) {
         const ProgramOfProcess program = program_of_(process);
-        bool has_terminal = false, reads = false;
-        for (const DeclarationBox& each : std::get<Procedure>(program.procedure->form).parameters)
-            if (leads_to_terminal(*each) && !is_connected(process, *each)) {
-                has_terminal = true;
-                reads |= each->name == "keyboard" && each->direction != Direction::unused;
-            }
-        if (!has_terminal)
-            return instance(process, program, indentation);
-        declare_server("netlist.fs", first_input);
+        if (!has_terminal(process))
+            return instance(process, program, "");
+        const bool reads = std::ranges::any_of(std::get<Procedure>(program.procedure->form).parameters,
+                                               [&](const DeclarationBox& each) {
+                                                   return uses_terminal(process, *each) && each->name == "keyboard" &&
+                                                          each->direction != Direction::unused;
+                                               });
+        declare_server("netlist.fs", first_input_link);
         declare_server("netlist.ts", 0);
-        return fmt::format("{0}CHAN OF BYTE netlist.keyboard, netlist.screen, netlist.error:\n"
-                           "{0}CHAN OF BOOL netlist.ended:\n"
-                           "{0}PAR\n"
-                           "{0}  #USE \"terminal.lib\"\n"
-                           "{0}  terminal (netlist.fs, netlist.ts, netlist.keyboard, netlist.screen, netlist.error, "
-                           "netlist.ended, {1})\n"
-                           "{0}  SEQ\n{2}"
-                           "{0}    netlist.ended ! TRUE\n",
-                           indentation, reads ? "TRUE" : "FALSE", instance(process, program, indentation + "    "));
+        return fmt::format("CHAN OF BYTE netlist.keyboard, netlist.screen, netlist.error:\n"
+                           "CHAN OF BOOL netlist.ended:\n"
+                           "PAR\n"
+                           "  #USE \"terminal.lib\"\n"
+                           "  terminal (netlist.fs, netlist.ts, netlist.keyboard, netlist.screen, netlist.error, "
+                           "netlist.ended, {})\n"
+                           "  SEQ\n{}"
+                           "    netlist.ended ! TRUE\n",
+                           reads ? "TRUE" : "FALSE", instance(process, program, "    "));
     }
 
     static bool is_connected(const ProcessInstance& process, const Declaration& parameter) {
@@ -166,23 +232,20 @@ private:
     }
 
     /// Returns the name of a channel of the network. Declares the channel at its first end.
-    std::string channel(std::size_t index, const Type& type) {
-        const std::string name = fmt::format("netlist.channel.{}", index);
-        const NetworkChannel& channel = n_.channels[index];
-        if (!std::exchange(declared_[index], true))
-            declare(name, type, channel);
-        return name;
+    std::string channel(std::size_t number, const Type& type) {
+        if (!image_.channels.contains(name_of_channel(number))) {
+            declare_protocol(protocol_of(type));
+            declare(number, without_array(type));
+        }
+        return name_of_channel(number);
     }
 
-    void declare(const std::string& name, const Type& type, const NetworkChannel& channel) {
-        declare_protocol(protocol_of(type));
-        declarations_ += fmt::format("  {} {}:\n", without_array(type), name);
-        if (channel.placement.kind == ChannelPlacement::Kind::soft)
-            return;
-        const RouteHop& hop = channel.placement.route.front();
-        const bool is_output = channel.from.node == node_;
-        const LinkEnd& end = is_output ? begin_of(hop, n_.connections) : end_of(hop, n_.connections);
-        place(name, is_output ? end.link : first_input + end.link);
+    void declare(std::size_t number, const std::string& type) {
+        const std::string name = name_of_channel(number);
+        image_.channels[name] = n_.channels[number].name;
+        declarations_ += fmt::format("  {} {}:\n", type, name);
+        if (const auto found = ways_.addresses.find(number); found != ways_.addresses.end())
+            place(name, found->second);
     }
 
     void place(const std::string& name, int address) {
@@ -193,7 +256,7 @@ private:
     std::string server_channel(const ProcessInstance& process, const Declaration& parameter) {
         const bool is_input = is_input_of_server(process, parameter);
         const std::string name = is_input ? "netlist.fs" : "netlist.ts";
-        declare_server(name, is_input ? first_input : 0);
+        declare_server(name, is_input ? first_input_link : 0);
         return name;
     }
 
@@ -219,16 +282,19 @@ private:
     const Network& n_;
     std::size_t node_;
     const ProgramOf& program_of_;
+    WaysOverNode ways_;
+    bool carries_; ///< processes of high priority carry messages of others
+    TextOfImage image_;
+    Components high_, low_;
     std::map<std::string, std::string> protocols_; ///< declarations by name
-    std::map<std::size_t, bool> declared_;         ///< channels
     std::set<std::string> servers_;                ///< channels to and from the host that are declared
-    std::string declarations_;
+    std::string wire_protocols_, declarations_;
+    std::string ends_; ///< inputs that wait for the ends of processes of high priority
 };
 
 } // namespace
 
-std::string text_of_image(const Network& network, std::size_t node,
-                          const std::function<ProgramOfProcess(const ProcessInstance&)>& program_of) {
+TextOfImage text_of_image(const Network& network, std::size_t node, const ProgramOf& program_of) {
     return ImageText(network, node, program_of).write();
 }
 

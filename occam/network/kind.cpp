@@ -24,13 +24,6 @@ bool is_channel_array(const Type& type) {
     return type.kind == Type::Kind::array && type.element->kind == Type::Kind::channel;
 }
 
-std::string text_of_items(const std::vector<ProtocolItem>& items) {
-    std::string text;
-    for (const ProtocolItem& item : items)
-        text += (text.empty() ? "" : "; ") + (item.count ? name_of(*item.count) + "::" : "") + name_of(*item.type);
-    return text;
-}
-
 template <class T>
 std::vector<std::type_index> single_or_counted(bool counted) {
     return {counted ? std::type_index(typeid(std::vector<T>)) : std::type_index(typeid(T))};
@@ -193,6 +186,13 @@ Direction direction_of(const Declaration& parameter) {
     if (!leads_to_terminal(parameter))
         return Direction::unused;
     return parameter.name == "keyboard" ? Direction::input : Direction::output;
+}
+
+std::string text_of_items(const std::vector<ProtocolItem>& items) {
+    std::string text;
+    for (const ProtocolItem& item : items)
+        text += (text.empty() ? "" : "; ") + (item.count ? name_of(*item.count) + "::" : "") + name_of(*item.type);
+    return text;
 }
 
 std::string text_of(const ProtocolType& protocol) {

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace placedpar::occam {
 
@@ -24,6 +25,9 @@ bool leads_to_terminal(const Declaration& parameter);
 /// Returns the direction of a channel parameter. If the procedure does not use it, the direction is that which the
 /// parameter states, or that of a terminal; `unused` if it is unknown.
 Direction direction_of(const Declaration& parameter);
+
+/// Writes the items of a protocol: "INT::[]BYTE; BYTE".
+std::string text_of_items(const std::vector<ProtocolItem>&);
 
 /// Describes a protocol with its items: "INT::[]BYTE", "P IS INT; BYTE". Two ports agree if their texts do.
 std::string text_of(const ProtocolType&);

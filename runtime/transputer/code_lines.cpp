@@ -119,14 +119,16 @@ private:
             section_.entries_.push_back(entry(row, line));
         else if (kind == "error")
             section_.errors_.push_back(entry(row, line));
-        else if (kind == "process")
-            section_.processes_.push_back(process(row, line));
+        else if (kind == "process" || kind == "carrier")
+            section_.processes_.push_back(process(row, line, kind == "carrier"));
+        else if (kind == "channel")
+            section_.channels_.push_back(entry(row, line));
         else if (kind == "node")
             begin_section(row);
         else if (kind == "end")
             ended_ = true;
         else
-            row.refuse("a row begins with code, entry, process, error, node or end", 0);
+            row.refuse("a row begins with code, entry, process, carrier, channel, error, node or end", 0);
         row.end();
     }
 
@@ -137,22 +139,23 @@ private:
         return result;
     }
 
-    Row process(TableRow& row, std::size_t line) {
+    Row process(TableRow& row, std::size_t line, bool is_carrier) {
         Row result = range(row, line);
+        result.is_carrier = is_carrier;
         result.text = row.name("NAME");
         return result;
     }
 
     Row entry(TableRow& row, std::size_t line) {
         const Word at = row.address("ADDRESS", memory_start_);
-        return {at, at, row.name("NAME"), line};
+        return {at, at, row.name("NAME"), line, false};
     }
 
     Row range(TableRow& row, std::size_t line) {
         const Word from = row.address("FROM", memory_start_), until = row.address("UNTIL", memory_start_);
         if (from >= until)
             row.refuse("UNTIL is not after FROM", 0);
-        return {from, until, "", line};
+        return {from, until, "", line, false};
     }
 
     void begin_section(TableRow& row) {
@@ -167,6 +170,7 @@ private:
         sort(section_.entries_);
         sort(section_.processes_);
         sort(section_.errors_);
+        sort(section_.channels_);
         if (name_ == node_)
             kept_ = std::move(section_);
         section_ = {};
@@ -219,6 +223,16 @@ std::string CodeLines::place(Word address) const {
 std::string CodeLines::entry(Word address) const {
     const Row* row = row_before(entries_, address);
     return row && row->from == address ? row->text : "";
+}
+
+bool CodeLines::is_carrier(Word workspace) const {
+    const Row* row = row_before(processes_, workspace);
+    return row && workspace < row->until && row->is_carrier;
+}
+
+std::string CodeLines::channel(Word word) const {
+    const Row* row = row_before(channels_, word);
+    return row && row->from == word ? row->text : "";
 }
 
 std::string CodeLines::process(Word workspace) const {

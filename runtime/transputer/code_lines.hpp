@@ -24,6 +24,8 @@ struct CodeLinesError : std::runtime_error {
 ///     process FROM UNTIL NAME            a process whose workspace is in [FROM, UNTIL); no two rows overlap
 ///     error ADDRESS TEXT                 what it means if the instruction in front of ADDRESS sets Error, or is a
 ///                                        `stopp`; see print_error()
+///     carrier FROM UNTIL NAME            the same, of a process that carries messages of other processes
+///     channel ADDRESS NAME               the word of a channel
 ///     node NAME                          the rows that follow are for the node of this name
 ///     end                                the last row
 ///
@@ -46,6 +48,11 @@ public:
     std::string entry(Word address) const;
     /// Returns the name of the process that has this workspace; "" if the table has none.
     std::string process(Word workspace) const;
+    /// Returns whether the process that has this workspace carries messages of other processes. Reports of deadlocks
+    /// leave such processes out: the processes at the ends of the channel are those that wait.
+    bool is_carrier(Word workspace) const;
+    /// Returns the name of the channel whose word this is; "" if the table has none.
+    std::string channel(Word word) const;
 
     /// Returns the text for an error of the instruction in front of an address; "" if the table has none.
     std::string_view error(Word address) const;
@@ -55,9 +62,10 @@ private:
         Word from, until; ///< of an entry `until` is `from`
         std::string text;
         std::size_t line; ///< of the table
+        bool is_carrier = false;
     };
     class Reader;
-    std::vector<Row> code_, entries_, processes_, errors_; ///< by address
+    std::vector<Row> code_, entries_, processes_, channels_, errors_; ///< by address
 };
 
 } // namespace placedpar::transputer

@@ -209,6 +209,8 @@ std::string Node::name_of_process(Word workspace) const {
 }
 
 std::string Node::name_of_channel(Word channel) const {
+    if (std::string name = lines_ ? lines_->channel(channel) : ""; !name.empty())
+        return name;
     const int number = hard_channel(channel);
     if (number < 0)
         return name_ + "." + print_address(channel);

@@ -91,7 +91,8 @@ public:
     /// Returns the node's name with that of a process, or with the address of its workspace: "root.phil[2]",
     /// "root.#80000144".
     std::string name_of_process(Word workspace) const;
-    /// Returns the name of a direction of a link, or "root.event", or "root.#80000100".
+    /// Returns the name that the table has; otherwise that of a direction of a link, or "root.event", or
+    /// "root.#80000100".
     std::string name_of_channel(Word) const;
     Activity activity() const;
     /// Returns the core, in its state at the present time.

@@ -17,7 +17,7 @@ class OccamNetworks(unittest.TestCase):
         self.folder = pathlib.Path(temporary.name)
 
     def test_every_command_reads_the_examples(self):
-        for name in ("table.cfs", "spread.cfs", "mixed.cfs"):
+        for name in ("table.cfs", "spread.cfs", "mixed.cfs", "../routed/farm.cfs"):
             with self.subTest(name):
                 report, trace, page = (self.folder / file for file in ("report.json", "trace.json", "page.html"))
                 plain = placedpar("run", NETWORKS / name)
@@ -26,7 +26,8 @@ class OccamNetworks(unittest.TestCase):
                 self.assertEqual(done.stdout, plain.stdout)
                 self.assertEqual(json.loads(report.read_text(encoding="utf-8"))["outcome"], "completed")
                 events = json.loads(trace.read_text(encoding="utf-8"))["traceEvents"]
-                process = {"table.cfs": "phil[2]", "spread.cfs": "phil[3]", "mixed.cfs": ""}[name]
+                process = {"table.cfs": "phil[2]", "spread.cfs": "phil[3]", "mixed.cfs": "",
+                           "../routed/farm.cfs": "between[0].mux of link[0], worker[1].result"}[name]
                 self.assertTrue(any(process in str(event.get("args", "")) for event in events), process)
                 rows = [event["args"]["name"] for event in events if event["name"] == "thread_name"]
                 self.assertFalse([row for row in rows if ".phil[" in row], "a process has one row")
@@ -75,6 +76,13 @@ PROC sum (CHAN OF INT a, b)
         printed.write_text(placedpar("show", absolute, "--format", "cfs").stdout, encoding="utf-8")
         self.assertEqual(placedpar("run", printed).stdout.replace(str(printed), "").splitlines()[:7],
                          placedpar("run", absolute).stdout.replace(str(absolute), "").splitlines()[:7])
+
+    def test_a_sweep_runs_channels_over_shared_wires(self):
+        done = placedpar("sweep", EXAMPLES.resolve() / "occam/routed/stream.cfs", "shared=0,1", "messages=50", "--yes",
+                         folder=self.folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        alone, shared = (float(line.split()[-1]) for line in done.stdout.splitlines() if line.split()[-2:-1] == ["1"])
+        self.assertLess(alone, shared)
 
     def test_the_kind_of_a_file_is_printed(self):
         done = placedpar("kinds", NETWORKS / "square.occ")

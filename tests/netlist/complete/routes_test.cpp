@@ -40,13 +40,14 @@ TEST_CASE("one search object finds the same routes as a new search for each rout
         std::mt19937_64 random(seed);
         const Network network = torus_of(random, seed % 3 == 0);
         std::vector<std::size_t> load(2 * network.connections.size());
-        RouteSearch search(network.nodes, network.connections, load);
+        const std::vector<bool> all(network.nodes.size(), true);
+        RouteSearch search(network.nodes, network.connections, load, all);
         for (int i = 0; i < 150; ++i) {
             const std::size_t host = random() % 2, other = 2 + random() % (side * side - 2);
             const bool out = random() % 2 == 0;
             const std::size_t from = out ? host : other, to = out ? other : host;
             auto route = search.best(from, to);
-            auto alone = RouteSearch(network.nodes, network.connections, load).best(from, to);
+            auto alone = RouteSearch(network.nodes, network.connections, load, all).best(from, to);
             REQUIRE(route.has_value());
             REQUIRE(*route == *alone);
             for (const RouteHop& hop : *route)

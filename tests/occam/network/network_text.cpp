@@ -51,7 +51,8 @@ Catalogue occam_catalogue() {
     return catalogue;
 }
 
-RunOfNetwork run_network(const std::filesystem::path& netlist, const Catalogue& catalogue, const Overrides& overrides) {
+RunOfNetwork run_network(const std::filesystem::path& netlist, const Catalogue& catalogue, const Overrides& overrides,
+                         std::optional<std::uint64_t> shuffle) {
     ReadResult read = read_netlist(netlist, catalogue, overrides);
     INFO(render(read));
     REQUIRE(read.network);
@@ -61,6 +62,8 @@ RunOfNetwork run_network(const std::filesystem::path& netlist, const Catalogue& 
             "", [&run](std::string_view text) { run.screen += std::string(text); });
     };
     Machine machine(*read.network, catalogue, 1);
+    if (shuffle)
+        machine.shuffle(*shuffle);
     run.report = machine.run();
     return run;
 }

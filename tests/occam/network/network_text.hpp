@@ -4,8 +4,10 @@
 #include "netlist/read.hpp"
 #include "netlist/run_report.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace placedpar::test {
@@ -35,7 +37,8 @@ struct RunOfNetwork {
     RunReport report;
 };
 
-/// Runs a netlist. REQUIRES: it can be read.
-RunOfNetwork run_network(const std::filesystem::path& netlist, const Catalogue&, const Overrides& = {});
+/// Runs a netlist, with ready processes in a random order if `shuffle` is given. REQUIRES: it can be read.
+RunOfNetwork run_network(const std::filesystem::path& netlist, const Catalogue&, const Overrides& = {},
+                         std::optional<std::uint64_t> shuffle = {});
 
 } // namespace placedpar::test

@@ -364,7 +364,7 @@ TEST_CASE("the hash of a network depends on the text of its files, and on what t
 
 TEST_CASE("a printed network can be read again, and is the same") {
     const Catalogue catalogue = test::occam_catalogue();
-    for (const char* name : {"table.cfs", "spread.cfs", "mixed.cfs"}) {
+    for (const char* name : {"table.cfs", "spread.cfs", "mixed.cfs", "../routed/farm.cfs"}) {
         const Network network = read_netlist(examples + name, catalogue).network.value();
         const std::string printed = print_cfs(network);
         const ReadResult again = read_netlist_text(printed, catalogue);

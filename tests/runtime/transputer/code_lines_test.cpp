@@ -32,6 +32,9 @@ process +#180 +#200 phil[1]
 node worker
 code +#00 +#08 9 1 worker.occ
 process #80000200 #80000210 loader
+carrier #80000210 #80000220 mux of link[1]
+channel #80000004 p.out -> q.in
+channel #80000300 p.more -> q.more
 end
 )";
 
@@ -67,6 +70,14 @@ TEST_CASE("a table tells places, procedures and processes of each node") {
     CHECK_EQ(root.process(0x80000010), "");
     CHECK_EQ(worker.place(0x80000070), "worker.occ:9:1");
     CHECK_EQ(worker.process(0x80000200), "loader");
+    CHECK_EQ(worker.process(0x8000021C), "mux of link[1]");
+    CHECK(worker.is_carrier(0x8000021C));
+    CHECK_FALSE(worker.is_carrier(0x80000220));
+    CHECK_FALSE(worker.is_carrier(0x80000200));
+    CHECK_EQ(worker.channel(0x80000004), "p.out -> q.in");
+    CHECK_EQ(worker.channel(0x80000300), "p.more -> q.more");
+    CHECK_EQ(worker.channel(0x80000304), "");
+    CHECK_EQ(worker.channel(0x80000000), "");
     CHECK_EQ(CodeLines(table, "another", start_of_memory).place(0x80000070), "");
 }
 
@@ -90,7 +101,8 @@ TEST_CASE("a wrong table is refused with its place") {
     CHECK_EQ(refusal("entry +#4 a\nentry +#4 b\nend"), "2:1: the row has an address of the row in line 1");
     CHECK_EQ(refusal("error +#4 a\nerror +#4 b\nend"), "2:1: the row has an address of the row in line 1");
     CHECK_EQ(refusal("node a\nnode a\nend"), "2:1: the node \"a\" has rows already");
-    CHECK_EQ(refusal("line +#4 a\nend"), "1:1: a row begins with code, entry, process, error, node or end");
+    CHECK_EQ(refusal("line +#4 a\nend"),
+             "1:1: a row begins with code, entry, process, carrier, channel, error, node or end");
     CHECK_EQ(refusal("entry +#4 a\x1b[2J\nend"), "1:11: NAME has a control character");
     CHECK_EQ(refusal("entry +#4 " + std::string(201, 'a') + "\nend"), "1:11: NAME has more than 200 bytes");
     CHECK_EQ(refusal("end now"), "1:5: nothing more is expected in this row");

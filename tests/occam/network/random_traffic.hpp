@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace placedpar::test {
+
+/// A random program of processes in occam that exchange messages of random protocols, and a random machine for it. All
+/// messages are in one order, and each process takes its part in them in this order. So the program has no deadlock,
+/// and what it prints does not depend on the machine.
+struct RandomTraffic {
+    std::map<std::string, std::string> files; ///< "one.cfs" on one processor, "many.cfs" on several
+    std::string printed;                      ///< by a model in C++
+};
+
+RandomTraffic random_traffic(std::uint64_t seed);
+
+} // namespace placedpar::test
