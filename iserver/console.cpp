@@ -22,21 +22,22 @@ constexpr int look_every_ms = 100; ///< how often a wait looks for an interrupti
 
 } // namespace
 
-void write_to_screen(std::string_view text) {
+bool write_to_screen(std::string_view text) {
     const int output = standard_output_takes_a_file() ? STDERR_FILENO : STDOUT_FILENO;
     while (!text.empty()) {
         const ssize_t count = ::write(output, text.data(), text.size());
         if (count < 0 && errno == EPIPE)
-            return;
+            return false;
         if (count < 0 && errno != EINTR && errno != EAGAIN)
             throw UserError(
                 fmt::format("the program's output cannot be written: {}", std::generic_category().message(errno)));
         text.remove_prefix(count < 0 ? 0 : static_cast<std::size_t>(count));
     }
+    return true;
 }
 
-Console::Console(std::function<bool()> interrupted, int input)
-    : interrupted_(std::move(interrupted)), input_(input),
+Console::Console(std::function<bool()> interrupted, int input, std::function<void()> unread)
+    : interrupted_(std::move(interrupted)), unread_(std::move(unread)), input_(input),
       is_terminal_(::isatty(input) != 0 && ::tcgetattr(input, &found_) == 0) {}
 
 Console::~Console() { set_mode(Mode::as_found); }

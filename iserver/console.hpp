@@ -8,9 +8,9 @@
 
 namespace placedpar::iserver {
 
-/// Writes a text unchanged to standard output, or to standard error if standard output receives a file. Throws
-/// UserError if it cannot be written, except if its reader has gone. REQUIRES: SIGPIPE is ignored.
-void write_to_screen(std::string_view text);
+/// Writes a text unchanged to standard output, or to standard error if standard output receives a file. Returns false
+/// if its reader has gone. Throws UserError if it cannot be written for another reason. REQUIRES: SIGPIPE is ignored.
+bool write_to_screen(std::string_view text);
 
 /// The terminal on which PlacedPar was started, or the files and pipes that stand in for it. Keys are read as INMOS's
 /// server for Unix reads them: each at once, without echo, Enter as 13. Lines are edited and echoed by the terminal.
@@ -18,14 +18,18 @@ class Console : public Terminal {
 public:
     /// While the console waits for input, it asks several times a second whether the program was interrupted. If so,
     /// the input has ended. REQUIRES: a handler catches the signals that would end the program, or the terminal stays
-    /// as it is for keys.
-    explicit Console(std::function<bool()> interrupted, int input = 0);
+    /// as it is for keys. `unread` is called when the reader of what it writes has gone.
+    explicit Console(
+        std::function<bool()> interrupted, int input = 0, std::function<void()> unread = [] {});
     /// Restores the terminal.
     ~Console() override;
     Console(const Console&) = delete;
     Console& operator=(const Console&) = delete;
 
-    void write(std::string_view text) override { write_to_screen(text); }
+    void write(std::string_view text) override {
+        if (!write_to_screen(text))
+            unread_();
+    }
     std::optional<std::uint8_t> wait_for_key() override;
     std::optional<std::uint8_t> pressed_key() override;
     std::string line() override;
@@ -41,6 +45,7 @@ private:
     std::optional<std::uint8_t> next_key();
 
     std::function<bool()> interrupted_;
+    std::function<void()> unread_;
     int input_;
     termios found_{}; ///< the terminal's settings at the start
     bool is_terminal_;

@@ -10,6 +10,7 @@
 #include "netlist/language/occam.hpp"
 #include "netlist/language/parser.hpp"
 #include "netlist/print/print.hpp"
+#include "text/standard_streams.hpp"
 
 #include <fmt/format.h>
 
@@ -67,6 +68,8 @@ std::string hint_for(const std::string& text) {
                            : why_not;
 }
 
+bool is_standard_input(const SourceFile& file) { return file.path() == shown_input("-"); }
+
 /// If the text is occam, or code for the assembler, replaces all errors by one error that says so.
 void recognise_occam(const std::shared_ptr<const SourceFile>& main, Reporter& reporter) {
     if (main->path().ends_with(".tas"))
@@ -77,7 +80,10 @@ void recognise_occam(const std::shared_ptr<const SourceFile>& main, Reporter& re
     auto found = occam_in(main);
     if (auto first = reporter.first_file(); !found && first)
         found = occam_in(first);
-    if (found)
+    if (found && is_standard_input(*main))
+        reporter.replace_all(found->at, "this is occam, but standard input is read as a netlist",
+                             "write the program into a file whose name ends in .occ");
+    else if (found)
         reporter.replace_all(found->at,
                              "this is occam; write the netlist in the configuration language of the C toolset "
                              "(icconf)",

@@ -106,6 +106,30 @@ Table programs_of(const RunReport& report) {
     });
 }
 
+/// Lists the processes that errors have stopped.
+std::string print_stops(const std::vector<ProgramUse>& programs) {
+    std::string out;
+    for (const ProgramUse& program : programs) {
+        for (const ProgramUse::Stop& stop : program.stops)
+            out +=
+                fmt::format("{} stopped at {}: {}, at {}\n", stop.process, stop.place, stop.error, to_string(stop.at));
+        if (const std::uint64_t others = program.count_of_stops - program.stops.size(); others > 0)
+            out += fmt::format("{}: {} more stopped\n", program.name, counted(others, "process"));
+    }
+    return out.empty() ? "" : "\n" + out;
+}
+
+boost::json::array stops_json(const std::vector<ProgramUse>& programs) {
+    boost::json::array all;
+    for (const ProgramUse& program : programs)
+        for (const ProgramUse::Stop& stop : program.stops)
+            all.push_back(boost::json::object{{"process", stop.process},
+                                              {"program", stop.place},
+                                              {"error", stop.error},
+                                              {"time_ps", stop.at.count()}});
+    return all;
+}
+
 /// Returns a table of these links. The columns are wide enough for all links of the report.
 Table links_of(const RunReport& report, const std::vector<LinkUse>& links) {
     std::size_t width = 13;
@@ -413,7 +437,7 @@ std::string print_report(const RunReport& report, const Network& network, const 
         out += measurements_of(report.measurements).text("\n");
     out += print_searches(searches);
     if (!report.programs.empty())
-        out += programs_of(report).text("\n");
+        out += print_stops(report.programs) + programs_of(report).text("\n");
     if (!report.processors.empty())
         out += processors_of(report).text("\n");
     out += print_links(report) + print_buses(report) + print_devices(report);
@@ -440,6 +464,8 @@ boost::json::object report_json(const RunReport& report, const Network& network,
         json["faults"] = array_of(report, report.faults);
     if (!report.programs.empty())
         json["programs"] = json_of(programs_of(report).rows);
+    if (boost::json::array stops = stops_json(report.programs); !stops.empty())
+        json["stops"] = std::move(stops);
     if (!report.switches.empty())
         json["switches"] = array_of(report, report.switches);
     if (report.result.deadlock)

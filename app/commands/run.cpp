@@ -215,14 +215,16 @@ bool has_failed_program(const FinishedRun& run) {
 }
 
 /// Returns the exit code of the first run that is not a success. An interruption between two runs changes the ending of
-/// neither, so the number of runs is compared, too.
-ExitCode exit_code_of(std::span<const FinishedRun> runs, std::size_t asked) {
+/// neither, so the number of runs is compared, too. `unread`: the runs were interrupted since the reader of a program's
+/// output has gone, which is a success as for other outputs.
+ExitCode exit_code_of(std::span<const FinishedRun> runs, std::size_t asked, bool unread) {
+    const ExitCode interrupted = unread ? ExitCode::success : ExitCode::interrupted;
     for (const FinishedRun& run : runs)
         if (ExitCode code = exit_code_of(run.report.result.ending); code != ExitCode::success)
-            return code;
+            return code == ExitCode::interrupted ? interrupted : code;
     if (std::ranges::any_of(runs, has_failed_program))
         return ExitCode::bad_input;
-    return runs.size() == asked ? ExitCode::success : ExitCode::interrupted;
+    return runs.size() == asked ? ExitCode::success : interrupted;
 }
 
 /// Offers the host's link of a network to another program, if that was asked for. Returns false after an interruption.
@@ -248,8 +250,14 @@ ExitCode run(const RunOptions& options, const Options& command, const std::strin
     network.host.lists_code = options.listing;
     network.host.analyses = options.analyse;
     network.host.steps = options.step ? &std::cin : nullptr;
+    bool unread = false;
     network.host.terminal = terminal_for(
-        options.booted, [&interruption] { return interruption.requested(); }, !options.step);
+        options.booted, [&interruption] { return interruption.requested(); },
+        [&] {
+            unread = true;
+            interruption.request();
+        },
+        !options.step);
     require_fit(network, options);
     std::optional<iserver::OfferedBoard> board;
     if (!offer_link(network, options, interruption, board))
@@ -267,7 +275,7 @@ ExitCode run(const RunOptions& options, const Options& command, const std::strin
                 print_out(fmt::format("\n{}\n{}", program.name, *text));
     write_files(network, runs, logs, options, manifest);
     recorders.finish({network, runs.front().report, manifest, logs.front().log});
-    return exit_code_of(runs, options.seeds);
+    return exit_code_of(runs, options.seeds, unread);
 }
 
 void add_searches(Options& command, RunOptions& options) {

@@ -135,9 +135,13 @@ ExitCode send(const SendOptions& options, const Options& typed) {
     InterruptedBySignals interruption;
     std::signal(SIGPIPE, SIG_IGN); // a board that closes the connection is reported
     const auto interrupted = [&interruption] { return interruption.requested(); };
+    bool unread = false;
     iserver::BoardRun run;
     {
-        const std::shared_ptr<iserver::Terminal> terminal = terminal_for(options.booted, interrupted)();
+        const std::shared_ptr<iserver::Terminal> terminal = terminal_for(options.booted, interrupted, [&] {
+            unread = true;
+            interruption.request();
+        })();
         iserver::Server server(server_options(host, options.file), *terminal);
         const iserver::OpenFile board = iserver::connect_board(options.to, interrupted);
         if (!board)
@@ -147,7 +151,7 @@ ExitCode send(const SendOptions& options, const Options& typed) {
     }
     print_out(print_board_run(options, file.size(), run, simulate(options, typed, run, interruption)));
     if (run.state == iserver::ServerState::running)
-        return ExitCode::interrupted;
+        return unread ? ExitCode::success : ExitCode::interrupted;
     return run.exit == 0 ? ExitCode::success : ExitCode::bad_input;
 }
 

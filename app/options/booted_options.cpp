@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <filesystem>
 #include <optional>
 
@@ -22,10 +23,11 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::array machine_options = {"--processor", "--memory", "--memorycycles", "--mode", "--no-checks"};
+constexpr std::array machine_options = {"--processor", "--memory", "--memorycycles"};
+constexpr std::array occam_options = {"--mode", "--no-checks"};
 
-/// Returns a size in bytes, at least as far as a processor can address; nothing if the text is not a size.
-std::optional<std::uint64_t> size_of(const std::string& text) {
+/// Returns the bytes of a size such as 32K or 2M; nothing if it is none.
+std::optional<std::uint64_t> bytes_of_size(const std::string& text) {
     const char unit = text.empty() ? ' ' : text.back();
     const std::optional<std::uint64_t> number =
         parse_number<std::uint64_t>(unit == 'K' || unit == 'M' ? text.substr(0, text.size() - 1) : text);
@@ -36,10 +38,11 @@ std::optional<std::uint64_t> size_of(const std::string& text) {
 
 /// Says why a text is not the size of a memory; "" if it is.
 std::string not_a_size(const std::string& text) {
-    const std::optional<std::uint64_t> bytes = size_of(text);
-    if (!bytes)
+    const std::optional<std::uint64_t> size = bytes_of_size(text);
+    if (!size)
         return fmt::format("\"{}\" is not a size such as 32K or 2M", text);
-    if (*bytes < 2048 || *bytes > 0xffff'ff00 || *bytes % 256 != 0)
+    const std::uint64_t bytes = *size;
+    if (bytes < 2048 || bytes > 0xffff'ff00 || bytes % 256 != 0)
         return fmt::format("{}: code can be executed with 2K to just below 4G of memory, in steps of 256 bytes", text);
     return "";
 }
@@ -101,6 +104,10 @@ void refuse_for_netlists(const Options& typed, const NetlistOptions& netlist, co
                 fmt::format("{}: only a bootable file can be run with this option, but {} is a netlist, which "
                             "states its processors itself",
                             option, netlist.file));
+    const bool has_code = std::ranges::any_of(network.nodes, [](const Node& node) { return node.image != nullptr; });
+    for (const char* option : occam_options)
+        if (typed.is_given(option) && !has_code)
+            throw UserError(fmt::format("{}: no process of {} is in occam", option, netlist.file));
     if (has_bootable_file(network))
         return;
     if (!options.arguments.empty())
@@ -158,12 +165,17 @@ void add_booted(Options& command, BootedOptions& options) {
     add_occam(command, options.occam);
 }
 
-std::function<std::shared_ptr<iserver::Terminal>()>
-terminal_for(const BootedOptions& options, std::function<bool()> interrupted, bool uses_standard_input) {
+std::function<std::shared_ptr<iserver::Terminal>()> terminal_for(const BootedOptions& options,
+                                                                 std::function<bool()> interrupted,
+                                                                 std::function<void()> unread,
+                                                                 bool uses_standard_input) {
     if (!options.keys && uses_standard_input)
-        return [interrupted] { return std::make_shared<iserver::Console>(interrupted); };
-    return [keys = keys_of(options.keys.value_or(""))] {
-        return std::make_shared<iserver::ScriptedTerminal>(keys, iserver::write_to_screen);
+        return [interrupted, unread] { return std::make_shared<iserver::Console>(interrupted, 0, unread); };
+    return [unread, keys = keys_of(options.keys.value_or(""))] {
+        return std::make_shared<iserver::ScriptedTerminal>(keys, [unread](std::string_view text) {
+            if (!iserver::write_to_screen(text))
+                unread();
+        });
     };
 }
 
@@ -172,10 +184,11 @@ namespace {
 CompiledProgram compiled_program(const NetlistOptions& netlist, const BootedOptions& options) {
     CompiledOccam made =
         compile_occam(netlist.file, netlist.read.include, options.occam, *transputer::model_named(options.processor));
-    if (made.bytes > *size_of(options.memory))
-        throw UserError(fmt::format("{}: the program needs {} bytes of memory, but the transputer has {}; run it with "
-                                    "--memory {}K",
-                                    netlist.file, made.bytes, options.memory, (made.bytes + 1023) / 1024));
+    if (made.memory_bytes > *bytes_of_size(options.memory))
+        throw UserError(fmt::format(
+            "{}: the program needs {} bytes of memory, but the transputer has {}\nhint: --memory "
+            "{}M",
+            netlist.file, made.memory_bytes, options.memory, std::bit_ceil((made.memory_bytes + (1 << 20) - 1) >> 20)));
     return {std::make_shared<const std::vector<std::uint8_t>>(std::move(made.file)),
             std::make_shared<const SourceFile>("lines of " + netlist.file, std::move(made.lines))};
 }
@@ -194,7 +207,11 @@ Network load_network(const Options& typed, const NetlistOptions& netlist, const 
     const ParsedNetlist parsed = bootable
                                      ? ParsedNetlist::of_text(netlist_around(netlist.file, options), netlist.file, read)
                                      : ParsedNetlist(netlist.file, read);
-    Network network = load_network(parsed, overrides_of(netlist.set), known_kinds(known_problems(0)), print_warnings);
+    const ProblemRegistry problems = known_problems(0);
+    const Catalogue kinds = known_kinds(problems);
+    if (!bootable)
+        kinds.files()->choose(choices_of(options.occam));
+    Network network = load_network(parsed, overrides_of(netlist.set), kinds, print_warnings);
     if (!bootable)
         refuse_for_netlists(typed, netlist, options, network);
     network.host = services_of(options);

@@ -39,9 +39,12 @@ HostServices services_of(const BootedOptions&);
 
 /// Returns a function that makes the terminal of a program: the keys that were typed as an option, or else the terminal
 /// of PlacedPar. Throws UserError if the keys cannot be read. `interrupted` ends the wait for a key; it is called while
-/// a terminal exists. Without standard input, no key is pressed unless it was typed as an option.
-std::function<std::shared_ptr<iserver::Terminal>()>
-terminal_for(const BootedOptions&, std::function<bool()> interrupted, bool uses_standard_input = true);
+/// a terminal exists. `unread` is called when the reader of the screen has gone. Without standard input, no key is
+/// pressed unless it was typed as an option.
+std::function<std::shared_ptr<iserver::Terminal>()> terminal_for(const BootedOptions&,
+                                                                 std::function<bool()> interrupted,
+                                                                 std::function<void()> unread,
+                                                                 bool uses_standard_input = true);
 
 /// Reads the netlist. If the file is bootable, makes a network of one transputer with a host that boots it. The network
 /// gets the services of its hosts. Throws RefusedInput; throws UserError if an option does not fit the file.

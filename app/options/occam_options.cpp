@@ -80,6 +80,10 @@ bool uses_terminal(const occam::Declaration& main) {
            });
 }
 
+bool gets_free_memory(const occam::Declaration& main) {
+    return std::get<occam::Procedure>(main.form).parameters.size() == 3;
+}
+
 /// Returns a program around a main procedure that uses a terminal.
 std::shared_ptr<const SourceFile> around(const std::filesystem::path& path, const occam::Declaration& main) {
     const auto& keyboard = *std::get<occam::Procedure>(main.form).parameters.front();
@@ -116,6 +120,17 @@ void add_occam(Options& command, OccamOptions& options) {
         .group(heading);
 }
 
+CompileChoices choices_of(const OccamOptions& options) {
+    for (const char* check : {"usage", "alias"})
+        if (leaves_out(options, check))
+            throw UserError(
+                fmt::format("--no-checks: a netlist cannot leave out the check \"{}\" of its programs; write "
+                            "#OPTION \"{}\" into the file",
+                            check, check[0] == 'u' ? "N" : "A"));
+    const bool all = leaves_out(options, "all");
+    return {options.mode, !all && !leaves_out(options, "range"), !all};
+}
+
 bool is_occam(const std::filesystem::path& path) {
     return path.extension() == ".occ" && !occam::is_configuration(path);
 }
@@ -138,15 +153,15 @@ CompiledOccam compile_occam(const std::filesystem::path& path, std::span<const s
     if (uses_terminal(*program.main))
         program = checked(around(path, *program.main), folders, typed);
     const occam::CodeOptions options{.model = model,
-                                     .mode = typed.mode == "stop"        ? occam::ErrorMode::stop
-                                             : typed.mode == "universal" ? occam::ErrorMode::universal
-                                                                         : occam::ErrorMode::halt,
+                                     .mode = occam::error_mode(typed.mode),
                                      .range_checks = program.options.range_checks && program.options.run_time_checks,
                                      .run_time_checks = program.options.run_time_checks,
                                      .vector_space = program.options.vector_space};
     const occam::Code code = compile(*program.program, *program.main, options);
     const std::uint32_t code_at = where_code_is(code, options) - transputer::traits_of(model).memory_start;
-    return {bootable(code, options), place_table(code, *program.program, code_at), image_of(code, options).bytes};
+    const std::uint64_t free_bytes = gets_free_memory(*program.main) ? occam::bytes_of_free_memory : 0;
+    return {bootable(code, options), place_table(code, *program.program, code_at),
+            image_of(code, options).bytes + free_bytes};
 }
 
 } // namespace placedpar

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/options.hpp"
+#include "netlist/kinds/file_kinds.hpp"
 #include "occam/code/compile.hpp"
 
 #include <cstdint>
@@ -18,6 +19,10 @@ struct OccamOptions {
 };
 void add_occam(Options&, OccamOptions&);
 
+/// Returns the options for the code of a netlist's processes. Throws UserError for a check of the text, which a netlist
+/// cannot leave out, and for an unknown one.
+CompileChoices choices_of(const OccamOptions&);
+
 /// Returns whether a file is a program in occam, by its name.
 bool is_occam(const std::filesystem::path&);
 
@@ -28,7 +33,7 @@ std::string check_occam(const std::filesystem::path&, std::span<const std::strin
 struct CompiledOccam {
     std::vector<std::uint8_t> file; ///< a bootable file
     std::string lines;              ///< a table of its code, for a file NAME.lines beside it
-    std::uint64_t bytes = 0;        ///< of memory that it needs, from the start of memory
+    std::uint64_t memory_bytes = 0; ///< that the program needs, with the free memory that it gets
 };
 /// Compiles a program for a transputer. Prints warnings to standard error. Throws
 /// RefusedInput; throws UserError for an unknown check.

@@ -10,6 +10,7 @@
 #include "runtime/kernel.hpp"
 #include "runtime/transputer/code_text.hpp"
 #include "runtime/transputer/core_text.hpp"
+#include "runtime/transputer/error_text.hpp"
 #include "text/output_file.hpp"
 
 #include <fmt/format.h>
@@ -223,10 +224,20 @@ namespace {
 
 /// Says where in the source, if that is known, and why a core has stopped.
 std::string stop_of(const transputer::Core& core, const transputer::CodeLines& lines) {
-    const bool is_behind =
-        core.stopped() == transputer::Stopped::by_error || core.stopped() == transputer::Stopped::by_break;
+    const bool is_behind = core.stopped() == transputer::Stopped::by_break;
     const std::string place = lines.file_place(core.registers().instruction - (is_behind ? 1 : 0));
     return (place.empty() ? "stopped: " : fmt::format("stopped at {}: ", place)) + core.why_stopped();
+}
+
+/// Says where, why, in which process and when an error has halted a core.
+std::string halt_of(const transputer::Core& core, const transputer::CodeLines& lines) {
+    const transputer::ErrorNote error = error_to_name(core, core.error(), lines);
+    const std::string place = lines.file_place(error.after - 1), process = lines.process(error.workspace),
+                      time = to_string(core.local_time());
+    if (place.empty())
+        return fmt::format("stopped at {}: {}; {}", time, print_error(core, error, lines), core.why_stopped());
+    return fmt::format("stopped at {}: {}{}, at {}", place, print_error(core, error, lines),
+                       process.empty() ? "" : ", in " + process, time);
 }
 
 } // namespace
@@ -243,7 +254,8 @@ std::string BootedNode::state_of_program() const {
     if (device_.activity() == transputer::Node::Activity::listening)
         return "was never booted";
     if (device_.activity() == transputer::Node::Activity::stopped)
-        return stop_of(device_.core(), lines());
+        return device_.core().stopped() == transputer::Stopped::by_error ? halt_of(device_.core(), lines())
+                                                                         : stop_of(device_.core(), lines());
     if (host_ && !host_->end.refusal().empty())
         return "sent bytes that are not a request: " + host_->end.refusal();
     if (host_ && host_->end.state() == iserver::ServerState::waits_for_input)
@@ -267,6 +279,15 @@ const transputer::CodeLines& BootedNode::lines() const {
         return *node().image->lines;
     return node().code_lines ? *node().code_lines : none;
 }
+
+namespace {
+
+/// Returns whether a process is in an ALT without a true guard.
+bool never_goes_on(const transputer::WaitingProcess& process) {
+    return process.wait == transputer::Wait::alternative && process.channels.empty() && !process.time;
+}
+
+} // namespace
 
 /// Returns the processes that wait, without those that only carry messages of others.
 std::vector<transputer::WaitingProcess> BootedNode::waiting_processes() const {
@@ -294,6 +315,8 @@ ProgramWait BootedNode::describe(const transputer::WaitingProcess& process) cons
         result.process.channels.push_back(device_.name_of_channel(channel));
         result.awaited.push_back({device_.name_of_channel(channel), process.wait != Wait::output});
     }
+    if (never_goes_on(process))
+        result.process.channels.emplace_back("no guard of this ALT is true");
     if (process.time)
         result.process.channels.push_back(fmt::format("timer, after {}", static_cast<std::int32_t>(*process.time)));
     return result;
@@ -309,7 +332,7 @@ std::vector<ProgramWait> BootedNode::program_waits() const {
     std::vector<ProgramWait> result;
     for (const transputer::WaitingProcess& each : waiting) {
         result.push_back(describe(each));
-        if (!looks_ahead)
+        if (!looks_ahead || never_goes_on(each))
             continue;
         for (const transputer::ChannelEnd& end : transputer::ends_ahead(device_.core(), each))
             result.back().ahead.push_back({device_.name_of_channel(end.channel), end.is_output});
@@ -317,10 +340,22 @@ std::vector<ProgramWait> BootedNode::program_waits() const {
     return result;
 }
 
+std::vector<ProgramUse::Stop> BootedNode::stops() const {
+    const transputer::Core& core = device_.core();
+    std::vector<ProgramUse::Stop> result;
+    for (const transputer::Core::StoppedProcess& each : core.stopped_processes()) {
+        const transputer::ErrorNote error = error_to_name(core, each.error, lines());
+        result.push_back({device_.name_of_process(error.workspace), lines().place(error.after - 1),
+                          print_error(core, error, lines()), each.at});
+    }
+    return result;
+}
+
 void BootedNode::report(MachineUse& use) const {
     const bool exited_badly =
         host_ && host_->end.state() == iserver::ServerState::exited && host_->end.exit_status() == 1;
-    const bool stopped = device_.activity() == transputer::Node::Activity::stopped;
+    const bool stopped =
+        device_.activity() == transputer::Node::Activity::stopped || device_.core().count_stopped() > 0;
     use.programs.push_back({.name = node().name,
                             .instructions = device_.core().instructions(),
                             .requests = host_ ? host_->end.requests() : 0,
@@ -328,7 +363,9 @@ void BootedNode::report(MachineUse& use) const {
                             .listing = listing_ ? print_listing(*listing_, lines()) : "",
                             .analysis = network().host.analyses ? print_analysis(device_.core(), lines()) : "",
                             .failed = exited_badly || stopped,
-                            .booted_at = host_ ? host_->end.booted_at() : Time{}});
+                            .booted_at = host_ ? host_->end.booted_at() : Time{},
+                            .stops = stops(),
+                            .count_of_stops = device_.core().count_stopped()});
     use.processors.push_back({node().name, node().type, device_.time_busy(), device_.memory_taken_by_links()});
 }
 

@@ -47,6 +47,7 @@ private:
     std::string state() const;
     std::string state_of_program() const;
     const transputer::CodeLines& lines() const;
+    std::vector<ProgramUse::Stop> stops() const;
     std::vector<transputer::WaitingProcess> waiting_processes() const;
     ProgramWait describe(const transputer::WaitingProcess&) const;
     void connect_host(hardware::Link&, const LinkEnd& own, bool own_is_a);

@@ -13,6 +13,13 @@
 
 namespace placedpar {
 
+/// How the code of files is compiled.
+struct CompileChoices {
+    std::string mode = "halt";   ///< what an error at run time does: halt, stop or universal
+    bool range_checks = true;    ///< checks of subscripts and the like
+    bool run_time_checks = true; ///< also of overflow
+};
+
 /// Makes process kinds of files in a language of programs, and images of the processes on a node. A netlist names a
 /// file as the program of a process. Several threads may use one object.
 class FileKinds {
@@ -30,6 +37,8 @@ public:
     /// Returns the paths of the files that the kind is made of, without those that are part of the program.
     virtual std::vector<std::string> files_of(std::string_view name) const = 0;
 
+    /// States how image() compiles from now on.
+    virtual void choose(const CompileChoices&) = 0;
     /// Makes the program of a node: all of its processes that are code, and what carries messages between such
     /// processes on other nodes. Returns null after reporting errors. REQUIRES: each channel from or to a process that
     /// is not code is alone in its direction of a wire of the node.

@@ -110,6 +110,15 @@ struct ProgramUse {
     std::string analysis = "";  ///< the state of the transputer at the end; "" if it was not asked for
     bool failed = false;        ///< the program exited with failure, or the transputer stopped
     Time booted_at{};           ///< when the host had sent the bootable file
+    /// A process that an error has stopped, while others went on.
+    struct Stop {
+        std::string process;
+        std::string place; ///< in its source: "ring.occ:12:3"
+        std::string error; ///< "division by zero: 1 / 0"
+        Time at;
+    };
+    std::vector<Stop> stops{};        ///< the first of them
+    std::uint64_t count_of_stops = 0; ///< how many they are in all
 };
 
 /// Reports how a run used the machine. Each device adds its part (MachineNode::report).

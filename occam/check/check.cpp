@@ -20,6 +20,8 @@ void Checker::check_program() {
     check_units();
     declare(program_.declarations);
     names_.leave(0);
+    if (!reporter_.failed())
+        warn_of_unused();
 }
 
 void check(Program& program, const SourceOptions& options, Reporter& reporter) {

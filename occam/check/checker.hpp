@@ -97,6 +97,8 @@ private:
     /// Checks declarations one after the other. The caller takes them out of sight again by names_.leave.
     void declare(DeclarationList&);
     Declaration* predefined(const std::string& name);
+    // unused.cpp
+    void warn_of_unused();
 
     // Types as they are written (types.cpp)
     enum class Open : bool { refused, allowed };
@@ -243,6 +245,8 @@ private:
     std::unordered_map<std::string, Declaration*> predefined_;
     std::unordered_set<std::string> reported_;                      ///< unknown names
     std::set<std::pair<const Declaration*, std::string>> mistakes_; ///< that is_first() has seen
+    std::vector<const Declaration*> declared_; ///< in the order of the text
+    std::unordered_set<const Declaration*> used_;
     std::vector<const ProtocolType*> named_protocols_;
     struct Pending {
         const DeclarationList* list;

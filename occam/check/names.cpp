@@ -98,8 +98,10 @@ bool Checker::is_first(const Declaration* declaration, std::string mistake) {
 }
 
 Declaration* Checker::find(const std::string& name, const Place& place) {
-    if (Declaration* const found = names_.find(name))
+    if (Declaration* const found = names_.find(name)) {
+        used_.insert(found);
         return found;
+    }
     if (Declaration* const found = predefined(name))
         return found;
     if (reported_.insert(name).second)
@@ -131,6 +133,7 @@ void Checker::report_unknown(const std::string& name, const Place& place) {
 void Checker::add(Declaration& declaration) {
     depths_[&declaration] = routines_.size();
     names_.add(declaration);
+    declared_.push_back(&declaration);
 }
 
 } // namespace placedpar::occam

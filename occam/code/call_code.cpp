@@ -290,6 +290,8 @@ void Generator::call_with(Routine& routine, Arguments words) {
     emitter_.branch(Operation::call, routine.entry);
     stack_ = 0;
     frame_->need_below(level.need());
+    if (level.main.starters() > 0 && std::ranges::find(frame_->calls, &level) == frame_->calls.end())
+        frame_->calls.push_back(&level);
 }
 
 /// Calls a function. Without places for its results, its only one is left in a register.

@@ -5,11 +5,15 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace placedpar::occam {
 
 enum class ErrorMode : std::uint8_t { halt, stop, universal };
+
+/// Returns the mode of this name. Throws std::invalid_argument if there is none.
+ErrorMode error_mode(std::string_view name);
 
 struct CodeOptions {
     transputer::Model model{};
@@ -32,14 +36,22 @@ struct CodeName {
     std::string name; ///< such as "phil" or "phil/PAR 12:3"
 };
 
-/// A process that is a component of the main procedure's PAR, with the words of its workspace and of all that it calls.
-/// They count from the first workspace pointer, and are below it.
+/// The meaning of an error of the instruction that ends at an offset: a text for transputer::print_error().
+struct CodeError {
+    std::uint32_t offset = 0;
+    std::string text;
+};
+
+/// Where the workspace pointer of a process that is a component of a PAR can be, also in what it calls. The words count
+/// from the first workspace pointer, and are below it.
 struct CodeWorkspace {
     std::int64_t from = 0, until = 0;
-    std::string name;     ///< of the PROC that it is an instance of, with its place if there are several; or its place
-    std::string place;    ///< of the component: line and column, "12:3"
-    std::string entry;    ///< name of its code, among Code::names
-    bool carries = false; ///< it carries messages of other processes; the compiler does not know
+    std::string name; ///< such as "phil[2]", or its place; with its place if several processes have this name
+    std::string
+        inner; ///< its name within the outermost component, "" for that itself: "fork[1]" if `name` is "ring/fork[1]"
+    std::size_t outermost = 0; ///< number of the outermost component, in the order of the text
+    std::string entry;         ///< name of the code of the process, among Code::names; "" of a replicated one
+    bool carries = false;      ///< it carries messages of other processes; the compiler does not know
 };
 
 /// A channel that the main procedure declares outside of its process.
@@ -53,13 +65,16 @@ struct CodeChannel {
 struct Code {
     std::vector<std::uint8_t> bytes;
     std::uint32_t entry = 0;                 ///< offset of the first instruction, which needs no values in registers
+    std::uint32_t constants = 0;             ///< offset of the constants, which are behind the instructions
     std::uint32_t end = 0;                   ///< offset behind the last instruction, which stops the first process
     std::uint64_t workspace_words = 0;       ///< of the first process, with those of everything it calls
     std::uint64_t first_workspace_words = 0; ///< those of them that the first workspace pointer has above it
     std::uint64_t vector_space_bytes = 0;    ///< behind the code
     std::vector<CodeLine> lines;             ///< in order of offsets
     std::vector<CodeName> names;
-    std::vector<CodeWorkspace> workspaces; ///< in order of the text; empty if several PARs share the words
+    std::vector<CodeError> errors; ///< in order of offsets
+    /// Leaves out processes whose words are used by several constructs of a procedure, one after the other.
+    std::vector<CodeWorkspace> workspaces;
     std::vector<CodeChannel> channels;
 };
 

@@ -3,12 +3,13 @@
 #include "occam/check/checker.hpp"
 
 #include "occam/code/generator.hpp"
+#include "occam/code/workspaces.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <map>
+#include <stdexcept>
 
 namespace placedpar::occam {
 
@@ -16,38 +17,11 @@ using transputer::Operation;
 
 namespace {
 
-/// The words of an array `[]INT memory` that a main procedure gets.
-constexpr std::int64_t words_of_free_memory = 64 * 1024;
-
 constexpr std::uint64_t most_bytes_of_program = std::uint64_t{1} << 31;
 constexpr const char* end_of_program = "the end of the program";
 
 bool is_array_of_integers(const Type& type) {
     return type.kind == Type::Kind::array && !type.count && type.element->is(Basic::integer);
-}
-
-/// Adds the components of the only PAR of a frame, and of PARs that are components themselves. `base`: the workspace
-/// pointer of the procedure, in words from the first one.
-void add_workspaces(const Frame& frame, std::int64_t base, std::vector<CodeWorkspace>& to) {
-    if (frame.parallels.size() != 1)
-        return;
-    for (const Frame* each : frame.parallels.front()) {
-        const std::int64_t at = base + each->coordinate;
-        if (each->is_parallel && each->parallels.size() == 1)
-            add_workspaces(*each, base, to);
-        else
-            to.push_back({at - each->below, at + each->words(), each->name, each->place, each->entry});
-    }
-}
-
-/// Tells instances of one PROC apart by their places.
-void make_names_unique(std::vector<CodeWorkspace>& workspaces) {
-    std::map<std::string, int> counts;
-    for (const CodeWorkspace& each : workspaces)
-        ++counts[each.name];
-    for (CodeWorkspace& each : workspaces)
-        if (counts[each.name] > 1)
-            each.name += " " + each.place;
 }
 
 } // namespace
@@ -98,10 +72,8 @@ Code Generator::generate(const Declaration& main) {
     code.end = std::ranges::find(code.names, end_of_program, &CodeName::name)->offset;
     code.workspace_words = static_cast<std::uint64_t>(level.main.words() + level.main.below);
     code.first_workspace_words = static_cast<std::uint64_t>(level.main.words());
-    const std::int64_t base = -4 - routine.level->main.words();
-    add_workspaces(routine.level->main, base, code.workspaces);
-    code.channels = channels_of_main(main, base);
-    make_names_unique(code.workspaces);
+    code.workspaces = workspaces_of(level.main);
+    code.channels = channels_of_main(main, -words_of_call - routine.level->main.words());
     code.vector_space_bytes = static_cast<std::uint64_t>(memory * 4);
     if (4 * code.workspace_words + code.bytes.size() + code.vector_space_bytes > most_bytes_of_program)
         refuse(main.at, fmt::format("the program needs {} bytes of workspace and {} of vector space, more than a "
@@ -149,11 +121,19 @@ void Generator::add_main_argument(Arguments& words, const Declaration& parameter
                              load(level_->vector);
                              add_offset(4 * memory);
                          }});
-        words.push_back({1, [this] { constant(words_of_free_memory); }});
+        words.push_back({1, [this] { constant(bytes_of_free_memory / 4); }});
     } else {
         refuse(parameter.at, "the main procedure cannot have this parameter; it has (CHAN OF SP fs, ts), perhaps with "
                              "[]INT memory behind these, or none");
     }
+}
+
+ErrorMode error_mode(std::string_view name) {
+    constexpr std::array<std::string_view, 3> names = {"halt", "stop", "universal"};
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end())
+        throw std::invalid_argument("no error mode has this name");
+    return static_cast<ErrorMode>(found - names.begin());
 }
 
 Code compile(const Program& program, const Declaration& main, const CodeOptions& options) {

@@ -8,6 +8,9 @@
 
 namespace placedpar::occam {
 
+/// The free memory that a main procedure gets as `[]INT memory`.
+inline constexpr std::int64_t bytes_of_free_memory = 256 * 1024;
+
 /// Compiles a program that was checked without errors. Throws RefusedInput for what this compiler cannot compile.
 Code compile(const Program&, const Declaration& main, const CodeOptions&);
 

@@ -2,6 +2,8 @@
 
 #include "runtime/transputer/assembler.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <initializer_list>
 
@@ -155,6 +157,22 @@ void Emitter::name(std::string text) {
     names_.push_back(std::move(text));
 }
 
+void Emitter::error(std::string text, std::vector<Cell> cells, const Frame& current) {
+    buffer_->push_back({.kind = CodeElement::Kind::error, .value = static_cast<std::int64_t>(errors_.size())});
+    errors_.push_back({std::move(text), std::move(cells), &current});
+}
+
+/// Writes the place of each cell behind its letter, in words from the workspace pointer.
+std::string Emitter::ErrorMeaning::with_offsets() const {
+    std::string result = text;
+    std::size_t at = 0;
+    for (const Cell& each : cells) {
+        at = std::min(result.find("{w}", at), result.find("{l}", at)) + 2;
+        result.insert(at, fmt::format("{:+}", coordinate_of(each) - frame->coordinate));
+    }
+    return result;
+}
+
 Label Emitter::constant(std::span<const std::uint8_t> bytes, bool aligned) {
     std::string key(bytes.begin(), bytes.end());
     key += aligned ? 'w' : 'b';
@@ -168,6 +186,7 @@ Code Emitter::finish(const std::vector<const CodeBuffer*>& buffers, Label entry)
     std::vector<CodeElement> all;
     for (const CodeBuffer* each : buffers)
         all.insert(all.end(), each->begin(), each->end());
+    const std::size_t first_constant = all.size();
     for (const ConstantBytes& each : constants_) {
         if (each.aligned)
             all.push_back({.kind = CodeElement::Kind::align});
@@ -186,6 +205,9 @@ Code Emitter::finish(const std::vector<const CodeBuffer*>& buffers, Label entry)
             code.lines.push_back({layout.offset_at(i), element.place});
         } else if (element.kind == CodeElement::Kind::name) {
             code.names.push_back({layout.offset_at(i), names_[static_cast<std::size_t>(element.value)]});
+        } else if (element.kind == CodeElement::Kind::error) {
+            code.errors.push_back(
+                {layout.offset_at(i), errors_[static_cast<std::size_t>(element.value)].with_offsets()});
         }
         const std::vector<std::uint8_t> bytes = layout.bytes_of(i);
         code.bytes.insert(code.bytes.end(), bytes.begin(), bytes.end());
@@ -193,6 +215,7 @@ Code Emitter::finish(const std::vector<const CodeBuffer*>& buffers, Label entry)
     for (const ConstantBytes& each : constants_)
         std::ranges::copy(each.bytes, code.bytes.begin() + static_cast<std::ptrdiff_t>(layout.offset(each.label)));
     code.entry = layout.offset(entry);
+    code.constants = layout.offset_at(first_constant);
     return code;
 }
 

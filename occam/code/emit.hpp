@@ -26,6 +26,7 @@ struct CodeElement {
         align,      ///< up to the next whole word
         data,       ///< so many bytes as `value`
         line,       ///< code for a place begins
+        error,      ///< the instruction before it can fail: the error number `value`
         name        ///< code with the name number `value` begins
     };
     Kind kind = Kind::number;
@@ -65,6 +66,10 @@ public:
     void mark(Label);
     void line(const Place&);
     void name(std::string);
+    /// States what an error of the instruction before means, as transputer::print_error() reads it. Each {w} or {l} in
+    /// the text stands for the word, or the INT64, in one of these cells. REQUIRES: the cells are of the level of
+    /// `current`.
+    void error(std::string text, std::vector<Cell> cells, const Frame& current);
     /// Returns the label of constant bytes, which are stored behind the code.
     Label constant(std::span<const std::uint8_t> bytes, bool aligned);
 
@@ -79,7 +84,14 @@ private:
     };
     CodeBuffer* buffer_ = nullptr;
     Label labels_ = 1;
+    struct ErrorMeaning {
+        std::string text;
+        std::vector<Cell> cells;
+        const Frame* frame;
+        std::string with_offsets() const;
+    };
     std::vector<std::string> names_;
+    std::vector<ErrorMeaning> errors_;
     std::vector<ConstantBytes> constants_;
     std::unordered_map<std::string, std::size_t> constant_of_; ///< looked up only
 };

@@ -155,15 +155,21 @@ void Generator::fit(const Type& given, bool checked) {
             op(Operation::and_);
         }
         constant(0x8000);
-        op(checked && options_.range_checks ? Operation::cword : Operation::xword);
+        const bool is_checked = checked && options_.range_checks;
+        op(is_checked ? Operation::cword : Operation::xword);
+        if (is_checked)
+            fails("{b} does not fit in INT16");
     } else if (type.is(Basic::byte)) {
         if (checked && !options_.range_checks)
             return;
         constant(checked ? 256 : 255);
         op(checked ? Operation::csub0 : Operation::and_);
+        if (checked)
+            fails("{b} does not fit in BYTE");
     } else if (type.is(Basic::boolean) && checked && options_.range_checks) {
         constant(2);
         op(Operation::csub0);
+        fails("{b} does not fit in BOOL");
     }
 }
 
@@ -184,6 +190,7 @@ void Generator::shift(const BinaryOperation& operation) {
         if (options_.range_checks) {
             constant(bits + 1);
             op(Operation::csub0);
+            fails("shift by {b}, which can be 0 to {a-1}");
         }
         if (masks) {
             op(Operation::rev);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,11 +59,28 @@ struct Frame {
     std::vector<int> position;                  ///< of each local word
     std::int64_t size = 0;                      ///< words of the frame
     std::vector<std::vector<Frame*>> parallels; ///< the components of each PAR
-    std::string name;                           ///< of a component of a PAR: of the PROC that it is an instance of
-    std::string place;                          ///< of a component: its line and column, "12:3"
-    std::string entry;                          ///< of a component of a PAR: the name of its code
-    bool is_parallel = false;                   ///< the component is a PAR itself
+    /// A replicated PAR, whose components have workspaces of one size below the frame, the first one on top.
+    struct Replication {
+        const Level* level;
+        std::int64_t components;
+        std::optional<std::int64_t> base; ///< nothing if it is not constant
+    };
+    std::vector<Replication> replications;
+    std::vector<const Level*> calls; ///< the procedures that it calls and that start processes, each once
+    std::string name;                ///< of a component of a PAR: of the PROC that it is an instance of, or its place
+    std::string place;               ///< of a component: its line and column, "12:3"
+    std::string entry;               ///< of a component of a PAR: the name of its code
+    bool is_instance = false;        ///< the component is an instance of a PROC
+    bool is_parallel = false;        ///< the component is a PAR itself
+
+    /// Returns how many constructs of the frame start processes.
+    std::size_t starters() const { return parallels.size() + replications.size() + calls.size(); }
 };
+
+/// The words below the workspace pointer of a process that is started.
+inline constexpr int words_of_scheduler = 3;
+/// The words that `call` takes.
+inline constexpr int words_of_call = 4;
 
 /// A procedure, or the component of a replicated PAR, whose frame lies where only the running program knows.
 struct Level {
@@ -73,7 +91,7 @@ struct Level {
     /// Lays out all frames. REQUIRES: the code of the level is complete.
     void lay_out();
     /// Returns the words below the workspace pointer of the caller that a call needs.
-    std::int64_t need() const { return 4 + main.words() + main.below; }
+    std::int64_t need() const { return words_of_call + main.words() + main.below; }
 
     Level* outer;
     Frame main;

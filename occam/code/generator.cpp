@@ -134,10 +134,17 @@ void Generator::clear_error() {
     }
 }
 
-void Generator::stop_here() {
-    if (options_.mode != ErrorMode::stop)
+void Generator::fails(std::string meaning, std::vector<Cell> cells) {
+    emitter_.error(std::move(meaning), std::move(cells), *frame_);
+}
+
+void Generator::stop_here(const std::string& why, const std::vector<Cell>& cells) {
+    if (options_.mode != ErrorMode::stop) {
         op(Operation::seterr);
+        fails(why, cells);
+    }
     op(Operation::stopp);
+    fails(why, cells);
     frame_->need_below(3);
 }
 

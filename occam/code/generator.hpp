@@ -102,7 +102,9 @@ private:
     bool has_reals() const { return (transputer::only(options_.model) & transputer::with_reals) != 0; }
     void settle();
     void clear_error();
-    void stop_here();
+    /// States what an error of the last instruction means. Each {w} or {l} stands for the value in one of the cells.
+    void fails(std::string meaning, std::vector<Cell> cells = {});
+    void stop_here(const std::string& why, const std::vector<Cell>& cells = {});
     void loop(const Cell& control, Label start, const std::function<void()>& body);
     Storage bytes_constant(const Type&, std::span<const std::uint8_t>);
 
@@ -200,6 +202,7 @@ private:
     void wide_difference(const Wide&, const Wide&, bool checked, const Cell& to);
     void wide_by_parts(const Wide&, const Wide&, transputer::Operation lower, transputer::Operation upper,
                        const Cell& to);
+    void wide_fails(const Wide&, const std::string& operation, const Wide&);
     void wide_product(const Wide&, const Wide&, const Cell& to);
     void wide_routine(WideRoutine, const Wide&, const Wide&, const Cell& to);
     void wide_shift(const BinaryOperation&, const Cell& to);
@@ -224,7 +227,7 @@ private:
     void real_comparison(const BinaryOperation&);
     void real_to_integer(const Conversion&, const Type&);
     void real_to_wide(const Conversion&, const Cell& to);
-    void check_reals();
+    void check_reals(const char* meaning = "");
     void begin_reals();
 
     // routine_code.cpp

@@ -11,21 +11,23 @@ using transputer::Operation;
 
 namespace {
 
-/// A process that is started needs these words below its workspace pointer.
-constexpr int words_of_scheduler = 3;
-
-} // namespace
-
-Frame& Generator::new_component(const Process& p) {
-    Frame& frame = level_->components.emplace_back(*level_);
+void name_component(Frame& frame, const Process& p) {
     const Process* inner = &p;
     while (const auto* scope = std::get_if<Scope>(&inner->form))
         inner = scope->process.get();
     const auto* instance = std::get_if<Instance>(&inner->form);
     frame.place = fmt::format("{}:{}", inner->at.line, inner->at.column);
     frame.name = instance ? instance->name : frame.place;
+    frame.is_instance = instance != nullptr;
     frame.is_parallel = std::holds_alternative<Parallel>(inner->form);
     frame.need_below(words_of_scheduler);
+}
+
+} // namespace
+
+Frame& Generator::new_component(const Process& p) {
+    Frame& frame = level_->components.emplace_back(*level_);
+    name_component(frame, p);
     return frame;
 }
 
@@ -144,7 +146,7 @@ void Generator::replicated_parallel(const Process& p, const Parallel& each) {
     if (*components <= 0)
         return;
     Level& level = levels_.emplace_back(level_);
-    level.main.need_below(words_of_scheduler);
+    name_component(level.main, each.processes.front());
     level.link = level.main.allocate(1);
     level.vector = level.main.allocate(1);
     const Cell index = level.main.allocate(1);
@@ -157,6 +159,7 @@ void Generator::replicated_parallel(const Process& p, const Parallel& each) {
         emitter_.put_remote(Operation::ldnlp, {&parent, Cell::Area::base, 0});
         op(Operation::endp);
     });
+    parent.replications.push_back({&level, *components, constant_of(replicator.base)});
     join(done, *components);
     start_components(replicator, *components, level, index, start);
     op(Operation::stopp); // the last component goes on at `done`

@@ -6,8 +6,8 @@
 
 namespace placedpar::occam {
 
-/// Returns a table of the places that the code came from, and of its procedures, as transputer::CodeLines reads it.
-/// `code_at`: where the code stands, in bytes from MemStart.
+/// Returns a table of the places that the code came from, of its procedures, errors and processes, as
+/// transputer::CodeLines reads it. `code_at`: where the code stands, in bytes from MemStart.
 std::string place_table(const Code&, const Program&, std::uint32_t code_at);
 
 } // namespace placedpar::occam

@@ -215,11 +215,12 @@ void Generator::predefined_instance(const Process& p, const Instance& i) {
         settle();
         op(Operation::eqc, 0);
         jump_if_false(holds);
-        stop_here();
+        stop_here("ASSERT of what is FALSE");
         return mark(holds);
     }
     if (i.name == "CAUSEERROR") {
         op(Operation::seterr);
+        fails("CAUSEERROR");
         checked_ = true;
         return settle();
     }

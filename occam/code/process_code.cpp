@@ -18,7 +18,7 @@ void Generator::process(const Process& p) {
         Generator& g;
         const Process& p;
         void operator()(const Skip&) {}
-        void operator()(const Stop&) { g.stop_here(); }
+        void operator()(const Stop&) { g.stop_here("STOP"); }
         void operator()(const Assignment& a) { g.assignment(a); }
         void operator()(const Input& i) { g.input(i); }
         void operator()(const Delay& d) { g.delay(d); }
@@ -29,7 +29,7 @@ void Generator::process(const Process& p) {
         void operator()(const If& i) {
             const Label done = g.emitter_.new_label();
             if (!g.choices(i, done, true))
-                g.stop_here();
+                g.stop_here("no condition of this IF is true");
             g.mark(done);
             g.clear_error();
         }
@@ -165,7 +165,7 @@ void Generator::check_sizes(const Storage& a, const Storage& b) {
     op(Operation::diff);
     const Label equal = emitter_.new_label();
     jump_if_false(equal);
-    stop_here();
+    stop_here("the arrays of this assignment differ in size");
     mark(equal);
     stack_ = 0;
 }
@@ -253,6 +253,7 @@ Cell Generator::begin_replication(const Replicator& r, Label end) {
     if (options_.range_checks) {
         op(Operation::mint);
         op(Operation::csub0);
+        fails("the count of this replicator is {b}");
         settle();
     }
     jump_if_false(end);
@@ -374,7 +375,7 @@ void Generator::selection(const Case& c) {
     }
     if (!has_else) {
         mark(otherwise);
-        stop_here();
+        stop_here("no option of CASE for {w}", {selector});
     }
     mark(done);
     clear_error();

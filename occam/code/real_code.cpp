@@ -59,9 +59,12 @@ void Generator::real_load(Storage location) {
     op(two_words ? Operation::fpldnldb : Operation::fpldnlsn);
 }
 
-void Generator::check_reals() {
-    if (options_.run_time_checks)
-        op(Operation::fpchkerror);
+void Generator::check_reals(const char* meaning) {
+    if (!options_.run_time_checks)
+        return;
+    op(Operation::fpchkerror);
+    if (*meaning != 0)
+        fails(meaning);
 }
 
 /// Forgets errors of other processes, which stopped.
@@ -259,7 +262,7 @@ void Generator::real_to_integer(const Conversion& converted, const Type& to) {
     op(Operation::fprtoi32);
     const Cell result = temporary();
     load_address(result);
-    check_reals();
+    check_reals("the real does not fit in INT");
     op(Operation::fpstnli32);
     reals_ = 0;
     load(result);
@@ -278,7 +281,7 @@ void Generator::real_to_wide(const Conversion& converted, const Cell& to) {
         op(Operation::fpurz);
     op(Operation::fpint);
     op(Operation::fpuchki64);
-    check_reals();
+    check_reals("the real does not fit in INT64");
     op(Operation::fpdup);
     load_address(to);
     op(Operation::fpstnli32);

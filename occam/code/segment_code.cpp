@@ -37,6 +37,7 @@ Extent Generator::segment_count(const Segment& segment, const Extent& all) {
         if (options_.range_checks) {
             load_extent(all, 1);
             op(Operation::csub0);
+            fails("a segment of {b} elements of an array of {a-1}");
         }
     } else {
         load_extent(all);
@@ -47,6 +48,7 @@ Extent Generator::segment_count(const Segment& segment, const Extent& all) {
             load(saved);
             op(Operation::adc, 1);
             op(Operation::csub0);
+            fails("a segment from element {b} on of an array of {a-1}");
         }
         load(saved);
         op(Operation::rev);
@@ -72,6 +74,7 @@ Storage Generator::move_to_segment(Storage location, const Segment& segment, con
             op(Operation::sub);
         }
         op(Operation::csub0);
+        fails("a segment from element {b} on, which can begin at 0 to {a-1}");
     }
     Storage start = location;
     start.type = &element;

@@ -98,6 +98,20 @@ void Generator::wide_difference(const Wide& a, const Wide& b, bool checked, cons
     wide_by_parts(a, b, Operation::ldiff, checked ? Operation::lsub : Operation::ldiff, to);
 }
 
+/// States that an operation on two INT64 can fail at the last instruction.
+void Generator::wide_fails(const Wide& a, const std::string& operation, const Wide& b) {
+    const bool divides = operation == "/" || operation == "\\";
+    std::string meaning = divides ? "" : "overflow: ";
+    std::vector<Cell> cells;
+    for (const Wide* each : {&a, &b}) {
+        meaning += each->constant ? std::to_string(*each->constant) : "{l}";
+        meaning += each == &a ? " " + operation + " " : "";
+        if (!each->constant)
+            cells.push_back(each->cell);
+    }
+    fails(meaning + (divides ? " is not an INT64" : ""), std::move(cells));
+}
+
 /// Combines the lower words, then the upper ones with the carry.
 void Generator::wide_by_parts(const Wide& a, const Wide& b, Operation lower, Operation upper, const Cell& to) {
     constant(0);
@@ -109,6 +123,8 @@ void Generator::wide_by_parts(const Wide& a, const Wide& b, Operation lower, Ope
     load_part(a, 1);
     load_part(b, 1);
     op(upper);
+    if (may_set_error(upper))
+        wide_fails(a, upper == Operation::ladd ? "+" : "-", b);
     stack_ = 1;
     settle();
     store(to.after(1));
@@ -167,6 +183,7 @@ void Generator::wide_shift(const BinaryOperation& operation, const Cell& to) {
     if (options_.range_checks && !constant_of(*operation.right)) {
         constant(65);
         op(Operation::csub0);
+        fails("shift by {b}, which can be 0 to {a-1}");
         settle();
     }
     store(places);
@@ -258,10 +275,12 @@ void Generator::narrow(const Expression& operand, const Type& to) {
     const Wide value = wide(operand);
     load_part(value, 1);
     load_part(value, 0);
-    if (options_.range_checks)
+    if (options_.range_checks) {
         op(Operation::csngl);
-    else
+        fails("{ba} does not fit in 32 bits");
+    } else {
         stack_ = 1;
+    }
     if (size_of(to) < 4)
         fit(to, true);
 }

@@ -97,6 +97,8 @@ void Generator::wide_routine(WideRoutine which, const Wide& left, const Wide& ri
     load_address(a);
     settle();
     emitter_.branch(Operation::call, entry);
+    const char* const operation = which == WideRoutine::multiply ? "*" : which == WideRoutine::divide ? "/" : "\\";
+    wide_fails({.cell = a}, operation, {.cell = b});
     stack_ = 0;
     frame_->need_below(words_of_routine);
     checked_ = true;

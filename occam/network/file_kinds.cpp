@@ -146,6 +146,11 @@ public:
         return file.ends_with(".occ") || file.ends_with(".pgm") || file.ends_with(".module");
     }
 
+    void choose(const CompileChoices& choices) override {
+        const std::lock_guard lock(mutex_);
+        chosen_ = choices;
+    }
+
     std::string read(const std::string& program, const Location& named_at, const Folders& folders,
                      Reporter& reporter) override {
         const std::lock_guard lock(mutex_);
@@ -245,14 +250,24 @@ private:
         return known;
     }
 
-    /// Names the workspaces and the code of the components of the text.
-    static void name_components(Code& code, const TextOfImage& text) {
+    /// Names the workspaces and the code of the components of the text. A process within one has its name behind it:
+    /// "table/phil[2]". What is not of the netlist has the name of the node in front.
+    static void name_components(Code& code, const TextOfImage& text, const std::string& node) {
         const std::vector<Component>& all = text.components;
+        std::size_t outermost = 0;
+        for (const CodeWorkspace& each : code.workspaces)
+            outermost = std::max(outermost, each.outermost + 1);
         std::map<std::string, std::string> names; // by those that the compiler has given
-        for (std::size_t i = 0; all.size() == code.workspaces.size() && i < all.size(); ++i) {
-            code.workspaces[i].carries = all[i].carries;
-            if (!all[i].name.empty())
-                code.workspaces[i].name = names[code.workspaces[i].entry] = all[i].name;
+        for (CodeWorkspace& each : code.workspaces) {
+            const Component none{};
+            const Component& component = outermost == all.size() ? all[each.outermost] : none;
+            each.carries = component.carries;
+            if (!component.name.empty() && each.inner.empty() && !each.entry.empty())
+                names[each.entry] = component.name;
+            const std::string own = component.name.empty() ? each.name
+                                    : each.inner.empty()   ? component.name
+                                                           : component.name + "/" + each.inner;
+            each.name = component.name.empty() || component.carries ? node + "." + own : own;
         }
         for (CodeName& each : code.names)
             if (const auto found = names.find(each.name); found != names.end())
@@ -295,10 +310,14 @@ private:
     /// Returns the program of a node, which is compiled unless it has been before: a study makes many runs of it.
     std::shared_ptr<const transputer::Image> compiled(const Network& network, std::size_t node, Reporter& reporter) {
         constexpr std::size_t most_images = 1000;
-        CodeOptions options{.ends_run = false};
+        CodeOptions options{.mode = error_mode(chosen_.mode),
+                            .range_checks = chosen_.range_checks,
+                            .run_time_checks = chosen_.run_time_checks,
+                            .ends_run = false};
         options.model = *transputer::model_named(network.nodes[node].type);
         ImageSource source;
-        source.names = {network.nodes[node].name, network.nodes[node].type};
+        source.names = {network.nodes[node].name, network.nodes[node].type,
+                        fmt::format("{} {} {}", chosen_.mode, chosen_.range_checks, chosen_.run_time_checks)};
         source.folders = read_options(network, node, options);
         for (const ProcessInstance& process : network.processes)
             if (process.is_code && process.node == node)
@@ -330,7 +349,7 @@ private:
         if (file.failed)
             return nullptr;
         Code code = compile(*file.program, *main_procedure(*file.program), options);
-        name_components(code, text);
+        name_components(code, text, network.nodes[node].name);
         transputer::Image image = image_of(code, options);
         const std::uint32_t memory_start = transputer::traits_of(options.model).memory_start;
         const std::string table = channel_rows(code, text, transputer::most_negative + image.workspace) +
@@ -341,6 +360,7 @@ private:
     }
 
     mutable std::mutex mutex_;
+    CompileChoices chosen_;
     std::map<std::pair<std::string, Folders>, std::shared_ptr<const FileOfPrograms>> files_;
     std::map<ImageSource, std::shared_ptr<const transputer::Image>> images_;
     std::list<KindOfFile> all_; ///< also those of files that have changed since

@@ -1,3 +1,4 @@
+#include "runtime/transputer/code_lines.hpp"
 #include "runtime/transputer/communication.hpp"
 #include "runtime/transputer/words.hpp"
 
@@ -133,10 +134,15 @@ void Core::perform_on_processes(Operation operation) {
         enqueue(r.a);
         pop();
         break;
-    case Operation::stopp: stop_process(); break;
+    case Operation::stopp:
+        if (lines_ && !lines_->error(r.instruction).empty())
+            stop_by_error({r.instruction, r.workspace, r.a, r.b, r.c});
+        else
+            stop_process();
+        break;
     case Operation::stoperr:
         if (r.error)
-            stop_process();
+            stop_by_error(noted_[static_cast<std::size_t>(priority_)]);
         break;
     case Operation::go_on: give_way(); break;
     default: perform_on_queues(operation); break;

@@ -117,6 +117,8 @@ private:
             section_.code_.push_back(code(row, line));
         else if (kind == "entry")
             section_.entries_.push_back(entry(row, line));
+        else if (kind == "error")
+            section_.errors_.push_back(entry(row, line));
         else if (kind == "process" || kind == "carrier")
             section_.processes_.push_back(process(row, line, kind == "carrier"));
         else if (kind == "channel")
@@ -126,7 +128,7 @@ private:
         else if (kind == "end")
             ended_ = true;
         else
-            row.refuse("a row begins with code, entry, process, carrier, channel, node or end", 0);
+            row.refuse("a row begins with code, entry, process, carrier, channel, error, node or end", 0);
         row.end();
     }
 
@@ -167,6 +169,7 @@ private:
         sort(section_.code_);
         sort(section_.entries_);
         sort(section_.processes_);
+        sort(section_.errors_);
         sort(section_.channels_);
         if (name_ == node_)
             kept_ = std::move(section_);
@@ -235,6 +238,11 @@ std::string CodeLines::channel(Word word) const {
 std::string CodeLines::process(Word workspace) const {
     const Row* row = row_before(processes_, workspace);
     return row && workspace < row->until ? row->text : "";
+}
+
+std::string_view CodeLines::error(Word address) const {
+    const Row* row = row_before(errors_, address);
+    return row && row->from == address ? std::string_view(row->text) : "";
 }
 
 } // namespace placedpar::transputer

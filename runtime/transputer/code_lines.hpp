@@ -22,14 +22,16 @@ struct CodeLinesError : std::runtime_error {
 ///     code FROM UNTIL LINE COLUMN FILE   the code in [FROM, UNTIL) is of this place; no two rows overlap
 ///     entry ADDRESS NAME                 a procedure begins here
 ///     process FROM UNTIL NAME            a process whose workspace is in [FROM, UNTIL); no two rows overlap
+///     error ADDRESS TEXT                 what it means if the instruction in front of ADDRESS sets Error, or is a
+///                                        `stopp`; see print_error()
 ///     carrier FROM UNTIL NAME            the same, of a process that carries messages of other processes
 ///     channel ADDRESS NAME               the word of a channel
 ///     node NAME                          the rows that follow are for the node of this name
 ///     end                                the last row
 ///
-/// An address is hexadecimal, #80000170, or counts from MemStart, +#100. FILE and NAME go on to the end of the line.
-/// Rows before the first `node` are for the node that the file boots. Empty lines and lines that begin with -- are
-/// comments.
+/// An address is hexadecimal, #80000170, or counts from MemStart, +#100. FILE, NAME and TEXT go on to the end of the
+/// line. Rows before the first `node` are for the node that the file boots. Empty lines and lines that begin with --
+/// are comments.
 class CodeLines {
 public:
     CodeLines() = default;
@@ -52,6 +54,9 @@ public:
     /// Returns the name of the channel whose word this is; "" if the table has none.
     std::string channel(Word word) const;
 
+    /// Returns the text for an error of the instruction in front of an address; "" if the table has none.
+    std::string_view error(Word address) const;
+
 private:
     struct Row {
         Word from, until; ///< of an entry `until` is `from`
@@ -60,7 +65,7 @@ private:
         bool is_carrier = false;
     };
     class Reader;
-    std::vector<Row> code_, entries_, processes_, channels_; ///< by address
+    std::vector<Row> code_, entries_, processes_, channels_, errors_; ///< by address
 };
 
 } // namespace placedpar::transputer

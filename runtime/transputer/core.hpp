@@ -7,13 +7,17 @@
 #include "runtime/transputer/memory.hpp"
 #include "runtime/transputer/model.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace placedpar::transputer {
+
+class CodeLines; // runtime/transputer/code_lines.hpp
 
 /// The constants of time of a node.
 struct CoreTiming {
@@ -130,6 +134,25 @@ public:
     void reset_after_analyse();
 
     Stopped stopped() const { return stopped_; }
+    /// Returns the instruction that has set the Error flag, and so stopped the core. REQUIRES: stopped() is by_error.
+    const ErrorNote& error() const { return noted_[static_cast<std::size_t>(priority_)]; }
+
+    /// A process that an error has stopped, while the core went on.
+    struct StoppedProcess {
+        ErrorNote error;
+        int priority;
+        Time at;
+    };
+    /// Returns the processes that `stoperr` has stopped, and those that have stopped at an instruction for which the
+    /// table has a text of an error; the first of them, in order of time.
+    std::span<const StoppedProcess> stopped_processes() const {
+        return {stops_.data(), std::min(errors_, stops_.size())};
+    }
+    /// Returns how many they are in all.
+    std::size_t count_stopped() const { return errors_; }
+    /// Names the table. REQUIRES: it outlives the run.
+    void know_errors(const CodeLines& lines) { lines_ = &lines; }
+
     /// Describes why the core stopped, with the instruction and its address: "instruction #1F2 at #80000104 is unknown
     /// to a T800".
     std::string why_stopped() const;
@@ -218,6 +241,7 @@ private:
     // engine.cpp
     Left execute(HalfCycles until, bool at_once);
     Word place_of(const Block&, const Entry&) const;
+    void note_error(const Block&, const Entry&, ErrorNote);
     static std::uint64_t instructions_after(const Block&, const Entry&);
     void page_is_written(Block&, const Entry&, Word offset, Word bytes);
 
@@ -249,6 +273,7 @@ private:
     void leave_processor();
     void store_instruction(const Registers&);
     void stop_process();
+    void stop_by_error(const ErrorNote&);
     void give_way();
     void enqueue(Word process);
     void end_process();
@@ -351,6 +376,8 @@ private:
     HalfCycles switch_;  ///< of a switch to the next process
 
     CoreState kept_;
+    const CodeLines* lines_ = nullptr;
+    std::vector<StoppedProcess> stops_; ///< those after the first `errors_` have been taken back
     Watcher* watcher_ = nullptr;
     ProcessWatcher* process_watcher_ = nullptr;
 };

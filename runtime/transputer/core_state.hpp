@@ -27,6 +27,13 @@ struct Registers {
 /// Why a core no longer executes. `nothing`: it does.
 enum class Stopped : std::uint8_t { nothing, by_error, by_unknown_instruction, by_bad_address, by_break, by_analyse };
 
+/// An instruction that has set Error, and what it found in the registers.
+struct ErrorNote {
+    Word after = 0; ///< address of the next instruction
+    Word workspace = not_a_process;
+    Word a = 0, b = 0, c = 0;
+};
+
 /// An instruction of the scheduler whose cycles pass before its effect.
 struct Pending {
     Operation operation;
@@ -47,8 +54,10 @@ struct CoreState {
     bool analysed_ = false, breaks_at_j0_ = false;
     bool is_analysed_ = false; ///< the analyse pin is set
     Stopped stopped_ = Stopped::nothing;
-    Word stopped_at_ = 0;      ///< the address that was bad
-    bool other_error_ = false; ///< Error of the interrupted process
+    Word stopped_at_ = 0;              ///< the address that was bad
+    bool other_error_ = false;         ///< Error of the interrupted process
+    std::array<ErrorNote, 2> noted_{}; ///< for each priority, the instruction that has set its Error
+    std::size_t errors_ = 0;           ///< processes that an error has stopped
     Fpu fpu_, interrupted_fpu_;
     HalfCycles fpu_free_ = 0;    ///< local time at which the floating-point unit has finished
     std::array<Word, 3> move_{}; ///< rows, stride of the target, stride of the source: move2dinit

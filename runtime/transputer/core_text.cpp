@@ -79,6 +79,8 @@ std::string print_wait(const Core& core, const WaitingProcess& process, const Co
     for (const Word channel : process.channels)
         result += fmt::format("{} {}", channel == process.channels.front() ? ", its descriptor is at" : " and",
                               print_channel(channel));
+    if (process.wait == Wait::alternative && process.channels.empty() && !process.time)
+        result += " without a true guard";
     if (process.time)
         result += fmt::format(", until its clock is after {}", signed_of(*process.time));
     return result + "\n";

@@ -54,12 +54,16 @@ namespace placedpar::transputer {
         A = pushed;                                                                                                    \
     } while (false)
 #define POP() (A = B, B = C)
-#define CHECK(error_)                                                                                                  \
+// An instruction that sets Error has its effect all the same.
+#define CHECK(error_, effect)                                                                                          \
     do {                                                                                                               \
         if (error_) [[unlikely]] {                                                                                     \
-            registers_.error = true;                                                                                   \
+            note_error(*block, *entry, {0, W, A, B, C});                                                               \
+            effect;                                                                                                    \
             if (halts_on_error_)                                                                                       \
                 goto halt;                                                                                             \
+        } else {                                                                                                       \
+            effect;                                                                                                    \
         }                                                                                                              \
     } while (false)
 
@@ -311,6 +315,14 @@ leave:
 
 std::uint64_t Core::instructions_after(const Block& block, const Entry& entry) {
     return block.instructions - static_cast<std::uint64_t>(&entry - block.entries.get()) - 1;
+}
+
+/// Sets Error. Notes what the instruction found, unless an error before it has not been noticed yet.
+[[gnu::cold, gnu::noinline]] void Core::note_error(const Block& block, const Entry& entry, ErrorNote found) {
+    if (std::exchange(registers_.error, true))
+        return;
+    found.after = place_of(block, entry) + entry.length;
+    noted_[static_cast<std::size_t>(priority_)] = found;
 }
 
 Word Core::place_of(const Block& block, const Entry& entry) const {

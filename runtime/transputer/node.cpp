@@ -216,7 +216,7 @@ Time Node::memory_taken_by_links() { return times(static_cast<std::int64_t>(word
 
 std::string Node::name_of_process(Word workspace) const {
     const std::string name = lines_ ? lines_->process(workspace) : "";
-    return name_ + "." + (name.empty() ? print_address(workspace) : name);
+    return has_image_ && !name.empty() ? name : name_ + "." + (name.empty() ? print_address(workspace) : name);
 }
 
 std::string Node::name_of_channel(Word channel) const {
@@ -360,6 +360,7 @@ void Node::begin(std::span<const std::uint8_t> code, int link) {
 void Node::start(const Image& image) {
     core_.copy_to_memory(image.offset, image.code);
     activity_ = Activity::booted;
+    has_image_ = true;
     start_ = image.start;
     kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
 }

@@ -56,7 +56,10 @@ public:
     /// Sets a function to call when the core stops by an error.
     void when_stopped(std::function<void()> f) { when_stopped_ = std::move(f); }
     /// Names processes by a table. REQUIRES: it outlives the node; the run has not begun.
-    void name_by(const CodeLines& lines) { lines_ = &lines; }
+    void name_by(const CodeLines& lines) {
+        lines_ = &lines;
+        core_.know_errors(lines);
+    }
     /// Executes one instruction at an event. Tests compare such a run with a usual one. REQUIRES: the run has not
     /// begun.
     void run_instruction_by_instruction() { run_ahead_by(Time{0}); }
@@ -205,6 +208,7 @@ private:
     std::vector<std::uint8_t> start_; ///< what an image begins with, until the run begins
     std::function<void()> when_stopped_ = [] {}, when_idle_ = [] {};
     const CodeLines* lines_ = nullptr;
+    bool has_image_ = false;                      ///< whose table has whole names of processes
     std::unique_ptr<ProcessTrace> process_trace_; ///< null until a boot, and if the run is not traced
 };
 

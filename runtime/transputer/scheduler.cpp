@@ -384,6 +384,14 @@ void Core::stop_process() {
     tell(registers_.workspace, Turn::stops);
 }
 
+void Core::stop_by_error(const ErrorNote& error) {
+    constexpr std::size_t most_kept = 1000;
+    stops_.resize(std::min(errors_++, most_kept));
+    if (stops_.size() < most_kept)
+        stops_.push_back({error, priority_, local_time()});
+    stop_process();
+}
+
 void Core::give_way() {
     tell(registers_.workspace, Turn::ready);
     leave_processor();
@@ -407,6 +415,7 @@ void Core::reset_after_analyse() {
     if (priority_ == 1 && !waited)
         save_process();
     is_analysed_ = running_ = clocks_run_ = false;
+    errors_ = 0;
     analysed_ = true;
     pending_.reset();
     find_next_timer();

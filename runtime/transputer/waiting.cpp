@@ -186,6 +186,7 @@ public:
             add_at_channels({first, end});
             first = end;
         }
+        add_without_guards();
         std::vector<WaitingProcess> result;
         for (auto& [workspace, process] : found_)
             result.push_back(std::move(process));
@@ -288,6 +289,20 @@ private:
         for (const Holder& each : holders)
             if (channels ? std::ranges::find(*channels, each.at) != channels->end() : each.is_low == is_low)
                 process(workspace, each.is_low, wait_of(operation)).channels.push_back(each.at);
+    }
+
+    /// Adds the processes that wait in an ALT without a true guard. No word holds their workspace.
+    void add_without_guards() {
+        const NodeMemory& memory = core_.memory();
+        for (Word offset = traits_of(core_.model()).memory_start; offset < memory.size(); offset += 4) {
+            const Word workspace = most_negative + offset + below::state;
+            if (memory.word(offset) != alternative::waiting || !can_wait(workspace) || found_.contains(workspace) ||
+                word_of_node(core_, workspace) != alternative::none_selected)
+                continue;
+            const Operation operation = waits_at(core_, workspace);
+            if (operation == Operation::altwt || operation == Operation::taltwt)
+                process(workspace, true, Wait::alternative);
+        }
     }
 
     static Wait wait_of(Operation operation) {

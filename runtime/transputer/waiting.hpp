@@ -18,7 +18,8 @@ struct WaitingProcess {
     int priority = 1;
     Word instruction = 0; ///< Iptr: the address at which it goes on
     Wait wait = Wait::timer;
-    /// The addresses of the channel words that hold its descriptor: one, or those of an ALT.
+    /// The addresses of the channel words that hold its descriptor: one, or those of an ALT; none of an ALT without a
+    /// true guard, whose priority is not known.
     std::vector<Word> channels{};
     std::optional<Word> time{}; ///< the value of its clock after which it goes on, if it is in a timer queue
 };
@@ -31,7 +32,8 @@ struct WaitingProcess {
 /// of the channel is computed from the code before the instruction where that only loads, computes addresses, and
 /// enables the guards of an ALT; the word there must hold the descriptor, and no other word is taken. Otherwise, as in
 /// an ALT with a loop, a copy of a descriptor may be taken for a channel.
-/// A process that waits for nothing, as after stopp, is not found: no word refers to it.
+/// A process in an ALT without a true guard is found by the state of the ALT, which it keeps in words of its own. A
+/// process that waits for nothing, as after stopp, is not found: no word refers to it.
 std::vector<WaitingProcess> waiting_processes(const Core&);
 
 /// Returns the workspaces in a queue of ready processes, the front first. It ends early where it leads out of memory.

@@ -26,13 +26,49 @@ class OccamNetworks(unittest.TestCase):
                 self.assertEqual(done.stdout, plain.stdout)
                 self.assertEqual(json.loads(report.read_text(encoding="utf-8"))["outcome"], "completed")
                 events = json.loads(trace.read_text(encoding="utf-8"))["traceEvents"]
-                process = {"table.cfs": "root.phil[2]", "spread.cfs": "left.phil[3]", "mixed.cfs": "",
+                process = {"table.cfs": "phil[2]", "spread.cfs": "phil[3]", "mixed.cfs": "",
                            "../routed/farm.cfs": "between[0].mux of link[0], worker[1].result"}[name]
                 self.assertTrue(any(process in str(event.get("args", "")) for event in events), process)
+                rows = [event["args"]["name"] for event in events if event["name"] == "thread_name"]
+                self.assertFalse([row for row in rows if ".phil[" in row], "a process has one row")
+                self.assertEqual(len(rows), len(set(rows)))
                 for command in (("check",), ("show",), ("show", "--format", "json"), ("show", "--format", "dot"),
                                 ("show", "--format", "svg"), ("explain",)):
                     done = placedpar(*command[:1], NETWORKS / name, *command[1:])
                     self.assertEqual((done.returncode, done.stderr), (0, ""), command)
+
+    SHARES = """PROC share (VAL INT of, CHAN OF INT out)
+  out ! 100 / of
+:
+PROC sum (CHAN OF INT a, b)
+  INT x, y:
+  SEQ
+    a ? x
+    b ? y
+:
+"""
+
+    def test_the_error_mode_is_an_option(self):
+        (self.folder / "shares.occ").write_text(self.SHARES, encoding="ascii")
+        netlist = self.folder / "shares.cfs"
+        netlist.write_text('process share[2], sum; use "shares.occ#share" for share; use "shares.occ#sum" for sum;\n'
+                           "rep i = 0 for 2 share[i] (of = i);\n"
+                           "connect share[0].out to sum.a; connect share[1].out to sum.b;\n", encoding="ascii")
+        halted = placedpar("run", netlist)
+        self.assertEqual(halted.returncode, 1, halted.stdout + halted.stderr)
+        self.assertRegex(halted.stdout, r"stopped at \S*shares\.occ:2:3: division by zero: 100 / 0, in share\[0\], at ")
+        stopped = placedpar("run", netlist, "--mode", "stop")
+        self.assertEqual(stopped.returncode, 2, stopped.stdout + stopped.stderr)
+        self.assertRegex(stopped.stdout, r"\nshare\[0\] stopped at \S*shares\.occ:2:3: division by zero: 100 / 0, at ")
+        self.assertRegex(stopped.stdout, r"\nsum +inputs +.*shares\.occ:7:")
+        unchecked = placedpar("run", netlist, "--no-checks", "usage")
+        self.assertEqual(unchecked.returncode, 1)
+        self.assertIn('a netlist cannot leave out the check "usage" of its programs; write #OPTION "N" into the file', unchecked.stderr)
+        empty = self.folder / "empty.cfs"
+        empty.write_text("T800 a;\n", encoding="ascii")
+        run = placedpar("run", empty, "--mode", "stop")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("--mode: no process of ", run.stderr)
 
     def test_a_printed_network_runs_the_same(self):
         printed = self.folder / "printed.cfs"

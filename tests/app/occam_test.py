@@ -175,7 +175,70 @@ PROC hello (CHAN OF SP fs, ts)
     def test_an_error_halts_the_processor(self):
         done = self.run_text("PROC main ()\n  INT x, y:\n  SEQ\n    x := 0\n    y := 1 / x\n:\n")
         self.assertEqual(done.returncode, 1)
-        self.assertIn("set the Error flag while HaltOnError was set", done.stdout)
+        self.assertRegex(done.stdout, r"stopped at \S*test\.occ:5:5: division by zero: 1 / 0, at \d+\.\d+ us\n")
+
+    STOPPING = """PROC main ()
+  PROC share (VAL INT of)
+    INT x:
+    x := 100 / of
+  :
+  PAR i = 0 FOR 3
+    share (i)
+:
+"""
+
+    def test_in_mode_stop_the_report_lists_the_processes_that_have_stopped(self):
+        done = self.run_text(self.STOPPING, "--mode", "stop")
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertRegex(done.stdout, r"\nroot\.share\[0\] stopped at \S*test\.occ:4:5: division by zero: 100 / 0, at \d+\.\d+ us\n")
+        self.assertEqual(done.stdout.count(" stopped at "), 1)
+        halted = self.run_text(self.STOPPING)
+        self.assertEqual(halted.returncode, 1)
+        self.assertRegex(halted.stdout, r"stopped at \S*test\.occ:4:5: division by zero: 100 / 0, in share\[0\], at ")
+
+    def test_a_run_that_ends_after_a_process_has_stopped_is_no_success(self):
+        text = """#INCLUDE "hostio.inc"
+#USE "hostio.lib"
+PROC main (CHAN OF SP fs, ts)
+  PAR
+    STOP
+    SEQ
+      so.write.string.nl (fs, ts, "done")
+      so.exit (fs, ts, STATUS)
+:
+""".replace("STATUS", "sps.success")
+        done = self.run_text(text, "--mode", "stop")
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertIn("done\n", done.stdout)
+        self.assertIn("exited with success", done.stdout)
+        self.assertRegex(done.stdout, r"\nroot\.5:5 stopped at \S*test\.occ:5:5: STOP, at ")
+
+    def test_an_alt_without_a_true_guard_is_reported(self):
+        done = self.run_text("""PROC main ()
+  CHAN OF INT c:
+  INT x:
+  BOOL open:
+  SEQ
+    open := FALSE
+    ALT
+      open & c ? x
+        SKIP
+:
+""")
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertRegex(done.stdout, r"alternates +no guard of this ALT is true +\S*test\.occ:8:")
+
+    def test_too_small_a_memory_is_refused_before_the_run(self):
+        text = "PROC main ()\n  [300000]INT a:\n  a[0] := 1\n:\n"
+        done = self.run_text(text, "--memory", "1M")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertRegex(done.stderr, r"test\.occ: the program needs 12\d{5} bytes of memory, but the transputer has 1M\nhint: --memory 2M\n")
+        self.assertEqual(self.run_text(text, "--memory", "2M").returncode, 0)
+        million = "PROC main ()\n  PAR i = 0 FOR 1000000\n    INT x:\n    x := i\n:\n"
+        done = self.run_text(million)
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        memory = re.search(r"hint: --memory (\d+M)\n", done.stderr).group(1)
+        self.assertEqual(self.run_text(million, "--memory", memory).returncode, 0)
 
     def test_a_program_gets_all_values_of_a_sample(self):
         cluster = EXAMPLES / "occam/genetic/cluster.cfs"
@@ -204,6 +267,30 @@ PROC hello (CHAN OF SP fs, ts)
         done = self.run_text("PROC main ()\n  SKIP\n:\n", "--no-checks", "bounds")
         self.assertEqual(done.returncode, 1)
         self.assertIn('--no-checks: "bounds" is not the name of a check: the names are usage, alias, range and all', done.stderr)
+
+    def test_unused_names_are_warnings(self):
+        text = """PROC main (CHAN BYTE keyboard?, screen!, error!)
+  VAL n IS 3:
+  INT used, unused:
+  CHAN OF INT c:
+  TIMER clock:
+  [4]INT a:
+  b IS a[2]:
+  PROC never (VAL INT p)
+    SKIP
+  :
+  INT FUNCTION f (VAL INT x) IS 1:
+  SEQ
+    used := f (2)
+    screen ! BYTE used
+:
+"""
+        done = self.run_text(text, command="check")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        warned = re.findall(r'test\.occ:(\d+):\d+: warning: the (\w+) "([\w.]+)" is never used', done.stderr)
+        self.assertEqual(warned, [("2", "constant", "n"), ("3", "variable", "unused"), ("4", "channel", "c"), ("5", "timer", "clock"),
+                                  ("7", "abbreviation", "b"), ("8", "procedure", "never"), ("8", "parameter", "p"),
+                                  ("11", "parameter", "x")])
 
     def test_usage_is_checked_unless_it_is_left_out(self):
         text = "PROC main ()\n  INT x:\n  PAR\n    x := 1\n    x := 2\n:\n"

@@ -50,6 +50,13 @@ class Streams(unittest.TestCase):
         self.assertTrue(self.fed("depth\n", "identify", "-").stderr.startswith("<standard input>: error: "))
         self.assertTrue(self.fed("time,depth\n1,2\n", "identify", "-").stderr.startswith("<standard input>:1:"))
 
+    def test_occam_on_standard_input_is_refused_with_a_hint(self):
+        for command in ("run", "check"):
+            run = self.fed("PROC main ()\n  SKIP\n:\n", command, "-")
+            self.assertEqual((run.returncode, run.stdout), (1, ""))
+            self.assertTrue(run.stderr.startswith("<standard input>:1:1: error: this is occam, but standard input is read as a netlist"), run.stderr)
+            self.assertIn("hint: write the program into a file whose name ends in .occ\n", run.stderr)
+
     def test_nothing_on_standard_input_is_no_empty_netlist(self):
         said = "<standard input>: error: standard input is empty or closed\n"
         for command in ("run", "check", "show"):
@@ -136,6 +143,16 @@ class Streams(unittest.TestCase):
         self.assertIn("placedpar: <standard output>: cannot be written: No space left on device\n", run.stderr)
 
 
+# It prints for ever.
+YES = """#INCLUDE "hostio.inc"
+#USE "hostio.lib"
+PROC yes (CHAN OF SP fs, ts)
+  WHILE TRUE
+    so.write.string.nl (fs, ts, "yes")
+:
+"""
+
+
 class ReadersThatGo(unittest.TestCase):
     """Readers close the pipe, as `head` does, but before anything is printed, so that speed does not matter."""
 
@@ -161,6 +178,30 @@ class ReadersThatGo(unittest.TestCase):
             self.assertTrue(JsonTrace(trace).slices)
             report.unlink()
             trace.unlink()
+
+    def test_a_program_that_prints_for_ever_ends(self):
+        program, report = self.folder / "yes.occ", self.folder / "report.json"
+        program.write_text(YES, encoding="ascii")
+        for options in ((), ("--keys", "a")):
+            self.assertEqual(self.unread("run", program, "--json", report, *options), (0, ""))
+            self.assertEqual(json.loads(report.read_text(encoding="utf-8"))["outcome"], "interrupted")
+        with subprocess.Popen([PROGRAM, "run", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as run:
+            self.assertEqual(run.stdout.readline(), b"yes\n")
+            run.stdout.close()
+            self.assertEqual(run.wait(timeout=60), 0)
+            self.assertEqual(run.stderr.read(), b"")
+
+    def test_a_program_whose_output_cannot_be_written_ends(self):
+        program = self.folder / "yes.occ"
+        program.write_text(YES, encoding="ascii")
+        with open("/dev/full", "w", encoding="ascii") as full:
+            run = subprocess.run([PROGRAM, "run", program], stdout=full, stderr=subprocess.PIPE, text=True, timeout=60, check=False)
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("the program's output cannot be written: No space left on device", run.stderr)
+        run = subprocess.run([PROGRAM, "run", program], stderr=subprocess.PIPE, text=True, timeout=60, check=False,
+                             preexec_fn=lambda: os.close(1))
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("the program's output cannot be written", run.stderr)
 
     def test_so_do_other_commands(self):
         path = self.folder / "found.json"

@@ -1,8 +1,11 @@
 #include "executed.hpp"
 
 #include "occam/check/check.hpp"
+#include "occam/code/place_table.hpp"
 #include "occam/library/library.hpp"
 #include "runtime/transputer/core.hpp"
+#include "runtime/transputer/error_text.hpp"
+#include "runtime/transputer/waiting.hpp"
 
 #include <fmt/format.h>
 
@@ -39,7 +42,7 @@ private:
     std::optional<std::pair<transputer::Word, transputer::Word>> asked_;
 };
 
-BootedCode::BootedCode(const occam::Code& code, const occam::CodeOptions& options, std::uint32_t memory_bytes)
+BootedCode::BootedCode(const occam::Code& code, const occam::CodeOptions& options, std::uint32_t memory)
     : results_(
           static_cast<transputer::Word>(where_code_is(code, options) + code.bytes.size() + code.vector_space_bytes)) {
     const std::vector<std::uint8_t> file = bootable(code, options);
@@ -47,7 +50,7 @@ BootedCode::BootedCode(const occam::Code& code, const occam::CodeOptions& option
     link_ = std::make_unique<BootLink>(
         std::vector<std::uint8_t>(file.begin() + 1 + static_cast<std::ptrdiff_t>(loader), file.end()));
     core_ = std::make_unique<transputer::Core>(
-        options.model, memory_bytes,
+        options.model, memory,
         transputer::CoreTiming{.memory_cycles = 1, .wraps = options.mode == occam::ErrorMode::stop}, *link_);
     core_->copy_to_memory(transputer::traits_of(options.model).memory_start, {file.data() + 1, loader});
     core_->boot(static_cast<transputer::Word>(loader), 4);
@@ -80,7 +83,7 @@ std::int32_t BootedCode::result(std::uint32_t index) const {
 
 const transputer::Core& BootedCode::core() const { return *core_; }
 
-occam::Code compiled_program(const std::string& text, const occam::CodeOptions& options) {
+CompiledProgram compiled_program(const std::string& text, const occam::CodeOptions& options) {
     Reporter reporter;
     const auto file = std::make_shared<SourceFile>("test.occ", text);
     occam::ParseOptions reading;
@@ -90,8 +93,21 @@ occam::Code compiled_program(const std::string& text, const occam::CodeOptions& 
         occam::check(*parsed.program, parsed.options, reporter);
     if (reporter.failed())
         throw std::runtime_error(render(reporter.take()));
-    return occam::compile(*parsed.program, *occam::main_procedure(*parsed.program), options);
+    occam::Code code = occam::compile(*parsed.program, *occam::main_procedure(*parsed.program), options);
+    return {std::move(parsed.program), std::move(code)};
 }
+
+namespace {
+
+/// Describes the error with its place in the text without the lines that execute() adds.
+std::string described(const transputer::Core& core, const transputer::ErrorNote& found,
+                      const transputer::CodeLines& lines) {
+    const transputer::ErrorNote error = error_to_name(core, found, lines);
+    const std::string place = lines.file_place(error.after - 1);
+    return place.substr(place.find(':') + 1) + " " + print_error(core, error, lines);
+}
+
+} // namespace
 
 std::string indented(std::string_view text, std::size_t blanks) {
     std::string result;
@@ -108,8 +124,13 @@ Executed execute(std::string_view body, const occam::CodeOptions& options, std::
     const std::string text = fmt::format("PROTOCOL SP IS INT16::[]BYTE:\n{}PROC main (CHAN OF SP fs, ts, []INT "
                                          "memory)\n{}:\n",
                                          declarations, indented(body, 2));
-    BootedCode booted(compiled_program(text, options), options, 1 << 24);
+    const auto [program, code] = compiled_program(text, options);
+    BootedCode booted(code, options, 1 << 24);
     booted.set_results(initial);
+    const transputer::Word start = transputer::traits_of(options.model).memory_start;
+    const transputer::CodeLines lines(place_table(code, *program, where_code_is(code, options) - start), "",
+                                      transputer::most_negative + start);
+    booted.know_errors(lines);
     constexpr transputer::HalfCycles most = 4'000'000'000;
     if (!booted.run(most))
         throw std::runtime_error("the program does not end");
@@ -118,6 +139,12 @@ Executed execute(std::string_view body, const occam::CodeOptions& options, std::
     done.halted = core.stopped() == transputer::Stopped::by_error;
     if (core.stopped() != transputer::Stopped::nothing && !done.halted)
         done.trouble = core.why_stopped();
+    if (done.halted)
+        done.errors.push_back(described(core, core.error(), lines));
+    for (const transputer::Core::StoppedProcess& each : core.stopped_processes())
+        done.errors.push_back(described(core, each.error, lines));
+    for (const transputer::WaitingProcess& each : transputer::waiting_processes(core))
+        done.waiting.push_back(lines.process(each.workspace) + (each.channels.empty() ? " for nothing" : ""));
     done.cycles = core.busy() / 2;
     constexpr std::uint32_t words_of_results = 1 << 17;
     for (std::uint32_t i = 0; i < words_of_results; ++i)

@@ -15,12 +15,16 @@ namespace placedpar::test {
 /// A transputer that has been booted with code.
 class BootedCode {
 public:
+    static constexpr std::uint32_t memory_bytes = 1 << 20;
+
     /// REQUIRES: the code and what it needs take at most half of the memory.
-    BootedCode(const occam::Code&, const occam::CodeOptions&, std::uint32_t memory_bytes = 1 << 20);
+    BootedCode(const occam::Code&, const occam::CodeOptions&, std::uint32_t memory = memory_bytes);
     ~BootedCode();
     BootedCode(const BootedCode&) = delete;
     BootedCode& operator=(const BootedCode&) = delete;
 
+    /// Notes errors as the table says. REQUIRES: called before run(); the table outlives this object.
+    void know_errors(const transputer::CodeLines& lines) { core_->know_errors(lines); }
     /// Runs until nothing can happen any more. Returns whether that comes before the limit.
     bool run(transputer::HalfCycles most);
     /// Sets the first words of what the main procedure gets as its free memory. REQUIRES: called before run().
@@ -41,6 +45,8 @@ struct Executed {
     std::vector<std::int32_t> results; ///< the words that it stored in `memory`
     bool halted = false;               ///< an error has halted the processor
     std::string trouble;               ///< why the core stopped otherwise; "" if it did not
+    std::vector<std::string> errors;   ///< those that halted the processor or stopped a process: "5:3 STOP"
+    std::vector<std::string> waiting;  ///< the names of processes that wait at the end
     std::uint64_t cycles = 0;          ///< in which instructions were executed
 };
 
@@ -51,8 +57,12 @@ struct Executed {
 Executed execute(std::string_view body, const occam::CodeOptions& = {.model = transputer::Model::t800},
                  std::string_view declarations = "", std::span<const std::int32_t> initial = {});
 
+struct CompiledProgram {
+    std::unique_ptr<occam::Program> program;
+    occam::Code code;
+};
 /// Compiles a program. Throws std::runtime_error with the messages if it has errors; throws as compile() does.
-occam::Code compiled_program(const std::string& text, const occam::CodeOptions&);
+CompiledProgram compiled_program(const std::string& text, const occam::CodeOptions&);
 
 /// Returns the text with so many blanks in front of each line.
 std::string indented(std::string_view text, std::size_t blanks);

@@ -216,7 +216,7 @@ void check_waits(const SmallWorld& world, const Wording& wording, const Interpre
 void check_occam_world(const SmallWorld& world, const Wording& wording) {
     const std::string text = OccamText(world, wording).text();
     INFO(wording.text(), "; world ", world.text(), "\n", text);
-    BootedCode booted(compiled_program(text, wording.code), wording.code);
+    BootedCode booted(compiled_program(text, wording.code).code, wording.code);
     REQUIRE(booted.run(400'000'000));
     REQUIRE(booted.core().stopped() == transputer::Stopped::nothing);
     Interpreter interpreter(world);

@@ -26,6 +26,7 @@ code #80000080 #80000090 4 1 my ring.occ
 
 entry +#00 main
 entry +#10 philosopher
+error +#08 subscript {b} of an array of {a}
 process +#100 +#180 phil[0]
 process +#180 +#200 phil[1]
 node worker
@@ -58,6 +59,9 @@ TEST_CASE("a table tells places, procedures and processes of each node") {
     CHECK_EQ(root.place(0x80000080), "my ring.occ:4:1");
     CHECK_EQ(root.place(0x80000091), "philosopher+#11");
     CHECK_EQ(root.place(0x8000006F), "");
+    CHECK_EQ(root.error(0x80000078), "subscript {b} of an array of {a}");
+    CHECK_EQ(root.error(0x80000077), "");
+    CHECK_EQ(root.error(0x80000079), "");
     CHECK_EQ(root.entry(0x80000080), "philosopher");
     CHECK_EQ(root.entry(0x80000081), "");
     CHECK_EQ(root.process(0x800001EC), "phil[0]");
@@ -95,8 +99,10 @@ TEST_CASE("a wrong table is refused with its place") {
              "2:1: the row has an address of the row in line 1");
     CHECK_EQ(refusal("process +#4 +#8 a\nprocess +#4 +#5 b\nend"), "2:1: the row has an address of the row in line 1");
     CHECK_EQ(refusal("entry +#4 a\nentry +#4 b\nend"), "2:1: the row has an address of the row in line 1");
+    CHECK_EQ(refusal("error +#4 a\nerror +#4 b\nend"), "2:1: the row has an address of the row in line 1");
     CHECK_EQ(refusal("node a\nnode a\nend"), "2:1: the node \"a\" has rows already");
-    CHECK_EQ(refusal("line +#4 a\nend"), "1:1: a row begins with code, entry, process, carrier, channel, node or end");
+    CHECK_EQ(refusal("line +#4 a\nend"),
+             "1:1: a row begins with code, entry, process, carrier, channel, error, node or end");
     CHECK_EQ(refusal("entry +#4 a\x1b[2J\nend"), "1:11: NAME has a control character");
     CHECK_EQ(refusal("entry +#4 " + std::string(201, 'a') + "\nend"), "1:11: NAME has more than 200 bytes");
     CHECK_EQ(refusal("end now"), "1:5: nothing more is expected in this row");

@@ -1,0 +1,116 @@
+#include "runtime/transputer/error_text.hpp"
+
+#include "runtime/transputer/waiting.hpp"
+#include "runtime/transputer/words.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace placedpar::transputer {
+namespace {
+
+std::optional<std::int64_t> word_at(const Core& core, Word address) {
+    const Word offset = NodeMemory::offset_of(address) & ~Word{3};
+    return core.memory().holds(offset, 4) ? std::optional(std::int64_t{signed_of(core.memory().word(offset))})
+                                          : std::nullopt;
+}
+
+std::int64_t double_word(std::int64_t upper, std::int64_t lower) {
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(upper) << 32 | static_cast<Word>(lower));
+}
+
+/// Returns the number that stands for the text between two braces; nothing if it has no meaning.
+std::optional<std::int64_t> number_for(std::string_view text, const Core& core, const ErrorNote& error) {
+    if (text == "ba")
+        return double_word(error.b, error.a);
+    if (text.empty())
+        return std::nullopt;
+    const char name = text.front();
+    int more = 0;
+    if (text.size() > 1) {
+        const std::string_view digits = text.substr(text[1] == '+' ? 2 : 1);
+        const auto [end, wrong] = std::from_chars(digits.data(), digits.data() + digits.size(), more);
+        if (wrong != std::errc{} || end != digits.data() + digits.size())
+            return std::nullopt;
+    }
+    const Word address = error.workspace + 4 * static_cast<Word>(more);
+    const std::optional<std::int64_t> word = word_at(core, address), above = word_at(core, address + 4);
+    if (name == 'w')
+        return word;
+    if (name == 'l')
+        return word && above ? std::optional(double_word(*above, *word)) : std::nullopt;
+    if (name < 'a' || name > 'c')
+        return std::nullopt;
+    return std::int64_t{signed_of(name == 'a' ? error.a : name == 'b' ? error.b : error.c)} + more;
+}
+
+std::string with_numbers(std::string_view text, const Core& core, const ErrorNote& error) {
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t begin = text.find('{'), end = text.find('}', begin);
+        result += text.substr(0, begin);
+        if (end == std::string_view::npos)
+            return result += begin == std::string_view::npos ? "" : text.substr(begin);
+        const std::string_view between = text.substr(begin + 1, end - begin - 1);
+        const auto number = number_for(between, core, error);
+        result += number ? std::to_string(*number) : std::string(text.substr(begin, end - begin + 1));
+        text.remove_prefix(end + 1);
+    }
+    return result;
+}
+
+/// Returns the text for an instruction about which the table has none.
+std::string_view usual_text(const CodedInstruction& instruction, const ErrorNote& error) {
+    switch (instruction.operation) {
+    case Operation::add: return "overflow: {b} + {a}";
+    case Operation::sub: return "overflow: {b} - {a}";
+    case Operation::mul: return "overflow: {b} * {a}";
+    case Operation::fmul: return "overflow of the product of two fractions, {b} and {a}";
+    case Operation::div: return error.a == 0 ? "division by zero: {b} / 0" : "overflow: {b} / {a}";
+    case Operation::rem: return error.a == 0 ? "division by zero: {b} \\ 0" : "overflow: {b} \\ {a}";
+    case Operation::ladd: return "overflow: the upper words are {b} + {a}";
+    case Operation::lsub: return "overflow: the upper words are {b} - {a}";
+    case Operation::ldiv: return error.a == 0 ? "division by zero" : "overflow of the quotient of a double word";
+    case Operation::csub0: return "{b} is not from 0 to {a-1}";
+    case Operation::ccnt1: return "{b} is not from 1 to {a}";
+    case Operation::cword: return "{b} has more bits than it may";
+    case Operation::csngl: return "a double word does not fit in a word";
+    case Operation::cflerr: return "an infinity or a NaN";
+    case Operation::fpchkerror: return "an operation on reals: overflow, division by zero, an infinity or a NaN";
+    default: return "the program has set the Error flag";
+    }
+}
+
+} // namespace
+
+ErrorNote error_to_name(const Core& core, const ErrorNote& error, const CodeLines& lines) {
+    constexpr Word most_words = 32, words_of_call = 4;
+    if (!lines.error(error.after).empty() || !lines.file_place(error.after - 1).empty())
+        return error;
+    for (Word i = 0; i < most_words; ++i) {
+        const Word at = error.workspace + 4 * i;
+        const auto returns_to = static_cast<Word>(word_at(core, at).value_or(0));
+        if (!lines.error(returns_to).empty() &&
+            instruction_before(core, returns_to).instruction.operation == Operation::call)
+            return {returns_to, at + 4 * words_of_call};
+    }
+    return error;
+}
+
+std::string print_error(const Core& core, const ErrorNote& error, const CodeLines& lines) {
+    if (const std::string_view text = lines.error(error.after); !text.empty())
+        return with_numbers(text, core, error);
+    const CodedInstruction instruction = instruction_before(core, error.after).instruction;
+    if (instruction.operation == Operation::adc) {
+        const std::int64_t constant = signed_of(instruction.operand);
+        return fmt::format("overflow: {} {} {}", signed_of(error.a), constant < 0 ? '-' : '+',
+                           constant < 0 ? -constant : constant);
+    }
+    return with_numbers(usual_text(instruction, error), core, error);
+}
+
+} // namespace placedpar::transputer
