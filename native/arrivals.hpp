@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <utility>
 
 namespace placedpar::native {
 
@@ -36,21 +37,24 @@ public:
     void take() noexcept {
         if (empty())
             return;
-        Arrival* oldest = nullptr;
-        for (Arrival* each = newest_.exchange(nullptr); each;) {
-            Arrival* const older = each->next_;
-            each->next_ = oldest;
-            oldest = each;
-            each = older;
-        }
-        while (oldest) {
-            Arrival* const next = oldest->next_; // read first: an arrival may be posted again while it is handled
-            oldest->arrive();
-            oldest = next;
+        for (Arrival* each = oldest_first(newest_.exchange(nullptr)); each;) {
+            Arrival* const next = each->next_; // read first: an arrival may be posted again while it is handled
+            each->arrive();
+            each = next;
         }
     }
 
 private:
+    /// Turns the order of messages round, and returns the oldest one.
+    static Arrival* oldest_first(Arrival* newest) {
+        Arrival* oldest = nullptr;
+        while (newest) {
+            Arrival* const older = std::exchange(newest->next_, oldest);
+            oldest = std::exchange(newest, older);
+        }
+        return oldest;
+    }
+
     std::atomic<Arrival*> newest_{nullptr};
 };
 

@@ -133,8 +133,9 @@ private:
             ended_.notify_one();
     }
 
-    /// Rethrows what the earliest process threw.
-    void rethrow_failure() const {
+    /// Returns the part in which a process has thrown, the earliest of several; null if none has. Rethrows what no
+    /// process threw.
+    const Strand* first_failure() const {
         const Strand* first = nullptr;
         const auto time = [](const Strand& strand) { return strand.simulation.who_failed()->time; };
         for (const Strand& strand : strands_)
@@ -142,6 +143,11 @@ private:
                 std::rethrow_exception(strand.thrown);
             else if (strand.thrown && (!first || time(strand) < time(*first)))
                 first = &strand;
+        return first;
+    }
+
+    void rethrow_failure() const {
+        const Strand* const first = first_failure();
         if (!first)
             return;
         try {

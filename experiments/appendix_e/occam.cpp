@@ -3,6 +3,7 @@
 #include "explore/problems.hpp"
 #include "gaprocs/traditional.hpp"
 #include "runtime/fingerprint.hpp"
+#include "text/counted.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -62,15 +63,19 @@ double ticks_of(const ProgramOfInmos& program, const WayToCompile& way, const Re
     return numbers[1];
 }
 
+Cell cell_of_ticks(const ProgramOfInmos& program, std::size_t way, double ticks) {
+    Cell cell = compared_cell(program.name, ways_to_compile[way].column, "ticks", program.ticks[way], ticks, 0);
+    cell.tolerance_percent = 6;
+    return cell;
+}
+
 Comparison compare_with_inmos(const ReplayContext& context, Fingerprint& fingerprint) {
     Comparison table{.name = "time beside that of INMOS's compiler of 1991", .against = inmos, .judged = true};
     std::array<double, ways_to_compile.size()> deviations{};
     for (const ProgramOfInmos& program : programs_of_inmos)
         for (std::size_t way = 0; way < ways_to_compile.size(); ++way) {
             const double ticks = ticks_of(program, ways_to_compile[way], context, fingerprint);
-            Cell cell = compared_cell(program.name, ways_to_compile[way].column, "ticks", program.ticks[way], ticks, 0);
-            cell.tolerance_percent = 6;
-            table.add(cell);
+            table.add(cell_of_ticks(program, way, ticks));
             deviations[way] += 100 * (ticks / program.ticks[way] - 1) / programs_of_inmos.size();
         }
     for (std::size_t way = 0; way < ways_to_compile.size(); ++way)
@@ -82,6 +87,9 @@ Comparison compare_with_inmos(const ReplayContext& context, Fingerprint& fingerp
 // The thesis's programs
 
 constexpr std::array memories{std::pair{"1 cycle", 1}, std::pair{"3 cycles", 3}, std::pair{"5 cycles", 5}};
+
+constexpr std::array ways_to_evaluate{"REAL64, orifices known", "REAL32, orifices known", "REAL64, as printed",
+                                      "REAL64, with slopes"};
 
 /// Returns the sum of the fitness that the C++ library computes for the strings and the window of boom.occ.
 double fitness_in_cpp() {
@@ -98,13 +106,12 @@ double fitness_in_cpp() {
 
 Comparison compare_evaluations(const ReplayContext& context, Fingerprint& fingerprint) {
     Comparison table{.name = "an evaluation of the error, equations 3.5 to 3.8", .judged = true};
+    const auto boom = context.examples / "occam/genetic/boom.occ";
     for (const auto& [column, cycles] : memories) {
         context.progress(fmt::format("boom, {}", column));
-        const PrintedRun run =
-            run_occam(context.examples / "occam/genetic/boom.occ", {.model = transputer::Model::t800}, cycles, context);
+        const PrintedRun run = run_occam(boom, {.model = transputer::Model::t800}, cycles, context);
         fingerprint.mix(run.fingerprint);
-        for (const char* way :
-             {"REAL64, orifices known", "REAL32, orifices known", "REAL64, as printed", "REAL64, with slopes"})
+        for (const char* way : ways_to_evaluate)
             table.add(compared_cell(way, column, "us", 72, run.number_behind(std::string(way) + ":"), 1));
         const bool equal = run.number_behind("fitness of all strings") == fitness_in_cpp();
         table.add(judged_by(Judge::own, judged_cell("fitness of the C++ library", column, "", 1, equal, 0, 0)));
@@ -123,6 +130,11 @@ constexpr std::array times_of_table{
     TimeOfTable{"P_time2", {86.4, 43.3, 29.0, 21.8}}, TimeOfTable{"C_time2", {0.0, 0.6, 1.28, 1.89}},
     TimeOfTable{"S_time2", {10.5, 10.5, 10.5, 10.5}},
 };
+
+/// Runs a netlist of the thesis whose processes are in C++, without slaves, which do not change the strings.
+RunReport run_in_cpp(const char* netlist, const ReplayContext& context) {
+    return run_to_the_end(context.examples / "thesis" / netlist, {{"slaves", "0"}}, context);
+}
 
 /// Returns the hash of all strings that a process in C++ has bred, as the programs in occam print it.
 std::string hash_in_cpp(const RunReport& report, const char* process) {
@@ -164,10 +176,9 @@ PrintedRun run_cluster(const SearchOfCluster& search, std::size_t slaves, const 
 /// Compares the times with those of the thesis.
 Comparison compare_cluster(const SearchOfCluster& search, const ReplayContext& context, Fingerprint& fingerprint) {
     Comparison table{.name = search.name, .judged = search.has_strings_of_cpp};
-    const RunReport in_cpp =
-        run_to_the_end(context.examples / "thesis/table-e1/cluster.cfs", {{"slaves", "0"}}, context);
+    const RunReport in_cpp = run_in_cpp("table-e1/cluster.cfs", context);
     for (std::size_t slaves = 0; slaves < times_of_table.front().known.size(); ++slaves) {
-        const std::string column = fmt::format("{} slave{}", slaves, slaves == 1 ? "" : "s");
+        const std::string column = counted(slaves, "slave");
         context.progress(fmt::format("{}, {}", table.name, column));
         const PrintedRun run = run_cluster(search, slaves, context);
         fingerprint.mix(run.fingerprint);
@@ -181,8 +192,7 @@ Comparison compare_cluster(const SearchOfCluster& search, const ReplayContext& c
 
 Comparison compare_islands(const ReplayContext& context, Fingerprint& fingerprint) {
     Comparison table{.name = "four islands in a ring", .against = "C++", .judged = true};
-    const RunReport in_cpp =
-        run_to_the_end(context.examples / "thesis/figure-e2/figure-e2.cfs", {{"slaves", "0"}}, context);
+    const RunReport in_cpp = run_in_cpp("figure-e2/figure-e2.cfs", context);
     for (const auto& [row, netlist] : {std::pair{"without slaves (algorithm B)", "islands.cfs"},
                                        std::pair{"with three slaves each (A + B)", "figure-e2.cfs"}}) {
         context.progress(fmt::format("{}, {}", table.name, row));

@@ -34,9 +34,8 @@ CompiledProgram compiled_occam(const std::filesystem::path& path, const occam::C
     const occam::Declaration* main = reporter.failed() ? nullptr : occam::main_procedure(*parsed.program);
     if (main == nullptr)
         throw RefusedInput(render(reporter.take()));
-    return {std::make_shared<const std::vector<std::uint8_t>>(
-                occam::bootable(occam::compile(*parsed.program, *main, code), code)),
-            nullptr};
+    auto bytes = occam::bootable(occam::compile(*parsed.program, *main, code), code);
+    return {std::make_shared<const std::vector<std::uint8_t>>(std::move(bytes)), nullptr};
 }
 
 PrintedRun run_with_screen(Network network, const ProblemRegistry& problems, const ReplayContext& context) {

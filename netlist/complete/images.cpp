@@ -46,6 +46,14 @@ std::size_t add_node(Completion& c, const std::string& type, std::string name, c
     return c.network.nodes.size() - 1;
 }
 
+/// Adds the transputer that processes share if none of them is placed.
+std::size_t add_shared_transputer(Completion& c, const Location& at) {
+    const std::size_t root = add_node(c, "T800", "root", at);
+    c.network.nodes[root].attributes.insert_or_assign("memory", std::int64_t{2} << 20);
+    c.network.nodes[root].given.insert("memory");
+    return root;
+}
+
 } // namespace
 
 void place_code(Completion& c) {
@@ -53,9 +61,7 @@ void place_code(Completion& c) {
     if (c.draft.processes.empty() || !std::ranges::all_of(c.draft.processes, unplaced))
         return;
     const Location at = c.draft.processes.front().declared;
-    const std::size_t root = add_node(c, "T800", "root", at);
-    c.network.nodes[root].attributes.insert_or_assign("memory", std::int64_t{2} << 20);
-    c.network.nodes[root].given.insert("memory");
+    const std::size_t root = add_shared_transputer(c, at);
     bool has_host = false;
     for (DraftProcess& process : c.draft.processes) {
         process.node = root;

@@ -245,7 +245,7 @@ private:
     std::unordered_map<std::string, Declaration*> predefined_;
     std::unordered_set<std::string> reported_;                      ///< unknown names
     std::set<std::pair<const Declaration*, std::string>> mistakes_; ///< that is_first() has seen
-    std::vector<const Declaration*> declared_; ///< in the order of the text
+    std::vector<const Declaration*> declared_;                      ///< in the order of the text
     std::unordered_set<const Declaration*> used_;
     std::vector<const ProtocolType*> named_protocols_;
     struct Pending {

@@ -139,6 +139,13 @@ const Declaration* procedure_named(const Program& program, const std::string& na
     return nullptr;
 }
 
+/// Returns where the first process of a node that is code is declared; the node itself if it only passes messages on.
+const Location& place_of_code(const Network& network, std::size_t node) {
+    const auto first = std::ranges::find_if(
+        network.processes, [&](const ProcessInstance& process) { return process.is_code && process.node == node; });
+    return first == network.processes.end() ? network.nodes[node].declared : first->declared;
+}
+
 class OccamKinds final : public FileKinds {
 public:
     bool is_file(std::string_view program) const override {
@@ -196,9 +203,7 @@ public:
     std::shared_ptr<const transputer::Image> image(const Network& network, std::size_t node,
                                                    Reporter& reporter) override {
         const std::lock_guard lock(mutex_);
-        const auto first = std::ranges::find_if(
-            network.processes, [&](const ProcessInstance& process) { return process.is_code && process.node == node; });
-        const Location& at = first == network.processes.end() ? network.nodes[node].declared : first->declared;
+        const Location& at = place_of_code(network, node);
         try {
             return compiled(network, node, reporter);
         } catch (const RefusedInput& refused) {

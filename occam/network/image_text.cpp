@@ -205,16 +205,21 @@ private:
                            fmt::join(arguments, ",\n" + indentation + "  "));
     }
 
+    std::vector<std::string> channels_at(const ProcessInstance& process, const std::string& name, const Type& type) {
+        std::vector<std::string> ends;
+        for (const PortBinding& port : process.ports)
+            if (base_name(port.port) == name)
+                ends.push_back(channel(port.channel, type));
+        return ends;
+    }
+
     std::string argument(const ProcessInstance& process, const Declaration& parameter) {
         const Type& type = *parameter.type;
         const std::string name = netlist_name(parameter.name);
         const bool is_array = type.kind == Type::Kind::array && type.element->kind == Type::Kind::channel;
         if (type.kind != Type::Kind::channel && !is_array)
             return value_text(process.parameters.find(name)->second, type);
-        std::vector<std::string> ends;
-        for (const PortBinding& port : process.ports)
-            if (base_name(port.port) == name)
-                ends.push_back(channel(port.channel, type));
+        const std::vector<std::string> ends = channels_at(process, name, type);
         if (is_array)
             return fmt::format("[{}]", fmt::join(ends, ", "));
         if (!ends.empty())

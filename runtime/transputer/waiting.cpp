@@ -3,6 +3,7 @@
 #include "runtime/transputer/words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <span>
@@ -143,22 +144,17 @@ std::optional<std::vector<Word>> channels_before(const Core& core, Word workspac
     return channels;
 }
 
+/// The operations at which a process waits.
+constexpr std::array waits{Operation::in,    Operation::out,    Operation::outbyte, Operation::outword,
+                           Operation::altwt, Operation::taltwt, Operation::tin};
+
 /// The instruction at which a process waits; `unknown` if its saved Iptr follows no instruction that waits.
 Operation waits_at(const Core& core, Word workspace) {
     const auto instruction = word_of_node(core, workspace - below::instruction);
     if (!instruction)
         return Operation::unknown;
     const Operation operation = instruction_before(core, *instruction).instruction.operation;
-    switch (operation) {
-    case Operation::in:
-    case Operation::out:
-    case Operation::outbyte:
-    case Operation::outword:
-    case Operation::altwt:
-    case Operation::taltwt:
-    case Operation::tin: return operation;
-    default: return Operation::unknown;
-    }
+    return std::ranges::count(waits, operation) > 0 ? operation : Operation::unknown;
 }
 
 /// Finds the waiting processes of a node.

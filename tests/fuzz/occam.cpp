@@ -2,10 +2,10 @@
 
 #include "occam/check/check.hpp"
 #include "occam/code/compile.hpp"
-#include "occam/language/print.hpp"
 #include "occam/library/library.hpp"
 #include "tests/fuzz/reader.hpp"
 #include "tests/occam/code/executed.hpp"
+#include "tests/occam/language/print.hpp"
 #include "text/load_source.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "occam/code/compile.hpp"
+#include "runtime/transputer/code_lines.hpp"
 #include "runtime/transputer/core.hpp"
 
 #include <cstdint>

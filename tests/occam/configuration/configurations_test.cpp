@@ -6,7 +6,7 @@
 #include "tests/occam/network/network_text.hpp"
 
 #include "netlist/print/print.hpp"
-#include "occam/language/print.hpp"
+#include "tests/occam/language/print.hpp"
 
 #include <doctest/doctest.h>
 
