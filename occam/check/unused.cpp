@@ -30,6 +30,7 @@ std::string_view kind_of_name(const Declaration& declaration) {
         std::string_view operator()(const Placement&) const { return ""; }
         std::string_view operator()(const Use&) const { return ""; }
         std::string_view operator()(const Predefined&) const { return ""; }
+        std::string_view operator()(const ConfigurationPart&) const { return ""; }
     };
     return std::visit(Visitor{declaration}, declaration.form);
 }

@@ -262,8 +262,13 @@ private:
     bool choice(const Choice&, Label done, bool is_last);
     void selection(const Case&);
     using Targets = std::vector<std::pair<std::int64_t, Label>>;
-    void go_to_target(const Expression& value, const Targets&, Label otherwise);
-    void select_wide(const Wide& selector, const Targets&, Label otherwise);
+    /// The value of a CASE, as a message writes it (fails()).
+    struct Selected {
+        std::string text;
+        std::vector<Cell> cells;
+    };
+    Selected go_to_target(const Expression& value, const Targets&, Label otherwise);
+    Selected select_wide(const Wide& selector, const Targets&, Label otherwise);
     void select(const Cell& selector, std::span<const Targets::value_type>, Label otherwise);
     void select_by_table(const Cell& selector, const Targets&, Label otherwise);
     void repetition(const While&);

@@ -358,7 +358,7 @@ void Generator::selection(const Case& c) {
             targets.emplace_back(*constant_of(value), labels.back());
     }
     std::ranges::sort(targets);
-    go_to_target(c.selector, targets, otherwise);
+    const Selected selected = go_to_target(c.selector, targets, otherwise);
     bool has_else = false;
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const Option& option = c.options[i];
@@ -375,13 +375,13 @@ void Generator::selection(const Case& c) {
     }
     if (!has_else) {
         mark(otherwise);
-        stop_here("no option of CASE for {w}", {selector});
+        stop_here("no option of CASE for " + selected.text, selected.cells);
     }
     mark(done);
     clear_error();
 }
 
-void Generator::go_to_target(const Expression& value, const Targets& targets, Label otherwise) {
+Generator::Selected Generator::go_to_target(const Expression& value, const Targets& targets, Label otherwise) {
     if (is_wide(*value.type))
         return select_wide(wide(value), targets, otherwise);
     const Cell selector = temporary();
@@ -394,10 +394,11 @@ void Generator::go_to_target(const Expression& value, const Targets& targets, La
         select_by_table(selector, targets, otherwise);
     else
         select(selector, targets, otherwise);
+    return {"{w}", {selector}};
 }
 
 /// Goes to the target of an INT64.
-void Generator::select_wide(const Wide& selector, const Targets& targets, Label otherwise) {
+Generator::Selected Generator::select_wide(const Wide& selector, const Targets& targets, Label otherwise) {
     for (const auto& [value, label] : targets) {
         stack_ = 0;
         for (int part = 0; part < 2; ++part) {
@@ -410,6 +411,9 @@ void Generator::select_wide(const Wide& selector, const Targets& targets, Label 
     }
     stack_ = 0;
     jump(otherwise);
+    if (selector.constant)
+        return {std::to_string(*selector.constant), {}};
+    return {"{l}", {selector.cell}};
 }
 
 /// Goes to the target of a value, by a binary search.

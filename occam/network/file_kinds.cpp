@@ -354,7 +354,7 @@ private:
         if (file.failed)
             return nullptr;
         Code code = compile(*file.program, *main_procedure(*file.program), options);
-        name_components(code, text, network.nodes[node].name);
+        name_components(code, text, source.names.front());
         transputer::Image image = image_of(code, options);
         const std::uint32_t memory_start = transputer::traits_of(options.model).memory_start;
         const std::string table = channel_rows(code, text, transputer::most_negative + image.workspace) +

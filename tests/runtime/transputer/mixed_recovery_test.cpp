@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::size_t words = 16;
 using LongMessage = std::array<std::int32_t, words>;
-constexpr std::uint32_t code_at = from_start(0x300), workspace_at = from_start(0x200);
+constexpr std::uint32_t program_code_at = from_start(0x300), program_workspace_at = from_start(0x200);
 
 /// A process attempts to output or input a message; its partner does the other, without a time-out. After a failure the
 /// process resets its end, and attempts again.
@@ -107,7 +107,7 @@ AttemptResult with_program(const AttemptCase& c, Time& began) {
     NodeWorld world;
     AttemptResult result;
     transputer::Node& node = world.node("n", {});
-    const transputer::Assembly program = transputer::assemble(partner_program(c), code_at);
+    const transputer::Assembly program = transputer::assemble(partner_program(c), program_code_at);
     NodeWorld::put(node, program);
     InstructionTimes watcher(node.core());
     watcher.times[program["begin"]];
@@ -122,7 +122,7 @@ AttemptResult with_program(const AttemptCase& c, Time& began) {
         end.carry_outputs(channel);
     else
         end.carry_inputs(channel);
-    world.boot(world.host(node), code_at, workspace_at);
+    world.boot(world.host(node), program_code_at, program_workspace_at);
     world.simulation.process(
         "process", [&] { attempt(c, channel, began, result.of_process); }, &here);
     world.run(began + std::chrono::milliseconds{1});
