@@ -411,9 +411,7 @@ Generator::Selected Generator::select_wide(const Wide& selector, const Targets& 
     }
     stack_ = 0;
     jump(otherwise);
-    if (selector.constant)
-        return {std::to_string(*selector.constant), {}};
-    return {"{l}", {selector.cell}};
+    return selector.constant ? Selected{std::to_string(*selector.constant), {}} : Selected{"{l}", {selector.cell}};
 }
 
 /// Goes to the target of a value, by a binary search.

@@ -120,6 +120,16 @@ std::vector<std::string> procedures_of(const Program& program) {
     return names;
 }
 
+void report_no_procedure(const Program& program, const std::string& name, const Location& named_at,
+                         Reporter& reporter) {
+    const std::string path = program.files.front()->path();
+    if (name.empty())
+        reporter.error(named_at, fmt::format("the file \"{}\" has no PROC", path));
+    else
+        reporter.error(named_at, fmt::format("the file \"{}\" has no PROC {}", path, name),
+                       did_you_mean(name, procedures_of(program)));
+}
+
 /// Returns the last procedure of this name, or the last one if the name is empty. Null after reporting that there is
 /// none.
 const Declaration* procedure_named(const Program& program, const std::string& name, const Location& named_at,
@@ -128,15 +138,9 @@ const Declaration* procedure_named(const Program& program, const std::string& na
     for (const DeclarationBox& each : program.declarations)
         if (std::holds_alternative<Procedure>(each->form) && (name.empty() || each->name == name))
             last = each.get();
-    if (last)
-        return last;
-    const std::string path = program.files.front()->path();
-    if (name.empty())
-        reporter.error(named_at, fmt::format("the file \"{}\" has no PROC", path));
-    else
-        reporter.error(named_at, fmt::format("the file \"{}\" has no PROC {}", path, name),
-                       did_you_mean(name, procedures_of(program)));
-    return nullptr;
+    if (!last)
+        report_no_procedure(program, name, named_at, reporter);
+    return last;
 }
 
 /// Returns where the first process of a node that is code is declared; the node itself if it only passes messages on.
