@@ -19,13 +19,16 @@ void Generator::alternation(const Alternation& a) {
     frame_->need_below(timer ? 5 : 3);
     Nest nest{.after = emitter_.new_label()};
     reserve(a, nest);
-    op(timer ? Operation::talt : Operation::alt);
-    enable(a);
-    op(timer ? Operation::taltwt : Operation::altwt);
-    clear_error();
-    disable(a, nest);
-    frame_->need_low(1);
-    op(Operation::altend);
+    {
+        const Kept enabled(guards_are_enabled_, true);
+        op(timer ? Operation::talt : Operation::alt);
+        enable(a);
+        op(timer ? Operation::taltwt : Operation::altwt);
+        clear_error();
+        disable(a, nest);
+        frame_->need_low(1);
+        op(Operation::altend);
+    }
     mark(nest.after);
     const Label done = emitter_.new_label();
     for (const Branch& each : nest.branches) {

@@ -275,23 +275,41 @@ void Generator::call_with(Routine& routine, Arguments words) {
         store(saved);
         words[i] = {1, [this, saved] { load(saved); }};
     }
-    frame_->need_low(low);
+    const int moved = words_moved(low);
+    if (moved == 0)
+        frame_->need_low(low);
     for (int i = low; i-- > 0;) {
         stack_ = 0;
         words[static_cast<std::size_t>(i) + 3].load();
         settle();
-        store({frame_, Cell::Area::low, i});
+        if (moved == 0)
+            store({frame_, Cell::Area::low, i});
+        else
+            op(Operation::stl, i - moved);
     }
     stack_ = 0;
     for (std::size_t i = std::min<std::size_t>(words.size(), 3); i-- > 0;)
         words[i].load();
     settle();
-    frame_->need_low(low); // also against temporaries of the words that were loaded last
-    emitter_.branch(Operation::call, routine.entry);
+    if (moved == 0)
+        frame_->need_low(low); // also against temporaries of the words that were loaded last
+    call_moved(routine.entry, moved);
     stack_ = 0;
-    frame_->need_below(level.need());
+    frame_->need_below(level.need() + moved);
     if (level.main.starters() > 0 && std::ranges::find(frame_->calls, &level) == frame_->calls.end())
         frame_->calls.push_back(&level);
+}
+
+/// Returns by how many words the workspace is moved for a call with `low` words of arguments in memory. Between alt and
+/// altend the words below it hold the state of the alternation, over which a call would write.
+int Generator::words_moved(int low) const { return guards_are_enabled_ ? words_of_alternation + low : 0; }
+
+void Generator::call_moved(Label entry, int moved) {
+    if (moved > 0)
+        op(Operation::ajw, -moved);
+    emitter_.branch(Operation::call, entry);
+    if (moved > 0)
+        op(Operation::ajw, moved);
 }
 
 /// Calls a function. Without places for its results, its only one is left in a register.

@@ -81,6 +81,8 @@ struct Frame {
 inline constexpr int words_of_scheduler = 3;
 /// The words that `call` takes.
 inline constexpr int words_of_call = 4;
+/// Words below a workspace in which an alternation has its state, its time and its place in the queue.
+inline constexpr int words_of_alternation = 5;
 
 /// A procedure, or the component of a replicated PAR, whose frame lies where only the running program knows.
 struct Level {

@@ -361,6 +361,8 @@ private:
     Storage channel_table(const TableLiteral&, const Type&);
     void add_pointer(Arguments&, Storage, const Type& parameter);
     void call_with(Routine&, Arguments);
+    int words_moved(int low) const;
+    void call_moved(Label entry, int moved);
     bool returns_in_register(const Function&) const;
     void call_function(const Expression&, const std::vector<Storage>& results);
 
@@ -388,12 +390,13 @@ private:
     std::deque<Type> arrays_; ///< types of segments and of words for channels
     Level* level_ = nullptr;
     Frame* frame_ = nullptr;
-    double weight_ = 1;      ///< how often code is executed, roughly
-    std::string path_;       ///< name of the code around, with a slash
-    std::uint32_t line_ = 0; ///< of the statement
-    int stack_ = 0;          ///< words on the register stack
-    int reals_ = 0;          ///< values on the stack of the floating-point unit
-    bool checked_ = false;   ///< an instruction since the last settle() may have set Error
+    double weight_ = 1;               ///< how often code is executed, roughly
+    std::string path_;                ///< name of the code around, with a slash
+    std::uint32_t line_ = 0;          ///< of the statement
+    int stack_ = 0;                   ///< words on the register stack
+    int reals_ = 0;                   ///< values on the stack of the floating-point unit
+    bool guards_are_enabled_ = false; ///< the code is between alt and altend
+    bool checked_ = false;            ///< an instruction since the last settle() may have set Error
 };
 
 } // namespace placedpar::occam

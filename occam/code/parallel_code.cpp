@@ -227,6 +227,7 @@ void Generator::generate_level(Level& level, Label start, std::string name, cons
     const Kept weight(weight_, 1.0);
     const Kept stack(stack_, 0);
     const Kept checked(checked_, false);
+    const Kept enabled(guards_are_enabled_, false);
     const Kept path(path_, name + "/");
     level.table = level.main.allocate(1);
     const bool is_called = level.link.area == Cell::Area::link;

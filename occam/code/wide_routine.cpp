@@ -96,11 +96,13 @@ void Generator::wide_routine(WideRoutine which, const Wide& left, const Wide& ri
     load_address(b);
     load_address(a);
     settle();
-    emitter_.branch(Operation::call, entry);
+    const int moved = words_moved(0);
+    call_moved(entry, moved);
     const char* const operation = which == WideRoutine::multiply ? "*" : which == WideRoutine::divide ? "/" : "\\";
-    wide_fails({.cell = a}, operation, {.cell = b});
+    if (moved == 0)
+        wide_fails({.cell = a}, operation, {.cell = b}); // finds the operands from where the routine is called
     stack_ = 0;
-    frame_->need_below(words_of_routine);
+    frame_->need_below(words_of_routine + moved);
     checked_ = true;
     settle();
 }

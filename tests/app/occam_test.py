@@ -166,8 +166,8 @@ PROC hello (CHAN OF SP fs, ts)
 """
         done = self.run_text(text)
         self.assertEqual(done.returncode, 1)
-        needed = int(re.search(r"test\.occ: the program needs (\d+) bytes of memory, but the transputer has 2M; "
-                               r"run it with --memory \d+K\n", done.stderr).group(1))
+        needed = int(re.search(r"test\.occ: the program needs (\d+) bytes of memory, but the transputer has 2M\n"
+                               r"hint: --memory \d+M\n", done.stderr).group(1))
         self.assertLess(needed, 200_000_000)
         done = self.run_text(text, "--memory", f"{(needed + 1023) // 1024}K")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
