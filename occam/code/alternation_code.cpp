@@ -123,9 +123,12 @@ void Generator::disable(const Alternative& a, Nest& nest) {
     for (const DeclarationBox& each : a.declarations)
         declare(*each);
     stack_ = 0;
-    if (const auto* nested = std::get_if<std::unique_ptr<Alternation>>(&a.guard))
-        return disable(**nested, nest);
-    nest.branches.push_back({&a, emitter_.new_label(), nest.chosen});
+    if (const auto* nested = std::get_if<std::unique_ptr<Alternation>>(&a.guard)) {
+        nest.around.push_back(&a);
+        disable(**nested, nest);
+        return nest.around.pop_back();
+    }
+    nest.branches.push_back({&a, emitter_.new_label(), nest.chosen, nest.around});
     load_guard(a);
     frame_->need_low(1); // all of these words stay as they are until altend
     emitter_.difference(nest.branches.back().label, nest.after);
@@ -152,6 +155,9 @@ void Generator::branch(const Branch& b) {
     stack_ = 0;
     for (const auto& [index, kept] : b.indices)
         bindings_[index] = {.cell = kept, .type = index->type};
+    for (const Alternative* outer : b.around)
+        for (const DeclarationBox& each : outer->declarations)
+            declare(*each);
     for (const DeclarationBox& each : a.declarations)
         declare(*each);
     if (const auto* simple = std::get_if<Input>(&a.guard))

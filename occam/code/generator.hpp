@@ -325,10 +325,12 @@ private:
         const Alternative* alternative;
         Label label;
         std::vector<std::pair<const Declaration*, Cell>> indices; ///< of the replicators around it
+        std::vector<const Alternative*> around;                   ///< the ALTs that it is in, the outermost first
     };
     struct Nest {
         std::unordered_map<const Declaration*, Cell> kept = {}; ///< the index of each replicator, of the chosen guard
         std::vector<std::pair<const Declaration*, Cell>> chosen = {}; ///< those of the replicators around
+        std::vector<const Alternative*> around = {};                  ///< the ALTs that are being disabled
         Label after = 0;                                              ///< behind altend
         std::vector<Branch> branches = {};
     };

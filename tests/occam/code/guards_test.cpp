@@ -90,3 +90,24 @@ SEQ
           memory[3] := memory[3] + x
 )");
 }
+
+TEST_CASE("a process behind a nested ALT sees the variables that were declared before the ALT") {
+    expect_with_functions({7, 3, 10}, R"(CHAN OF INT c, never:
+INT x:
+PAR
+  c ! 7
+  ALT
+    never ? x
+      SKIP
+    VAL three IS sum (0, 0, 0, 0, 0):
+    INT y, z:
+    ALT i = 0 FOR 2
+      (i = 1) & c ? y
+        SEQ
+          SEQ k = 0 FOR 5
+            z := k
+          memory[0] := y
+          memory[1] := three
+          memory[2] := (three + y) * i
+)");
+}
