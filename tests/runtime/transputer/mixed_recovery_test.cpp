@@ -26,7 +26,7 @@ using namespace placedpar::test;
 namespace {
 
 constexpr std::size_t words = 16;
-using LongMessage = std::array<std::int32_t, words>;
+using RecoveredMessage = std::array<std::int32_t, words>;
 constexpr std::uint32_t program_code_at = from_start(0x300), program_workspace_at = from_start(0x200);
 
 /// A process attempts to output or input a message; its partner does the other, without a time-out. After a failure the
@@ -44,11 +44,11 @@ struct AttemptResult {
     std::optional<Time> partner;
 };
 
-void attempt(const AttemptCase& c, Channel<LongMessage>& channel, Time began, std::string& text) {
+void attempt(const AttemptCase& c, Channel<RecoveredMessage>& channel, Time began, std::string& text) {
     wait_until(began);
     compute(Cycles{c.process_cycles});
     for (int i = 0; i < 2; ++i) {
-        LongMessage message{};
+        RecoveredMessage message{};
         message.fill(7);
         const Time deadline = Kernel::here().now() + c.patience;
         const bool done = c.process_outputs ? output_or_fail(channel.out(), message, deadline)
@@ -72,7 +72,7 @@ AttemptResult with_process(const AttemptCase& c, Time began) {
     auto& link = world.simulation.add<hardware::Link>(c.timing);
     here.has_link(link);
     there.has_link(link);
-    Channel<LongMessage> channel("c", c.process_outputs ? link.from_a_to_b() : link.from_b_to_a());
+    Channel<RecoveredMessage> channel("c", c.process_outputs ? link.from_a_to_b() : link.from_b_to_a());
     world.simulation.process(
         "process", [&] { attempt(c, channel, began, result.of_process); }, &here);
     world.simulation.process(
@@ -117,7 +117,7 @@ AttemptResult with_program(const AttemptCase& c, Time& began) {
     hardware::Link& link = world.connect(end, node.end(1), c.timing);
     here.has_link(link);
     node.has_link(link);
-    Channel<LongMessage> channel("c");
+    Channel<RecoveredMessage> channel("c");
     if (c.process_outputs)
         end.carry_outputs(channel);
     else
