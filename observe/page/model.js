@@ -134,7 +134,8 @@ function chainFrom(name, moment) {
 }
 
 function describe(slice) {
-  const partners = awaitedIn(slice).map(each => each.partner || "none yet").join(" or ");
+  const awaited = awaitedIn(slice), mostNamed = 3;
+  const partners = awaited.map(each => each.partner || each.channel).join(" or ");
   switch (slice.doing) {
   case "executes": return "executes " + slice.note;
   case "carries": return "carries " + slice.note;
@@ -142,7 +143,8 @@ function describe(slice) {
   case "delayed": return "waits for its timer";
   case "outputs": return "outputs to " + partners;
   case "inputs": return partners ? "inputs from " + partners : "waits for packets to send";
-  case "alternates": return "alternates: input from " + (partners || "its timer");
+  case "alternates": return awaited.length > mostNamed ? `alternates between ${awaited.length} channels`
+    : "alternates: input from " + (partners || "its timer");
   case "joins": return "waits for its components";
   case "after work": return "waits until the work is over";
   case "stopped": return "has stopped: does nothing any more";
