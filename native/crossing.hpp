@@ -14,7 +14,7 @@ namespace placedpar::native {
 /// 2. The inputter's kernel takes an offered message when its process inputs, and notifies the outputter's kernel. An
 /// ALT that does not take it leaves the offer.
 ///
-/// So the communication is synchronous, and no message is copied more than once.
+/// So the communication is synchronous, and a message is moved once, without a copy.
 class Crossing {
 public:
     /// Puts the channels on their carriers. REQUIRES: the channels have the same protocol and are unused; all objects

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <thread>
+#include <utility>
 
 namespace placedpar::native {
 
@@ -44,6 +45,7 @@ void Group::note_if_quiet() {
     if (!is_quiet)
         return;
     ++times_quiet_;
+    is_over_ = std::ranges::none_of(members_, &Member::awaits_end_);
     wake_all();
 }
 
@@ -59,7 +61,8 @@ void Member::post(Arrival& arrival) {
 
 /// Looks for messages for a short time. Returns whether the kernel has something to do.
 bool Member::comes_soon(Time due) const {
-    const bool has_core = group_.size() <= std::thread::hardware_concurrency();
+    static const unsigned cores = std::thread::hardware_concurrency(); // it takes microseconds to ask
+    const bool has_core = group_.size() <= cores;
     const Time until = std::min(due, now() + (has_core ? most_patience : Time{0}));
     do {
         if (!inbox_.empty())
@@ -68,7 +71,7 @@ bool Member::comes_soon(Time due) const {
     return due <= until;
 }
 
-Surroundings::Rest Member::rest(Time due) {
+Surroundings::Rest Member::rest(Time due, bool awaits_end) {
     const Time since = now();
     struct Counted {
         ~Counted() { member.rested_ += member.now() - since; }
@@ -79,6 +82,7 @@ Surroundings::Rest Member::rest(Time due) {
         return Rest::over;
     std::unique_lock lock(group_.mutex_);
     sleeps_ = true;
+    awaits_end_ = awaits_end;
     state_ = due == Time::max() ? State::asleep : State::asleep_for_time;
     group_.note_if_quiet();
     const auto is_woken = [&] { return !inbox_.empty() || group_.interrupted_ || group_.times_quiet_ != quiet_heard_; };
@@ -87,11 +91,15 @@ Surroundings::Rest Member::rest(Time due) {
     else
         woken_.wait_until(lock, group_.begun_ + std::chrono::duration_cast<Clock::duration>(due), is_woken);
     state_ = State::awake;
+    awaits_end_ = false;
     sleeps_ = false;
-    if (group_.times_quiet_ == quiet_heard_)
+    if (group_.is_over_)
+        return Rest::forever;
+    if (std::exchange(quiet_heard_, group_.times_quiet_) == group_.times_quiet_)
         return Rest::over;
-    quiet_heard_ = group_.times_quiet_;
-    return quiet_heard_ == 1 ? Rest::quiet : Rest::forever;
+    if (!rested_in_work_)
+        rested_in_work_ = rested_ + now() - since;
+    return Rest::quiet;
 }
 
 /// Waits until all kernels have arrived at a point of the end of the run.

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <deque>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace placedpar {
@@ -28,12 +29,12 @@ public:
 
     /// Posts a message. May be called by any thread of the run. REQUIRES: the message is in no inbox.
     void post(Arrival&);
-    /// Returns how long the kernel had nothing to do.
-    Time rested() const { return rested_; }
+    /// Returns how long the kernel had nothing to do before the end of the work.
+    Time rested() const { return rested_in_work_.value_or(rested_); }
 
     Time now() const override;
     void take_arrivals() noexcept override { inbox_.take(); }
-    Rest rest(Time due) override;
+    Rest rest(Time due, bool awaits_end) override;
     void wait_for_stop(bool failed) override;
     std::vector<const Kernel*> kernels() const override;
     void wait_for_reports() override;
@@ -50,10 +51,12 @@ private:
     std::atomic<bool> sleeps_{false}; ///< a message must wake the thread
     // The mutex of the group guards these.
     State state_ = State::awake;
+    bool awaits_end_ = false;
     std::uint64_t quiet_heard_ = 0; ///< how many times the kernel has been told that all kernels were quiet
     std::condition_variable woken_;
 
     Time rested_{};
+    std::optional<Time> rested_in_work_; ///< set at the end of the work, if the kernel goes on after it
 };
 
 /// The kernels of a native run, one for each thread. Finds out when none of them has anything to do.
@@ -86,7 +89,8 @@ private:
     std::deque<Member> members_;
     std::mutex mutex_;
     std::condition_variable at_the_end_;
-    std::uint64_t times_quiet_ = 0; ///< 1: the work is over; 2: the run is
+    std::uint64_t times_quiet_ = 0;
+    bool is_over_ = false;
     bool interrupted_ = false;
     std::size_t stopped_ = 0, reported_ = 0;
 };

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -82,9 +83,7 @@ public:
 
     RunReport run(const std::function<bool()>& is_interrupted) {
         std::vector<std::jthread> threads;
-        group_.begin();
-        for (Strand& strand : strands_)
-            threads.emplace_back([&] { execute(strand); });
+        start(threads);
         std::unique_lock lock(mutex_);
         while (!ended_.wait_for(lock, std::chrono::milliseconds(100), [&] { return running_ == 0; }))
             if (is_interrupted())
@@ -121,8 +120,31 @@ private:
             strand.software->expect_partners(all);
     }
 
+    enum class Gate { closed, open, cancelled };
+
+    void set_gate(Gate gate) {
+        gate_ = gate;
+        gate_.notify_all();
+    }
+
+    /// Starts all threads. None begins its part before all exist, for each waits for the others at its end.
+    void start(std::vector<std::jthread>& threads) {
+        try {
+            for (Strand& strand : strands_)
+                threads.emplace_back([&] { execute(strand); });
+        } catch (...) {
+            set_gate(Gate::cancelled);
+            throw;
+        }
+        group_.begin();
+        set_gate(Gate::open);
+    }
+
     /// Runs on a thread of its own.
     void execute(Strand& strand) {
+        gate_.wait(Gate::closed);
+        if (gate_ == Gate::cancelled)
+            return;
         try {
             strand.result = strand.simulation.run();
         } catch (...) {
@@ -187,8 +209,9 @@ private:
             if (strand.result->deadlock)
                 report.result.deadlock = std::move(strand.result->deadlock);
             std::ranges::copy(strand.software->measurements(), std::back_inserter(measurements));
-            report.processors.push_back(
-                {fmt::format("thread {}", i), "thread", strand.result->time - group_.member(i).rested(), Time{}});
+            std::ranges::copy(strand.result->never_ran, std::back_inserter(report.result.never_ran));
+            const Time busy = std::max(strand.result->time - group_.member(i).rested(), Time{});
+            report.processors.push_back({fmt::format("thread {}", i), "thread", busy, Time{}});
         }
         report.measurements = in_order_of_netlist(std::move(measurements), network_);
         for (std::size_t i = 0; i < network_.processes.size(); ++i)
@@ -211,6 +234,7 @@ private:
     std::deque<Strand> strands_;
     Group group_;
     std::list<Crossing> crossings_;
+    std::atomic<Gate> gate_{Gate::closed};
     std::mutex mutex_;
     std::condition_variable ended_;
     std::size_t running_ = strands_.size(); ///< threads

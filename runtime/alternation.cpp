@@ -142,10 +142,11 @@ std::size_t choose(Process& self, std::span<const Guard> guards, const SourceLoc
     AtGuards at_guards(self, guards);
     charge_enabling(self, guards);
     charge(self, first_ready(guards) ? &OperationCosts::alternation_wait_ready : &OperationCosts::alternation_wait);
-    bool has_to_sleep = !first_ready(guards);
-    while (!first_ready(guards)) // the message that woke the process may have been given up since
+    std::optional<std::size_t> ready = first_ready(guards);
+    const bool has_to_sleep = !ready;
+    for (; !ready; ready = first_ready(guards)) // the message that woke the process may have been given up since
         sleep(self, guards, where);
-    std::size_t chosen = *first_ready(guards);
+    const std::size_t chosen = *ready;
     charge_disabling(self, guards);
     // A process that polls and is not placed takes no virtual time. If it did not wait here, no other process would
     // run.

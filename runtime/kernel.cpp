@@ -202,15 +202,14 @@ void Kernel::run_among(Surroundings& surroundings, std::uint32_t number) {
 
 /// Waits for other kernels or for the next event. Returns false when the run is over.
 [[gnu::noinline]] bool Kernel::rest() {
-    switch (surroundings_->rest(hot_.future.empty() ? Time::max() : hot_.future.next_time())) {
-    case Surroundings::Rest::over: break;
-    case Surroundings::Rest::quiet:
-        read_wall_clock();
+    const Time due = hot_.future.empty() ? Time::max() : hot_.future.next_time();
+    const Surroundings::Rest rest = surroundings_->rest(due, !end_.after_work.empty());
+    read_wall_clock();
+    if (rest == Surroundings::Rest::quiet) {
+        end_work();
         go_on_after_work();
-        break;
-    case Surroundings::Rest::forever: read_wall_clock(); return false;
     }
-    return true;
+    return rest != Surroundings::Rest::forever;
 }
 
 /// Ends the work, and wakes the processes that wait for its end. Returns whether any process waits.
@@ -351,6 +350,7 @@ std::optional<StackUser> Kernel::who_overflowed(const void* address) {
 void Kernel::fail(const Process& p) noexcept {
     if (hot_.rare_conditions.any_of(RareConditions::failed | RareConditions::unwinding))
         return;
+    look_at_clock();
     fail_with(std::current_exception());
     end_.who_failed = {p.path(), hot_.now, text_of(p.place_in_program())};
 }
@@ -359,6 +359,7 @@ void Kernel::fail(const Process& p) noexcept {
 void Kernel::finish(Process& p) noexcept {
     if (!fibers_.stacks.all_guarded())
         require_own_stack(p);
+    look_at_clock();
     p.activity_ = Activity::ended;
     p.stands_still();
     if (!p.serves_machine())

@@ -57,6 +57,7 @@ void Process::stands_still() {
 
 inline void Process::note_wait(Activity activity) {
     activity_ = activity;
+    kernel_.look_at_clock();
     if (TraceSink* trace = kernel_.trace())
         trace->turns(*this, activity, kernel_.now());
     stands_still();

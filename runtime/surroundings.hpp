@@ -22,14 +22,15 @@ public:
 
     enum class Rest {
         over,   ///< something has come, or the time has come
-        quiet,  ///< no kernel of the run has anything to do any more: its work is over
-        forever ///< no kernel has had anything to do after the work either: the run is over
+        quiet,  ///< no kernel of the run has anything to do any more, but processes wait for that: the work is over
+        forever ///< no kernel has anything to do any more, and no process waits for that: the run is over
     };
     /// Waits until something comes, `due`, or an interruption of the kernel. Called when no process is ready.
-    virtual Rest rest(Time due) = 0;
+    /// `awaits_end`: processes of the kernel wait for the end of the work.
+    virtual Rest rest(Time due, bool awaits_end) = 0;
 
     /// Returns when all kernels of the run have stopped. Each kernel calls this function once, while its processes are
-    /// still in their waits. `failed`: one of them has thrown, so the other kernels must stop, too.
+    /// still in their waits. `failed`: a process of this kernel has thrown, so the other kernels must stop, too.
     virtual void wait_for_stop(bool failed) = 0;
     /// Returns all kernels of the run, by their numbers.
     virtual std::vector<const Kernel*> kernels() const = 0;

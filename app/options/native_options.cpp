@@ -16,7 +16,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t most_threads = 1024; // as many as all systems let one program start
+constexpr std::size_t most_threads = 1024; // our choice, far more than computers have cores
 
 /// The kinds of the processes of one thread, with problems of its own, which may keep what they have computed.
 struct KindsOfThread {

@@ -151,6 +151,7 @@ private:
 
     // Operators (operators.cpp)
     const Type* shift(Expression&, BinaryOperation&);
+    void check_count(Expression&, const BinaryOperation& shift);
     void fold_binary(Expression&, const BinaryOperation&);
     const Type* size_of(Expression&, UnaryOperation&);
     bool has_operator(const Expression&, Operator, const Type&);

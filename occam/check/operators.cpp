@@ -79,8 +79,10 @@ const Type* Checker::shift(Expression& expression, BinaryOperation& operation) {
     value_of(*operation.right, basic(Basic::integer), "the count of a shift");
     if (is_wrong(*type) || !has_operator(*operation.left, operation.operation, *type))
         return mistaken();
-    if (!is_wrong(*operation.right->type))
+    if (!is_wrong(*operation.right->type)) {
         fold_binary(expression, operation);
+        check_count(expression, operation);
+    }
     return type;
 }
 
@@ -90,6 +92,16 @@ void Checker::fold_binary(Expression& expression, const BinaryOperation& operati
     const Folded folded = fold(operation.operation, plain(*operation.left->type).basic, operation.left->constant->bits,
                                operation.right->constant->bits);
     become(expression, folded.bits, folded.error);
+}
+
+/// Reports a constant count that is out of range, whatever is shifted.
+void Checker::check_count(Expression& expression, const BinaryOperation& shift) {
+    if (shift.left->constant || !shift.right->constant)
+        return;
+    const Folded folded = fold(shift.operation, plain(*shift.left->type).basic, 0, shift.right->constant->bits);
+    if (folded.error)
+        report(expression.at, "the count of this shift is out of range",
+               "it can be from 0 to the number of bits of what is shifted");
 }
 
 const Type* Checker::form_of(Expression& expression, BinaryOperation& operation) {

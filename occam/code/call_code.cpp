@@ -91,79 +91,26 @@ void Generator::return_results(const Function& f, Level& level) {
             assign_to(f.body.results[i], targets[i]);
         if (!in_register)
             return;
-        result_in_register(f);
+        stack_ = 0;
+        if (f.body.process)
+            clear_error();
+        if (is_real(*f.result_types.front())) {
+            real(f.body.results.front());
+            check_reals();
+        } else {
+            expression(f.body.results.front());
+        }
         settle();
     });
 }
 
-void Generator::result_in_register(const Function& f) {
-    stack_ = 0;
-    if (f.body.process)
-        clear_error();
-    if (is_real(*f.result_types.front())) {
-        real(f.body.results.front());
-        check_reals();
-    } else {
-        expression(f.body.results.front());
-    }
-}
-
 // Calls
-
-namespace {
-
-bool is_channel_table(const Expression& e) {
-    return std::holds_alternative<TableLiteral>(e.form) && e.type->kind == Type::Kind::array &&
-           e.type->element->kind == Type::Kind::channel;
-}
-
-} // namespace
 
 void Generator::instance(const Process& p, const Instance& i) {
     if (std::holds_alternative<Predefined>(i.meaning->form))
         return predefined_instance(p, i);
-    const auto& procedure = std::get<Procedure>(i.meaning->form);
-    if (procedure.is_inline && std::ranges::none_of(i.arguments, is_channel_table))
-        return copied(procedure, i.arguments);
     call(*i.meaning, pointers_to(i.arguments), {});
     clear_error();
-}
-
-// INLINE: the body is generated anew, and its parameters are abbreviations of the arguments
-
-/// An argument may use the same parameters in another copy, so they get their meanings when all arguments are known.
-void Generator::abbreviate_parameters(const std::vector<DeclarationBox>& parameters,
-                                      const std::vector<Expression>& arguments) {
-    std::vector<Storage> meanings;
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-        const Declaration& each = *parameters[i];
-        const bool is_value = std::get<Parameter>(each.form).passing == Parameter::Passing::value;
-        if (is_value && arguments[i].constant && !is_compound(plain(*each.type))) {
-            bindings_[&each] = in_workspace(*each.type);
-            assign_to(arguments[i], bindings_[&each]);
-        } else {
-            abbreviate(each, arguments[i], is_value);
-        }
-        meanings.push_back(bindings_[&each]);
-    }
-    for (std::size_t i = 0; i < parameters.size(); ++i)
-        bindings_[parameters[i].get()] = std::move(meanings[i]);
-}
-
-void Generator::copied(const Procedure& procedure, const std::vector<Expression>& arguments) {
-    const Kept top(frame_->top);
-    const Kept vector(level_->vector_now);
-    abbreviate_parameters(procedure.parameters, arguments);
-    process(*procedure.body);
-}
-
-/// Leaves the only result in a register.
-void Generator::copied(const Function& function, const std::vector<Expression>& arguments) {
-    const Kept top(frame_->top);
-    const Kept vector(level_->vector_now);
-    abbreviate_parameters(function.parameters, arguments);
-    settle(); // the body may clear the Error flag
-    value_process(function.body, [&] { result_in_register(function); });
 }
 
 std::vector<const Expression*> Generator::pointers_to(const std::vector<Expression>& expressions) {
@@ -321,10 +268,7 @@ void Generator::call_function(const Expression& e, const std::vector<Storage>& r
     const Declaration& called = is_predefined ? library_routine(e.at, c.name) : *c.meaning;
     const auto* function = std::get_if<Function>(&called.form); // null of a routine of the library that is a procedure
     const bool in_register = function && returns_in_register(*function);
-    if (in_register && function->is_inline)
-        copied(*function, c.arguments);
-    else
-        call(called, pointers_to(c.arguments), in_register ? std::vector<Storage>() : results);
+    call(called, pointers_to(c.arguments), in_register ? std::vector<Storage>() : results);
     const bool is_word_result = in_register && is_word(*function->result_types.front());
     stack_ = is_word_result ? 1 : 0;
     if (!in_register)

@@ -350,11 +350,7 @@ private:
     void generate_routine(const Declaration&, Routine&);
     void bind_parameters(const std::vector<DeclarationBox>&, Level&);
     void return_results(const Function&, Level&);
-    void result_in_register(const Function&);
     void instance(const Process&, const Instance&);
-    void abbreviate_parameters(const std::vector<DeclarationBox>&, const std::vector<Expression>& arguments);
-    void copied(const Procedure&, const std::vector<Expression>& arguments);
-    void copied(const Function&, const std::vector<Expression>& arguments);
     void call(const Declaration&, const std::vector<const Expression*>& arguments, const std::vector<Storage>& results,
               Arguments more = {});
     static std::vector<const Expression*> pointers_to(const std::vector<Expression>&);

@@ -69,8 +69,12 @@ Storage Generator::move_to_segment(Storage location, const Segment& segment, con
         if (all.constant && extent.constant) {
             constant(*all.constant - *extent.constant + 1);
         } else {
-            load_extent(all, 1);
             load_extent(extent);
+            load_extent(all, 1);
+            op(Operation::csub0); // or the next limit would be negative, which is a large one
+            fails("a segment of {b} elements of an array of {a-1}");
+            load_extent(all, 1);
+            op(Operation::rev);
             op(Operation::sub);
         }
         op(Operation::csub0);

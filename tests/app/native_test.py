@@ -45,7 +45,7 @@ def results(netlist, *arguments):
                if each["unit"] not in timed and each["name"] not in ("tasks", "most_held", "last_number")]
     last = {each["value"] for each in found["measurements"] if each["name"] == "last_number"}
     return (found["outcome"], lasting, sum(each["value"] for each in found["measurements"] if each["name"] == "tasks"),
-            last if "farm" not in str(netlist) else set())
+            last if netlist.parent.name != "farm" else set())
 
 
 class Generations(unittest.TestCase):

@@ -7,6 +7,7 @@
 #include "netlist/kinds/description.hpp"
 #include "netlist/machine.hpp"
 #include "netlist/read.hpp"
+#include "runtime/alternation.hpp"
 #include "runtime/parallel.hpp"
 #include "runtime/recovery.hpp"
 #include "runtime/timer.hpp"
@@ -195,7 +196,75 @@ TEST_CASE("a process waits for the end of the work on all threads") {
     CHECK(report.measured("p[0]", "told") == 7);
 }
 
-TEST_CASE("an input or output to another thread is given up after a time-out, and may be tried again") {
+TEST_CASE("a process waits for the end of the work again and again") {
+    const auto again = kind_of("again", [](ProcessEnvironment& environment) {
+        if (environment.index() == 1) {
+            const auto in = environment.input<int>("in");
+            int sum = 0;
+            for (int i = 0; i < 3; ++i)
+                sum += in.input();
+            environment.measure("sum", sum);
+        } else if (environment.index() == 0) {
+            for (int i = 1; i <= 3; ++i) {
+                wait_until_work_is_over();
+                environment.output<int>("out").output(i);
+            }
+        }
+    });
+    for (const std::size_t threads : {1U, 2U, 3U}) {
+        const RunReport report = run_on(threads, ring(3, "again"), {again});
+        CHECK(report.result.ending == Ending::completed);
+        CHECK(report.measured("p[1]", "sum") == 6);
+    }
+}
+
+/// Computes for this long.
+void work_for(Time how_long) {
+    const auto begun = std::chrono::steady_clock::now();
+    while (std::chrono::steady_clock::now() - begun < how_long) {
+    }
+}
+
+TEST_CASE("the time of a run has its last computation, and no process waits while it computes") {
+    const auto slow = kind_of("slow", [](ProcessEnvironment& environment) {
+        if (environment.index() == 0)
+            return environment.output<int>("out").output(1);
+        work_for(60ms);
+        environment.input<int>("in").input();
+        work_for(60ms);
+    });
+    for (const std::size_t threads : {1U, 2U}) {
+        const RunReport report = run_on(threads, ring(2, "slow"), {slow});
+        CHECK(report.result.time >= Time(120ms));
+        CHECK(report.processes[1].waiting < Time(50ms));
+        for (const ProcessorUse& thread : report.processors)
+            CHECK((thread.busy >= Time{} && thread.busy <= report.result.time));
+    }
+}
+
+TEST_CASE("an ALT may find that the message on another thread has been given up") {
+    const auto hasty = kind_of("hasty", [](ProcessEnvironment& environment) {
+        constexpr int tries = 2000;
+        if (environment.index() == 0) {
+            const auto out = environment.output<int>("out");
+            for (int i = 0; i < tries; ++i)
+                if (!output_or_fail(out, 1, now() + 1us))
+                    reset(out);
+            out.output(2);
+        } else {
+            const auto in = environment.input<int>("in");
+            int last = 0, taken = 0;
+            while (last != 2)
+                alt(on(in, [&](int message) { last = message, ++taken; }), after(now() + 1us, [] {}));
+            environment.measure("taken", taken);
+        }
+    });
+    const RunReport report = run_on(2, ring(2, "hasty"), {hasty});
+    CHECK(report.result.ending == Ending::completed);
+    CHECK(report.measured("p[1]", "taken") >= 1);
+}
+
+TEST_CASE("an output to another thread is given up after a time-out, and may be tried again") {
     const auto trying = kind_of("trying", [](ProcessEnvironment& environment) {
         if (environment.index() == 0) {
             const auto out = environment.output<int>("out");
@@ -217,7 +286,7 @@ TEST_CASE("an input or output to another thread is given up after a time-out, an
     CHECK(report.measured("p[0]", "given up") >= 1);
 }
 
-TEST_CASE("faults and transputers' own code are refused") {
+TEST_CASE("faults are refused") {
     CHECK_THROWS_WITH_AS(run_on(1, ring(2, "csp.identity") + "fault t[0] halts (from = 1ms);"),
                          doctest::Contains("a native run has no faults"), UserError);
 }
