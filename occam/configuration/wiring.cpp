@@ -43,7 +43,7 @@ std::optional<WireEnd> Configurer::end_of(ConnectionEnd& end) {
         return std::nullopt;
     const Place link_at = end.link ? end.link->at : end.path.at;
     if (*link < 0 || *link > 3) {
-        checker_.report(link_at, fmt::format("there is no link {}", *link), "a transputer has the links 0 to 3");
+        checker_.report(link_at, fmt::format("link {} does not exist", *link), "a transputer has the links 0 to 3");
         return std::nullopt;
     }
     return WireEnd{.element = *element, .is_edge = is_edge, .link = *link, .at = end.path.at, .link_at = link_at};
@@ -117,7 +117,8 @@ void Configurer::map(MapOnto& written) {
                                : single(written.onto, Type::Kind::node, "a node or an arc");
     const auto priority = written.priority ? constant(*written.priority, "the priority") : 1;
     if (priority && (*priority < 0 || *priority > 1))
-        checker_.report(written.priority->at, fmt::format("there is no priority {}", *priority), "HIGH is 0, LOW is 1");
+        checker_.report(written.priority->at, fmt::format("priority {} does not exist", *priority),
+                        "HIGH is 0, LOW is 1");
     for (Expression& each : written.mapped) {
         const auto mapped =
             onto_arc ? elements(each, Type::Kind::channel, "a channel") : elements(each, Type::Kind::node, "a node");
@@ -176,7 +177,7 @@ void Configurer::place_at_link(Expression& path, std::int64_t word, const Place&
     if (!channel)
         return;
     if (word < 0 || word > 7)
-        return checker_.report(word_at, fmt::format("there is no link at word {}", word),
+        return checker_.report(word_at, fmt::format("word {} belongs to no link", word),
                                "0 to 3 are the outputs of the links, 4 to 7 their inputs");
     ChannelState& state = configured_.channels[*channel];
     std::optional<WireEnd>& end = word < 4 ? state.leaves : state.arrives;
