@@ -8,6 +8,7 @@
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
 #include "app/watch.hpp"
+#include "explore/checkpoint_file.hpp"
 #include "explore/problems.hpp"
 #include "iserver/offered_board.hpp"
 #include "picture/gnuplot.hpp"
@@ -44,7 +45,8 @@ struct RunOptions {
     NetlistOptions netlist;
     BootedOptions booted;
     NativeOptions native;
-    std::string json, log, convergence; ///< files; "": not written
+    std::string json, log, convergence, checkpoint; ///< files; "": not written
+    std::uint64_t checkpoint_every = 10;            ///< generations
     RecordedFiles recorded;
     Time until = Time::max();
     std::uint64_t seed = 1;
@@ -54,8 +56,8 @@ struct RunOptions {
     bool listing = false, step = false, analyse = false; ///< of transputers that execute their own code
     std::string offer; ///< where the host's link is offered to another program; "": nowhere
 
-    std::array<std::filesystem::path, 5> outputs() const {
-        return {json, recorded.trace, recorded.page, log, convergence};
+    std::array<std::filesystem::path, 6> outputs() const {
+        return {json, recorded.trace, recorded.page, log, convergence, checkpoint};
     }
     bool wants_generations() const { return watch || !log.empty() || !convergence.empty(); }
     Manifest manifest(const std::string& typed) const {
@@ -75,6 +77,9 @@ void require_outputs(const RunOptions& options) {
         throw UserError(fmt::format("--trace: a timeline shows one run, but --seeds asks for {} runs", options.seeds));
     if (options.seeds > 1 && !options.recorded.page.empty())
         throw UserError(fmt::format("--page: a page shows one run, but --seeds asks for {} runs", options.seeds));
+    if (options.seeds > 1 && !options.checkpoint.empty())
+        throw UserError(fmt::format("--checkpoint: a file holds the searches of one run, but --seeds asks for {} runs",
+                                    options.seeds));
     if (options.seeds > 1 && !options.offer.empty())
         throw UserError(fmt::format("--offer: another program is the host of one run, but --seeds asks for {} runs",
                                     options.seeds));
@@ -108,17 +113,28 @@ void require_fit(const Network& network, const RunOptions& options) {
         require_searches(network);
 }
 
+/// Reads the checkpoint of an earlier run, if there is one, and says so. Nothing without the option.
+std::unique_ptr<CheckpointFile> checkpoints_of(const Network& network, const RunOptions& options, std::uint64_t seed) {
+    if (options.checkpoint.empty())
+        return nullptr;
+    auto file = std::make_unique<CheckpointFile>(options.checkpoint, network, seed, options.checkpoint_every);
+    if (file->begin() > 0)
+        print_error(fmt::format("placedpar: goes on after generation {} of {}\n", file->begin(), options.checkpoint));
+    return file;
+}
+
 RunReport run_observed(const Network& network, const RunOptions& options, std::uint64_t seed, TraceSink* trace,
                        Interruption& interruption, SearchObserver* observer) {
-    if (options.native.is_native)
-        return run_natively(network, options.native, seed, observer, interruption);
-    return run_netlist(network, known_problems(seed),
-                       {.seed = seed,
-                        .until = options.until,
-                        .shuffle = options.shuffle,
-                        .trace = trace,
-                        .observer = observer,
-                        .interruption = &interruption});
+    const auto checkpoints = checkpoints_of(network, options, seed);
+    const RunSettings settings{.seed = seed,
+                               .until = options.until,
+                               .shuffle = options.shuffle,
+                               .trace = trace,
+                               .observer = observer,
+                               .checkpoints = checkpoints.get(),
+                               .interruption = &interruption};
+    return options.native.is_native ? run_natively(network, options.native, settings)
+                                    : run_netlist(network, known_problems(seed), settings);
 }
 
 FinishedRun run_seed(const Network& network, const RunOptions& options, std::uint64_t seed, TraceSink* trace,
@@ -289,6 +305,13 @@ void add_searches(Options& command, RunOptions& options) {
              "draws best fitness, mean fitness and diversity over the generations as SVG; with --seeds medians "
              "and quartiles");
     command.add_flag("--yes", options.yes, "starts any number of runs without asking");
+    Option checkpoint = add_file(command, "--checkpoint", options.checkpoint,
+                                 "keeps the populations of all searches in this file, and goes on from it if it is "
+                                 "there");
+    add_count(command, "--checkpoint-every", options.checkpoint_every, "number of generations between two checkpoints")
+        .check(not_at_least_one)
+        .show_default()
+        .needs(checkpoint);
     command.add_flag("--watch", options.watch,
                      "shows best, mean and diversity during the run: a curve on a terminal, else lines of text");
 }

@@ -20,8 +20,8 @@ constexpr std::size_t most_threads = 1024; // our choice, far more than computer
 
 /// The kinds of the processes of one thread, with problems of its own, which may keep what they have computed.
 struct KindsOfThread {
-    KindsOfThread(std::uint64_t seed, SearchObserver* observer)
-        : problems(known_problems(seed)), catalogue(known_kinds(problems, observer)) {}
+    KindsOfThread(std::uint64_t seed, SearchObserver* observer, Checkpoints* checkpoints)
+        : problems(known_problems(seed)), catalogue(known_kinds(problems, observer, checkpoints)) {}
     ProblemRegistry problems;
     Catalogue catalogue;
 };
@@ -49,19 +49,18 @@ void refuse_with_native(const NativeOptions& options, const std::vector<std::pai
                 throw UserError(fmt::format("{}: only simulated runs have this option: leave out --native", name));
 }
 
-RunReport run_natively(const Network& network, const NativeOptions& options, std::uint64_t seed,
-                       SearchObserver* observer, const Interruption& interruption) {
+RunReport run_natively(const Network& network, const NativeOptions& options, const RunSettings& run) {
     std::optional<OneEventAtATime> in_turns;
-    if (observer)
-        in_turns.emplace(*observer);
+    if (run.observer)
+        in_turns.emplace(*run.observer);
     NativeSettings settings;
-    settings.seed = seed;
+    settings.seed = run.seed;
     settings.threads = threads_of(options, network);
     settings.make_catalogue = [&]() -> std::shared_ptr<const Catalogue> {
-        const auto kinds = std::make_shared<KindsOfThread>(seed, in_turns ? &*in_turns : nullptr);
+        const auto kinds = std::make_shared<KindsOfThread>(run.seed, in_turns ? &*in_turns : nullptr, run.checkpoints);
         return {kinds, &kinds->catalogue};
     };
-    settings.is_interrupted = [&interruption] { return interruption.requested(); };
+    settings.is_interrupted = [&run] { return run.interruption->requested(); };
     return run_natively(network, settings);
 }
 

@@ -5,7 +5,6 @@
 #include "netlist/run_report.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -23,8 +22,8 @@ void add_native(Options&, NativeOptions&);
 /// --native.
 void refuse_with_native(const NativeOptions&, const std::vector<std::pair<bool, const char*>>& typed);
 
-/// Runs the network natively. `observer` may be null. Throws as run_netlist does.
-RunReport run_natively(const Network&, const NativeOptions&, std::uint64_t seed, SearchObserver* observer,
-                       const Interruption&);
+/// Runs the network natively, with the seed, observer, checkpoints and interruption of the settings. Throws as
+/// run_netlist does. REQUIRES: there is an interruption.
+RunReport run_natively(const Network&, const NativeOptions&, const RunSettings&);
 
 } // namespace placedpar
