@@ -24,7 +24,7 @@ namespace {
 
 namespace json = boost::json;
 
-constexpr std::string_view format = "checkpoint 1"; ///< changes with the form of the file
+constexpr std::string_view checkpoint_format = "checkpoint 1"; ///< changes with the form of the file
 
 /// Numbers are kept by their bits, so that they come back exactly.
 json::object json_of(const Individual& individual) {
@@ -166,7 +166,7 @@ void CheckpointFile::require_same_run(const json::value& file) const {
 }
 
 void CheckpointFile::take(const json::value& file) {
-    if (json::value_to<std::string>(file.at("placedpar")) != format)
+    if (json::value_to<std::string>(file.at("placedpar")) != checkpoint_format)
         refuse_file("another version wrote it");
     require_same_run(file);
     begin_ = file.at("generation").to_number<std::uint64_t>();
@@ -182,7 +182,7 @@ void CheckpointFile::write(const States& states) const {
         search["parameters"] = json::value_from(each.parameters);
         kept.emplace_back(std::move(search));
     }
-    const json::object file{{"placedpar", format},
+    const json::object file{{"placedpar", checkpoint_format},
                             {"seed", seed_},
                             {"generation", states.begin()->second.search.generation},
                             {"searches", std::move(kept)}};
