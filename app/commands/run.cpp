@@ -11,6 +11,7 @@
 #include "explore/problems.hpp"
 #include "iserver/offered_board.hpp"
 #include "picture/gnuplot.hpp"
+#include "ranks/ranks.hpp"
 #include "report/convergence.hpp"
 #include "report/manifest.hpp"
 #include "report/run_report.hpp"
@@ -53,6 +54,7 @@ struct RunOptions {
     bool watch = false, yes = false;
     bool listing = false, step = false, analyse = false; ///< of transputers that execute their own code
     std::string offer; ///< where the host's link is offered to another program; "": nowhere
+    std::shared_ptr<Ranks> ranks; ///< of a native run; null: without mpirun
 
     std::array<std::filesystem::path, 5> outputs() const {
         return {json, recorded.trace, recorded.page, log, convergence};
@@ -110,6 +112,8 @@ void require_fit(const Network& network, const RunOptions& options) {
 
 RunReport run_observed(const Network& network, const RunOptions& options, std::uint64_t seed, TraceSink* trace,
                        Interruption& interruption, SearchObserver* observer) {
+    if (options.ranks)
+        return *run_on_ranks(network, seed, observer, interruption, *options.ranks);
     if (options.native.is_native)
         return run_natively(network, options.native, seed, observer, interruption);
     return run_netlist(network, known_problems(seed),
@@ -241,11 +245,40 @@ bool offer_link(Network& network, const RunOptions& options, const Interruption&
     return board->wait_for_program();
 }
 
-ExitCode run(const RunOptions& options, const Options& command, const std::string& typed) {
+/// Makes the part of a native run that runs in a rank above 0, which writes nothing.
+ExitCode help_rank_zero(const Network& network, const RunOptions& options) {
+    InterruptedBySignals interruption;
+    run_on_ranks(network, options.seed, nullptr, interruption, *options.ranks);
+    return ExitCode::success;
+}
+
+/// Checks the options and loads the network. Returns nothing in a rank of mpirun that must end silently.
+std::optional<Network> load(const RunOptions& options, const Options& command) {
+    std::optional<Network> network;
+    const auto load_here = [&]() -> const Network& {
+        if (!options.ranks || options.ranks->own() == 0)
+            require_outputs(options);
+        require_native(options);
+        network = load_network(command, options.netlist, options.booted);
+        require_fit(*network, options);
+        return *network;
+    };
+    if (!options.ranks)
+        load_here();
+    else if (!load_in_all(*options.ranks, options.native, options.seed, load_here))
+        network.reset();
+    return network;
+}
+
+ExitCode run(RunOptions options, const Options& command, const std::string& typed) {
     Manifest manifest = options.manifest(typed);
-    require_outputs(options);
-    require_native(options);
-    Network network = load_network(command, options.netlist, options.booted);
+    options.ranks = ranks_of(options.native);
+    std::optional<Network> loaded = load(options, command);
+    if (!loaded)
+        return ExitCode::success;
+    if (options.ranks && options.ranks->own() > 0)
+        return help_rank_zero(*loaded, options);
+    Network& network = *loaded;
     InterruptedBySignals interruption;
     network.host.lists_code = options.listing;
     network.host.analyses = options.analyse;
@@ -258,7 +291,6 @@ ExitCode run(const RunOptions& options, const Options& command, const std::strin
             interruption.request();
         },
         !options.step);
-    require_fit(network, options);
     std::optional<iserver::OfferedBoard> board;
     if (!offer_link(network, options, interruption, board))
         return ExitCode::interrupted;

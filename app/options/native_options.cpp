@@ -1,16 +1,24 @@
 #include "app/options/native_options.hpp"
 
 #include "app/options/common_options.hpp"
+#include "app/options/sent_events.hpp"
 #include "explore/problems.hpp"
 #include "explore/workers.hpp"
 #include "native/native_run.hpp"
+#include "native/rank_run.hpp"
+#include "netlist/print/print.hpp"
+#include "ranks/ranks.hpp"
+#include "report/manifest.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
+#include <utility>
 
 namespace placedpar {
 
@@ -63,6 +71,39 @@ RunReport run_natively(const Network& network, const NativeOptions& options, std
     };
     settings.is_interrupted = [&interruption] { return interruption.requested(); };
     return run_natively(network, settings);
+}
+
+std::unique_ptr<Ranks> ranks_of(const NativeOptions& options) {
+    std::unique_ptr<Ranks> ranks = options.is_native ? ranks_of_mpirun() : nullptr;
+    return ranks && ranks->count() > 1 ? std::move(ranks) : nullptr;
+}
+
+bool load_in_all(Ranks& ranks, const NativeOptions& options, std::uint64_t seed,
+                 const std::function<const Network&()>& load) {
+    return all_prepared(ranks, [&] {
+        const Network& network = load();
+        if (options.threads > 1)
+            throw UserError(fmt::format("--threads {}: each rank of mpirun runs its processes on one thread: start more "
+                                        "ranks",
+                                        options.threads));
+        return fmt::format("{} {} {}", version_text(), hex(network_hash(canonical_form(network))), seed);
+    });
+}
+
+std::optional<RunReport> run_on_ranks(const Network& network, std::uint64_t seed, SearchObserver* observer,
+                                      const Interruption& interruption, Ranks& ranks) {
+    std::optional<SentEvents> sent;
+    RankRunSettings settings;
+    settings.seed = seed;
+    settings.make_catalogue = [&](std::function<void(MessageBytes)> send) -> std::shared_ptr<const Catalogue> {
+        if (ranks.own() > 0)
+            observer = &sent.emplace(std::move(send));
+        const auto kinds = std::make_shared<KindsOfThread>(seed, observer);
+        return {kinds, &kinds->catalogue};
+    };
+    settings.receive_note = [&](std::span<const std::uint8_t> event) { tell_event(event, *observer); };
+    settings.is_interrupted = [&interruption] { return interruption.requested(); };
+    return run_on_ranks(network, settings, ranks);
 }
 
 } // namespace placedpar

@@ -6,10 +6,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace placedpar {
+
+class Ranks; // ranks/ranks.hpp
 
 /// The options of a command that can run a netlist natively (native/native_run.hpp).
 struct NativeOptions {
@@ -26,5 +31,18 @@ void refuse_with_native(const NativeOptions&, const std::vector<std::pair<bool, 
 /// Runs the network natively. `observer` may be null. Throws as run_netlist does.
 RunReport run_natively(const Network&, const NativeOptions&, std::uint64_t seed, SearchObserver* observer,
                        const Interruption&);
+
+/// Returns the ranks of mpirun on which a native run is made; null if it is made on this computer alone.
+std::unique_ptr<Ranks> ranks_of(const NativeOptions&);
+
+/// Loads the network in all ranks. Returns false in a rank that must end silently. Throws UserError in rank 0 alone: what
+/// `load` throws, and if a rank has another network, seed or version. REQUIRES: called in all ranks.
+bool load_in_all(Ranks&, const NativeOptions&, std::uint64_t seed, const std::function<const Network&()>& load);
+
+/// Runs the network natively on the ranks. The observer of rank 0 receives the events of all ranks. Returns nothing in
+/// the other ranks, which must then end silently. Throws in rank 0 alone, as run_netlist does. REQUIRES: called in all
+/// ranks, after load_in_all().
+std::optional<RunReport> run_on_ranks(const Network&, std::uint64_t seed, SearchObserver* observer, const Interruption&,
+                                      Ranks&);
 
 } // namespace placedpar
