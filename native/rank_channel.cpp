@@ -33,21 +33,28 @@ void RankTaker::say_taker() {
         member_.send_taker(from_, number_);
 }
 
-void RankTaker::fetch_parcel() { member_.expect_parcel(from_, number_, *std::exchange(announced_, std::nullopt)); }
+/// Asks for a parcel, unless the message has come.
+void RankTaker::ask(Offer& offer) {
+    if (!offer.has_come && !std::exchange(offer.is_asked, true))
+        member_.expect_parcel(from_, number_, offer.bytes);
+}
 
 void RankTaker::input(AnyChannel& channel, const SourceLocation& where) {
-    if (has_come_ || announced_ || !channel.is_attempted_input())
+    if (count_ > 0 || !channel.is_attempted_input())
         say_taker();
-    if (announced_)
-        fetch_parcel();
-    if (!has_come_) {
+    if (count_ > 0)
+        ask(first());
+    if (count_ == 0 || !first().has_come) {
         inputter_ = &Kernel::here().running();
         inputter_->wait_for(Activity::inputting, &channel, where);
-        if (!has_come_)
+        if (count_ == 0)
             return; // given up
     }
-    has_come_ = taker_said_ = false;
-    channel.hand_over_packed(packed_);
+    const Offer& taken = first();
+    first_ = 1 - first_;
+    --count_;
+    taker_said_ = false;
+    channel.hand_over_packed(taken.packed);
 }
 
 bool RankTaker::give_up_input(AnyChannel&) {
@@ -58,42 +65,51 @@ bool RankTaker::give_up_input(AnyChannel&) {
 }
 
 void RankTaker::wake() {
-    Process* const waiting = std::exchange(inputter_, nullptr);
-    waiting->kernel().make_ready(*waiting);
+    if (Process* const waiting = std::exchange(inputter_, nullptr))
+        waiting->kernel().make_ready(*waiting);
 }
 
-void RankTaker::message_came(std::span<const std::uint8_t> packed) {
-    if (is_over_)
+void RankTaker::add(bool has_come, std::span<const std::uint8_t> packed, std::size_t bytes) {
+    Offer& offer = offers_[(first_ + count_++) % offers_.size()];
+    offer.packed.assign(packed.begin(), packed.end());
+    offer.bytes = bytes;
+    offer.has_come = has_come;
+    offer.is_asked = false;
+    if (count_ > 1)
         return;
-    packed_.assign(packed.begin(), packed.end());
-    has_come_ = true;
     if (!inputter_)
         return channel_.announce();
     say_taker();
-    wake();
+    if (has_come)
+        wake();
+    else
+        ask(offer);
+}
+
+void RankTaker::message_came(std::span<const std::uint8_t> packed) {
+    if (!is_over_)
+        add(true, packed, 0);
 }
 
 void RankTaker::parcel_announced(std::size_t bytes) {
-    announced_ = bytes;
-    if (!inputter_ && !is_over_)
-        return channel_.announce();
-    if (!is_over_)
-        say_taker();
-    fetch_parcel();
+    if (is_over_)
+        member_.expect_parcel(from_, number_, bytes);
+    else
+        add(false, {}, bytes);
 }
 
 void RankTaker::parcel_came(MessageBytes packed) {
     if (is_over_)
         return;
-    packed_ = std::move(packed);
-    has_come_ = true;
+    first().packed = std::move(packed);
+    first().has_come = true;
     wake();
 }
 
 void RankTaker::end() {
     is_over_ = true;
-    if (announced_)
-        fetch_parcel();
+    for (std::size_t i = 0; i < count_; ++i)
+        ask(offers_[(first_ + i) % offers_.size()]);
 }
 
 } // namespace placedpar::native

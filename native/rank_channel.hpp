@@ -4,9 +4,9 @@
 #include "runtime/carrier.hpp"
 #include "runtime/channel.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 
@@ -56,7 +56,7 @@ public:
     }
     void output(AnyChannel&, const WireForm&, const SourceLocation&) override {}
     void input(AnyChannel&, const SourceLocation&) override;
-    bool message_waits(const AnyChannel&) const override { return has_come_ || announced_; }
+    bool message_waits(const AnyChannel&) const override { return count_ > 0; }
     std::string why_not_given_up() const override { return ""; }
     bool give_up_input(AnyChannel&) override;
     void message_came(std::span<const std::uint8_t>) override;
@@ -65,18 +65,27 @@ public:
     void end() override;
 
 private:
+    /// A message that has not been taken.
+    struct Offer {
+        MessageBytes packed;
+        std::size_t bytes = 0; ///< length of a parcel
+        bool has_come = false; ///< `packed` is the message
+        bool is_asked = false; ///< the parcel is expected
+    };
+
     void say_taker();
-    void fetch_parcel();
+    void add(bool has_come, std::span<const std::uint8_t> packed, std::size_t bytes);
+    void ask(Offer&);
     void wake();
+    Offer& first() { return offers_[first_]; }
 
     RankMember& member_;
     AnyChannel& channel_;
     std::size_t number_;
     int from_;
-    bool has_come_ = false; ///< `packed_` is a message that has not been taken
-    MessageBytes packed_;
-    std::optional<std::size_t> announced_; ///< length of a parcel that has not been asked for
-    bool taker_said_ = false;              ///< the other end knows that the next message is taken
+    std::array<Offer, 2> offers_; ///< the outputter goes on when it knows of the taker, so a second one may come early
+    std::size_t first_ = 0, count_ = 0;
+    bool taker_said_ = false; ///< the other end knows that the first message is taken
     bool is_over_ = false;
     Process* inputter_ = nullptr; ///< who waits
 };

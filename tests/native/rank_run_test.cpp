@@ -3,16 +3,16 @@
 #include "native/rank_run.hpp"
 
 #include "classics/kinds.hpp"
-#include "netlist/kinds/csp.hpp"
+#include "netlist/kinds/csp_kinds.hpp"
 #include "netlist/kinds/description.hpp"
 #include "netlist/machine.hpp"
 #include "netlist/read.hpp"
 #include "ranks/rank_mail.hpp"
 #include "ranks/ranks.hpp"
 #include "runtime/alternation.hpp"
+#include "runtime/parallel.hpp"
 #include "runtime/recovery.hpp"
 #include "runtime/timer.hpp"
-#include "text/diagnostic.hpp"
 #include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
@@ -144,8 +144,10 @@ struct OnRanks {
     bool others_were_silent = true;
 };
 
-/// Runs a netlist on ranks. `interrupted`: the last rank is. `sends_notes`: each rank above 0 sends two notes.
-OnRanks on_ranks(int ranks, const std::string& text, const std::vector<ProcessKind>& own, bool interrupted = false,
+enum class Interrupted { none, last, all };
+
+/// Runs a netlist on ranks. `sends_notes`: each rank above 0 sends two notes.
+OnRanks on_ranks(int ranks, const std::string& text, const std::vector<ProcessKind>& own, Interrupted interrupted = Interrupted::none,
                  bool sends_notes = false) {
     MadeUpWorld world(ranks);
     OnRanks result;
@@ -155,7 +157,7 @@ OnRanks on_ranks(int ranks, const std::string& text, const std::vector<ProcessKi
         REQUIRE_MESSAGE(read.network, render(read.diagnostics.front()));
         RankRunSettings settings;
         settings.make_catalogue = [&](const std::function<void(MessageBytes)>& send_note) {
-            for (const std::uint8_t number : {0, 1})
+            for (const auto number : {std::uint8_t{0}, std::uint8_t{1}})
                 if (rank > 0 && sends_notes)
                     send_note({static_cast<std::uint8_t>(rank), number});
             return std::make_shared<const Catalogue>(rank_kinds(own));
@@ -163,7 +165,7 @@ OnRanks on_ranks(int ranks, const std::string& text, const std::vector<ProcessKi
         settings.receive_note = [&](std::span<const std::uint8_t> note) {
             result.notes.emplace_back(note.begin(), note.end());
         };
-        settings.is_interrupted = [&] { return interrupted && rank == ranks - 1; };
+        settings.is_interrupted = [&] { return interrupted == Interrupted::all || (interrupted == Interrupted::last && rank == ranks - 1); };
         MadeUpRanks own_ranks(world, rank);
         return run_on_ranks(*read.network, settings, own_ranks);
     };
@@ -236,7 +238,7 @@ TEST_CASE("a token goes round a ring, whatever the number of ranks") {
         environment.measure("token", token);
     });
     for (const int ranks : {1, 2, 3, 5}) {
-        const OnRanks run = on_ranks(ranks, ring_of(5, "relay"), {relay}, false, true);
+        const OnRanks run = on_ranks(ranks, ring_of(5, "relay"), {relay}, Interrupted::none, true);
         REQUIRE_MESSAGE(run.report, what_was_thrown(run));
         CHECK(run.report->result.ending == Ending::completed);
         CHECK(run.report->measured("p[0]", "token") == 5 * rounds);
@@ -370,17 +372,19 @@ TEST_CASE("what a process throws ends all ranks, and names the rank, the process
     CHECK(what.ends_with("there is no sand in this box"));
 }
 
-TEST_CASE("an interruption of one rank ends all ranks, with computing and waiting processes") {
-    const auto busy = rank_kind("busy", [](ProcessEnvironment& environment) {
-        if (environment.index() == 0)
-            for (;;)
-                compute(Cycles{1});
-        environment.input<int>("in").input();
-    });
-    const OnRanks run = on_ranks(3, ring_of(3, "busy"), {busy}, true);
-    REQUIRE(run.report);
-    CHECK(run.report->result.ending == Ending::interrupted);
-    CHECK(run.report->result.time < Time(5s));
+TEST_CASE("an interruption of ranks ends processes that compute, and that of one rank ends those that wait") {
+    for (const bool all : {true, false}) {
+        const auto busy = rank_kind("busy", [all](ProcessEnvironment& environment) {
+            if (environment.index() == 0)
+                for (;;)
+                    all ? compute(Cycles{1}) : wait_for(1ms);
+            environment.input<int>("in").input();
+        });
+        const OnRanks run = on_ranks(3, ring_of(3, "busy"), {busy}, all ? Interrupted::all : Interrupted::last);
+        REQUIRE(run.report);
+        CHECK(run.report->result.ending == Ending::interrupted);
+        CHECK(run.report->result.time < Time(5s));
+    }
 }
 
 TEST_CASE("processes on ranks wait for the end of the work again and again") {
@@ -446,7 +450,7 @@ struct Unpackable {
 TEST_CASE("messages that cannot be packed, and too many ranks, are refused before the run") {
     const auto odd = rank_kind<Unpackable>("odd", [](ProcessEnvironment&) { FAIL("the run has begun"); });
     const std::string what = what_was_thrown(on_ranks(2, ring_of(2, "odd"), {odd}));
-    CHECK(what.find("the channel \"p[0].out to p[1].in\" from the port \"out\" of kind \"odd\" leads to another rank, "
+    CHECK(what.find("the channel \"p[0].out -> p[1].in\" from the port \"out\" of kind \"odd\" leads to another rank, "
                     "but its messages cannot be packed") != std::string::npos);
     CHECK(what_was_thrown(on_ranks(3, ring_of(2, "csp.identity"), {})).find("start at most") != std::string::npos);
 }
