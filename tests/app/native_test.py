@@ -23,22 +23,22 @@ SEARCHES = {
 THREADS = (1, 2, 3, 5)
 
 
-def generations(netlist, *arguments):
-    """Returns the rows of the log, without their times."""
+def generations(netlist, *arguments, program=placedpar):
+    """Returns the rows of the log, without their times. `program` runs placedpar."""
     with tempfile.TemporaryDirectory() as folder:
         log = pathlib.Path(folder, "log.csv")
-        run = placedpar("run", netlist, "--log", log, *arguments)
+        run = program("run", netlist, "--log", log, *arguments)
         if run.returncode != 0:
             raise AssertionError(run.stdout + run.stderr)
         return [{**row, "time_ms": ""} for row in csv.DictReader(io.StringIO(log.read_text(encoding="utf-8")))]
 
 
-def results(netlist, *arguments):
+def results(netlist, *arguments, program=placedpar):
     """Returns how the run ended, and what its processes measured that does not depend on times. Who gets a task of the
     farm does, and how many packets a buffer holds; so tasks are added up."""
     with tempfile.TemporaryDirectory() as folder:
         report = pathlib.Path(folder, "report.json")
-        placedpar("run", netlist, "--json", report, *arguments)
+        program("run", netlist, "--json", report, *arguments)
         found = json.loads(report.read_text(encoding="utf-8"))
     timed = {"s", "ms", "us", "ns", "Kbyte/s", "1/s", "%"}
     lasting = [each for each in found["measurements"]
@@ -46,6 +46,11 @@ def results(netlist, *arguments):
     last = {each["value"] for each in found["measurements"] if each["name"] == "last_number"}
     return (found["outcome"], lasting, sum(each["value"] for each in found["measurements"] if each["name"] == "tasks"),
             last if netlist.parent.name != "farm" else set())
+
+
+def classics():
+    """Returns the netlists of pure CSP."""
+    return [each for each in sorted(EXAMPLES.glob("csp/*/*.cfs")) if "own-process" not in str(each)]
 
 
 class Generations(unittest.TestCase):
@@ -61,7 +66,7 @@ class Generations(unittest.TestCase):
 
 class Results(unittest.TestCase):
     def test_of_every_classic_are_those_of_the_simulated_run(self):
-        netlists = [each for each in sorted(EXAMPLES.glob("csp/*/*.cfs")) if "own-process" not in str(each)]
+        netlists = classics()
         self.assertGreater(len(netlists), 5)
         for netlist in netlists:
             simulated = results(netlist)
