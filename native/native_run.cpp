@@ -2,6 +2,7 @@
 
 #include "native/crossing.hpp"
 #include "native/group.hpp"
+#include "native/placement.hpp"
 #include "netlist/failed_process.hpp"
 #include "netlist/software.hpp"
 #include "text/user_error.hpp"
@@ -25,22 +26,8 @@ namespace {
 
 using namespace native;
 
-std::vector<bool> nodes_with_processes(const Network& network) {
-    std::vector<bool> has_process(network.nodes.size());
-    for (const ProcessInstance& process : network.processes)
-        has_process[process.node] = true;
-    return has_process;
-}
-
-/// Returns the thread of each node.
-std::vector<std::size_t> threads_of_nodes(const Network& network, std::size_t threads) {
-    const std::vector<bool> has_process = nodes_with_processes(network);
-    std::vector<std::size_t> result(network.nodes.size());
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < result.size(); ++i)
-        if (has_process[i])
-            result[i] = next++ % threads;
-    return result;
+std::vector<std::size_t> threads_of_nodes(const Network& network, const NativeSettings& settings) {
+    return place_nodes(network, {settings.threads}, settings.loads ? settings.loads() : std::vector<Time>{});
 }
 
 void require_native(const Network& network) {
@@ -63,14 +50,20 @@ struct Strand {
     std::shared_ptr<const Catalogue> catalogue;
     std::unique_ptr<Software> software;
     Simulation simulation;
+    std::vector<Time> waited = {};   ///< for how long each process waited, at the end of the work
     std::optional<RunResult> result; ///< empty if the run has thrown
     std::exception_ptr thrown;
+
+    void note_waits() {
+        for (const Process* process : software->processes())
+            waited.push_back(process ? process->time_waited() : Time{});
+    }
 };
 
 class NativeRun {
 public:
     NativeRun(const Network& network, const NativeSettings& settings)
-        : network_(network), thread_of_node_(threads_of_nodes(network, settings.threads)), strands_(settings.threads) {
+        : network_(network), thread_of_node_(threads_of_nodes(network, settings)), strands_(settings.threads) {
         for (Strand& strand : strands_) {
             strand.catalogue = settings.make_catalogue();
             strand.software = std::make_unique<Software>(network, *strand.catalogue, settings.seed);
@@ -146,7 +139,7 @@ private:
         if (gate_ == Gate::cancelled)
             return;
         try {
-            strand.result = strand.simulation.run();
+            strand.result = strand.simulation.run(Time::max(), [&] { strand.note_waits(); });
         } catch (...) {
             strand.thrown = std::current_exception();
         }
@@ -225,8 +218,8 @@ private:
 
     ProcessUse use_of(std::size_t process) const {
         const std::size_t thread = thread_of(process);
-        const Process& made = *strands_[thread].software->processes()[process];
-        return {network_.processes[process].name, fmt::format("thread {}", thread), made.time_waited(), std::nullopt};
+        return {network_.processes[process].name, fmt::format("thread {}", thread), strands_[thread].waited[process],
+                std::nullopt};
     }
 
     const Network& network_;
@@ -241,10 +234,6 @@ private:
 };
 
 } // namespace
-
-std::size_t count_native_nodes(const Network& network) {
-    return static_cast<std::size_t>(std::ranges::count(nodes_with_processes(network), true));
-}
 
 RunReport run_natively(const Network& network, const NativeSettings& settings) {
     require_native(network);
