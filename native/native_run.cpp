@@ -2,6 +2,7 @@
 
 #include "native/crossing.hpp"
 #include "native/group.hpp"
+#include "native/placement.hpp"
 #include "native/run_parts.hpp"
 #include "netlist/failed_process.hpp"
 #include "netlist/software.hpp"
@@ -24,34 +25,18 @@ namespace placedpar {
 
 namespace {
 
-std::vector<bool> nodes_with_processes(const Network& network) {
-    std::vector<bool> has_process(network.nodes.size());
-    for (const ProcessInstance& process : network.processes)
-        has_process[process.node] = true;
-    return has_process;
-}
-
-} // namespace
-
-std::vector<std::size_t> threads_of_nodes(const Network& network, std::size_t threads) {
-    const std::vector<bool> has_process = nodes_with_processes(network);
-    std::vector<std::size_t> result(network.nodes.size());
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < result.size(); ++i)
-        if (has_process[i])
-            result[i] = next++ % threads;
-    return result;
-}
-
-namespace {
-
 using namespace native;
+
+std::vector<std::size_t> threads_of_nodes(const Network& network, const NativeSettings& settings) {
+    return place_nodes(network, {settings.threads}, settings.loads ? settings.loads() : std::vector<Time>{});
+}
 
 /// The part of a run that one thread executes.
 struct Strand {
     std::shared_ptr<const Catalogue> catalogue;
     std::unique_ptr<Software> software;
     Simulation simulation;
+    std::vector<Time> waited = {};   ///< for how long each process waited, at the end of the work
     std::optional<RunResult> result; ///< empty if the run has thrown
     std::exception_ptr thrown;
 };
@@ -59,7 +44,7 @@ struct Strand {
 class NativeRun {
 public:
     NativeRun(const Network& network, const NativeSettings& settings)
-        : network_(network), thread_of_node_(threads_of_nodes(network, settings.threads)), strands_(settings.threads) {
+        : network_(network), thread_of_node_(threads_of_nodes(network, settings)), strands_(settings.threads) {
         for (Strand& strand : strands_) {
             strand.catalogue = settings.make_catalogue();
             strand.software = std::make_unique<Software>(network, *strand.catalogue, settings.seed);
@@ -135,7 +120,7 @@ private:
         if (gate_ == Gate::cancelled)
             return;
         try {
-            strand.result = strand.simulation.run();
+            strand.result = strand.simulation.run(Time::max(), [&] { strand.waited = times_waited(*strand.software); });
         } catch (...) {
             strand.thrown = std::current_exception();
         }
@@ -172,7 +157,7 @@ private:
         std::vector<RunPart> parts;
         for (std::size_t i = 0; i < strands_.size(); ++i)
             parts.push_back({std::move(*strands_[i].result), strands_[i].software->measurements(),
-                             times_waited(*strands_[i].software), group_.member(i).rested()});
+                             std::move(strands_[i].waited), group_.member(i).rested()});
         return join_parts(network_, thread_of_node_, "thread", std::move(parts));
     }
 
@@ -202,10 +187,6 @@ void require_native(const Network& network) {
     if (!network.faults.empty())
         throw UserError(fmt::format("{}: a native run has no faults, for it has no machine that could fail",
                                     network.faults.front().stated.text()));
-}
-
-std::size_t count_native_nodes(const Network& network) {
-    return static_cast<std::size_t>(std::ranges::count(nodes_with_processes(network), true));
 }
 
 RunReport run_natively(const Network& network, const NativeSettings& settings) {

@@ -25,17 +25,15 @@ template <>
 struct PackedForm<RunResult>
     : PackedMembers<RunResult, &RunResult::ending, &RunResult::time, &RunResult::deadlock, &RunResult::never_ran> {};
 template <>
-struct PackedForm<native::RunPart> : PackedMembers<native::RunPart, &native::RunPart::result,
-                                                   &native::RunPart::measurements, &native::RunPart::waited,
-                                                   &native::RunPart::rested> {};
+struct PackedForm<native::RunPart>
+    : PackedMembers<native::RunPart, &native::RunPart::result, &native::RunPart::measurements, &native::RunPart::waited,
+                    &native::RunPart::rested> {};
 template <>
-struct PackedForm<native::RankFailure>
-    : PackedMembers<native::RankFailure, &native::RankFailure::time, &native::RankFailure::is_defect,
-                    &native::RankFailure::text> {};
+struct PackedForm<native::RankFailure> : PackedMembers<native::RankFailure, &native::RankFailure::time,
+                                                       &native::RankFailure::is_defect, &native::RankFailure::text> {};
 template <>
-struct PackedForm<native::RankResult>
-    : PackedMembers<native::RankResult, &native::RankResult::part, &native::RankResult::ends,
-                    &native::RankResult::failure> {};
+struct PackedForm<native::RankResult> : PackedMembers<native::RankResult, &native::RankResult::part,
+                                                      &native::RankResult::ends, &native::RankResult::failure> {};
 
 } // namespace placedpar
 

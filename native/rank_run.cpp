@@ -1,6 +1,7 @@
 #include "native/rank_run.hpp"
 
 #include "native/native_run.hpp"
+#include "native/placement.hpp"
 #include "native/rank_channel.hpp"
 #include "native/rank_member.hpp"
 #include "native/rank_result.hpp"
@@ -33,12 +34,12 @@ namespace {
 using namespace native;
 
 /// Returns the rank of each node.
-std::vector<std::size_t> ranks_of_nodes(const Network& network, std::size_t ranks) {
-    return threads_of_nodes(network, ranks);
+std::vector<std::size_t> ranks_of_nodes(const Network& network, const RankRunSettings& settings, std::size_t ranks) {
+    return place_nodes(network, {ranks, "rank", "mpirun -n"}, settings.loads ? settings.loads() : std::vector<Time>{});
 }
 
 void require_enough_nodes(const Network& network, std::size_t ranks) {
-    if (const std::size_t most = count_native_nodes(network); ranks > most)
+    if (const std::size_t most = most_places(network); ranks > most)
         throw UserError(fmt::format("{}: mpirun started {} ranks, but {} with processes: start at most as many ranks",
                                     network.source_path, ranks,
                                     counted(most, "processor is there", "processors are there")));
@@ -78,7 +79,8 @@ class RankRun {
 public:
     RankRun(const Network& network, const RankRunSettings& settings, RankMail& mail)
         : network_(network), settings_(settings), mail_(mail), results_(static_cast<std::size_t>(mail.count())),
-          rank_of_node_(ranks_of_nodes(network, results_.size())), member_(mail, simulation_, network.channels.size()) {
+          rank_of_node_(ranks_of_nodes(network, settings, results_.size())),
+          member_(mail, simulation_, network.channels.size()) {
         catalogue_ = settings.make_catalogue([this](MessageBytes note) {
             note.push_back(static_cast<std::uint8_t>(Note::of_a_process));
             member_.send_note(std::move(note));

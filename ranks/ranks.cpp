@@ -90,38 +90,56 @@ void require_same(const Ranks::Message& account, const std::string& digest) {
                         account.from));
 }
 
-/// Prepares in rank 0, and compares the accounts of all ranks.
-void prepare_first(Ranks& ranks, const std::function<std::string()>& prepare) {
-    std::exception_ptr failure;
-    std::string digest;
-    const auto try_to = [&failure](const auto& action) {
+/// Keeps the first of several failures.
+class FirstFailure {
+public:
+    void try_to(const std::function<void()>& action) {
         try {
             action();
         } catch (...) {
-            if (!failure)
-                failure = std::current_exception();
+            if (!failure_)
+                failure_ = std::current_exception();
         }
-    };
-    try_to([&] { digest = prepare(); });
-    for (int others = ranks.count() - 1; others > 0; --others) {
-        const Ranks::Message account = wait_for_message(ranks);
-        try_to([&] { require_same(account, digest); });
     }
+    bool is_there() const { return failure_ != nullptr; }
+    void rethrow() const {
+        if (failure_)
+            std::rethrow_exception(failure_);
+    }
+
+private:
+    std::exception_ptr failure_;
+};
+
+void send_to_others(Ranks& ranks, const std::string& text) {
     for (int rank = 1; rank < ranks.count(); ++rank)
-        ranks.send(rank, failure ? "end" : "begin");
-    if (failure)
-        std::rethrow_exception(failure);
+        ranks.send(rank, text);
+}
+
+/// Prepares in rank 0, and compares the accounts of all ranks.
+void prepare_first(Ranks& ranks, const std::function<std::string()>& prepare) {
+    FirstFailure failure;
+    std::string digest;
+    failure.try_to([&] { digest = prepare(); });
+    for (int others = ranks.count() - 1; others > 0; --others)
+        failure.try_to([&] { require_same(wait_for_message(ranks), digest); });
+    send_to_others(ranks, failure.is_there() ? "end" : "begin");
+    failure.rethrow();
+}
+
+/// Prepares in a rank above 0, and returns whether rank 0 begins.
+bool prepare_after(Ranks& ranks, const std::function<std::string()>& prepare) {
+    ranks.send(0, account_of(prepare));
+    return wait_for_message(ranks).text == "begin";
 }
 
 } // namespace
 
 bool all_prepared(Ranks& ranks, const std::function<std::string()>& prepare) {
-    if (ranks.own() == 0) {
-        prepare_first(ranks, prepare);
-        return true;
-    }
-    ranks.send(0, account_of(prepare));
-    return wait_for_message(ranks).text == "begin";
+    if (ranks.own() > 0)
+        return prepare_after(ranks, prepare);
+    prepare_first(ranks, prepare);
+    return true;
 }
 
 } // namespace placedpar

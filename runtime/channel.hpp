@@ -482,31 +482,8 @@ private:
         static_cast<std::optional<T>*>(slot)->emplace(std::move(*static_cast<T*>(message)));
     }
     void move_message(void* from, void* to) override { copy(from, to); }
-    const AnyByteForm* byte_form() const override {
-        if constexpr (HasByteForm<T>) {
-            static constexpr AnyByteForm form{
-                [](const void* message, MessageBytes& to) { ByteForm<T>::write(*static_cast<const T*>(message), to); },
-                &ByteForm<T>::next_part,
-                [](std::span<const std::uint8_t> bytes, void* slot) {
-                    static_cast<std::optional<T>*>(slot)->emplace(ByteForm<T>::read(bytes));
-                }};
-            return &form;
-        } else {
-            return nullptr;
-        }
-    }
-    const AnyPackedForm* packed_form() const override {
-        if constexpr (Packable<T>) {
-            static constexpr AnyPackedForm form{
-                [](const void* message, MessageBytes& to) { pack(*static_cast<const T*>(message), to); },
-                [](std::span<const std::uint8_t> bytes, void* slot) {
-                    static_cast<std::optional<T>*>(slot)->emplace(unpack<T>(bytes));
-                }};
-            return &form;
-        } else {
-            return nullptr;
-        }
-    }
+    const AnyByteForm* byte_form() const override { return byte_form_of<T>(); }
+    const AnyPackedForm* packed_form() const override { return packed_form_of<T>(); }
     std::optional<bool> are_same(const void* message, const void* other) const override {
         return SameMessage<T>::of(*static_cast<const T*>(message), *static_cast<const T*>(other));
     }

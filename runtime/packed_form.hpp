@@ -212,4 +212,19 @@ struct AnyPackedForm {
     void (*read)(std::span<const std::uint8_t>, void* slot);
 };
 
+/// Returns null if messages of the type cannot be packed.
+template <class T>
+const AnyPackedForm* packed_form_of() {
+    if constexpr (Packable<T>) {
+        static constexpr AnyPackedForm form{
+            [](const void* message, MessageBytes& to) { pack(*static_cast<const T*>(message), to); },
+            [](std::span<const std::uint8_t> bytes, void* slot) {
+                static_cast<std::optional<T>*>(slot)->emplace(unpack<T>(bytes));
+            }};
+        return &form;
+    } else {
+        return nullptr;
+    }
+}
+
 } // namespace placedpar

@@ -53,7 +53,7 @@ struct RunOptions {
     std::size_t seeds = 1; ///< number of seeds, from the first on
     bool watch = false, yes = false;
     bool listing = false, step = false, analyse = false; ///< of transputers that execute their own code
-    std::string offer; ///< where the host's link is offered to another program; "": nowhere
+    std::string offer;            ///< where the host's link is offered to another program; "": nowhere
     std::shared_ptr<Ranks> ranks; ///< of a native run; null: without mpirun
 
     std::array<std::filesystem::path, 5> outputs() const {
@@ -113,7 +113,7 @@ void require_fit(const Network& network, const RunOptions& options) {
 RunReport run_observed(const Network& network, const RunOptions& options, std::uint64_t seed, TraceSink* trace,
                        Interruption& interruption, SearchObserver* observer) {
     if (options.ranks)
-        return *run_on_ranks(network, seed, observer, interruption, *options.ranks);
+        return *run_on_ranks(network, options.native, seed, observer, interruption, *options.ranks);
     if (options.native.is_native)
         return run_natively(network, options.native, seed, observer, interruption);
     return run_netlist(network, known_problems(seed),
@@ -248,7 +248,7 @@ bool offer_link(Network& network, const RunOptions& options, const Interruption&
 /// Makes the part of a native run that runs in a rank above 0, which writes nothing.
 ExitCode help_rank_zero(const Network& network, const RunOptions& options) {
     InterruptedBySignals interruption;
-    run_on_ranks(network, options.seed, nullptr, interruption, *options.ranks);
+    run_on_ranks(network, options.native, options.seed, nullptr, interruption, *options.ranks);
     return ExitCode::success;
 }
 

@@ -75,6 +75,48 @@ class Results(unittest.TestCase):
                     self.assertEqual(results(netlist, "--native", "--threads", threads), simulated)
 
 
+FARM = EXAMPLES / "genetic/farms/farm.cfs"
+
+
+def threads_of_processes(*arguments):
+    """Returns the thread on which each process of the farm ran."""
+    with tempfile.TemporaryDirectory() as folder:
+        report = pathlib.Path(folder, "report.json")
+        run = placedpar("run", FARM, "--native", "--threads", 2, "--json", report, *arguments)
+        if run.returncode != 0:
+            raise AssertionError(run.stdout + run.stderr)
+        return {each["name"]: each["on"]
+                for each in json.loads(report.read_text(encoding="utf-8"))["processes"]}
+
+
+class Placement(unittest.TestCase):
+    def test_is_in_turn_or_by_the_loads_of_a_simulated_run(self):
+        in_turn = threads_of_processes()
+        self.assertEqual(in_turn, threads_of_processes("--map", "modulo"))
+        self.assertEqual([in_turn[f"slave[{i}]"] for i in range(3)], ["thread 1", "thread 0", "thread 1"])
+        # The simulated master is busy for 98 % of the time, each slave for 58 %: 98 + 58 or 3 * 58 on a thread.
+        by_load = threads_of_processes("--map", "balance", "--set", "slaves=4", "--set", "links=3")
+        self.assertEqual(by_load["master"], "thread 0")
+        self.assertEqual(sorted(by_load[f"slave[{i}]"] for i in range(4)), ["thread 0"] + 3 * ["thread 1"])
+
+    def test_follows_ranks_and_keeps_the_generations(self):
+        by_rank = threads_of_processes("--map", "balance", "--set", "t[1].rank=1", "--set", "t[2].rank=1",
+                                       "--set", "t[3].rank=1")
+        self.assertEqual({by_rank[f"slave[{i}]"] for i in range(3)}, {"thread 1"})
+        self.assertEqual(by_rank["master"], "thread 0")
+        simulated = generations(FARM)
+        self.assertEqual(generations(FARM, "--set", "rank=7"), simulated)
+        self.assertEqual(generations(FARM, "--native", "--threads", 3, "--map", "balance"), simulated)
+
+    def test_refuses_a_rank_without_a_thread(self):
+        run = placedpar("run", FARM, "--native", "--threads", 2, "--set", "t[1].rank=2")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn('farm.cfs:19:', run.stderr)
+        self.assertIn('"t[1]" has rank = 2, but the run has 2 threads', run.stderr)
+        run = placedpar("run", FARM, "--map", "balance")
+        self.assertEqual((run.returncode, "--map is for native runs: give --native" in run.stderr), (1, True))
+
+
 class Endings(unittest.TestCase):
     def test_a_deadlock_has_its_cycle_and_exit_code(self):
         run = placedpar("run", EXAMPLES / "csp/deadlock/ring.cfs", "--native", "--threads", 3)

@@ -147,8 +147,8 @@ struct OnRanks {
 enum class Interrupted { none, last, all };
 
 /// Runs a netlist on ranks. `sends_notes`: each rank above 0 sends two notes.
-OnRanks on_ranks(int ranks, const std::string& text, const std::vector<ProcessKind>& own, Interrupted interrupted = Interrupted::none,
-                 bool sends_notes = false) {
+OnRanks on_ranks(int ranks, const std::string& text, const std::vector<ProcessKind>& own,
+                 Interrupted interrupted = Interrupted::none, bool sends_notes = false) {
     MadeUpWorld world(ranks);
     OnRanks result;
     const auto run = [&](int rank) {
@@ -165,7 +165,9 @@ OnRanks on_ranks(int ranks, const std::string& text, const std::vector<ProcessKi
         settings.receive_note = [&](std::span<const std::uint8_t> note) {
             result.notes.emplace_back(note.begin(), note.end());
         };
-        settings.is_interrupted = [&] { return interrupted == Interrupted::all || (interrupted == Interrupted::last && rank == ranks - 1); };
+        settings.is_interrupted = [&] {
+            return interrupted == Interrupted::all || (interrupted == Interrupted::last && rank == ranks - 1);
+        };
         MadeUpRanks own_ranks(world, rank);
         return run_on_ranks(*read.network, settings, own_ranks);
     };
@@ -205,7 +207,8 @@ ProcessKind rank_kind(const std::string& name, std::function<void(ProcessEnviron
     ProcessKind kind;
     kind.name = name;
     kind.about = "Tests native runs on ranks.";
-    kind.ports = {description::input<T>("in", "numbers", "numbers"), description::output<T>("out", "numbers", "numbers")};
+    kind.ports = {description::input<T>("in", "numbers", "numbers"),
+                  description::output<T>("out", "numbers", "numbers")};
     kind.body = std::move(body);
     return kind;
 }

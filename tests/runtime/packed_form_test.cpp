@@ -1,7 +1,7 @@
 // Tests how messages travel to another copy of the program.
 
-#include "runtime/packed_form.hpp"
 #include "runtime/channel.hpp"
+#include "runtime/packed_form.hpp"
 #include "runtime/time.hpp"
 
 #include <doctest/doctest.h>
@@ -54,8 +54,9 @@ bool comes_back(const T& value) {
 
 namespace placedpar {
 template <>
-struct PackedForm<Letter> : PackedMembers<Letter, &Letter::lines, &Letter::weight, &Letter::content, &Letter::enclosed,
-                                          &Letter::is_urgent> {};
+struct PackedForm<Letter>
+    : PackedMembers<Letter, &Letter::lines, &Letter::weight, &Letter::content, &Letter::enclosed, &Letter::is_urgent> {
+};
 } // namespace placedpar
 
 TEST_CASE("values come back as they were packed") {
