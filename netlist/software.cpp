@@ -42,9 +42,9 @@ void Software::start_natively(Simulation& simulation, const std::vector<bool>& n
 
 void Software::expect_partners(const std::vector<Process*>& all) {
     for (std::size_t i = 0; i < channels_.size(); ++i) {
-        if (const ChannelEnd& from = network_.channels[i].from; !from.at_edge())
+        if (const ChannelEnd& from = network_.channels[i].from; !from.at_edge() && all[from.process])
             channels_[i]->expect_outputter(*all[from.process]);
-        if (const ChannelEnd& to = network_.channels[i].to; !to.at_edge())
+        if (const ChannelEnd& to = network_.channels[i].to; !to.at_edge() && all[to.process])
             channels_[i]->expect_inputter(*all[to.process]);
     }
 }

@@ -31,7 +31,7 @@ public:
     /// Makes the processes of some nodes, which take no time. REQUIRES: as start().
     void start_natively(Simulation&, const std::vector<bool>& nodes);
     /// Declares the ends of all channels. `all` holds the processes by their index in Network::processes, wherever they
-    /// were made.
+    /// were made; null for those that are in another program.
     void expect_partners(const std::vector<Process*>& all);
     /// Returns the processes by their index in Network::processes; null for those that this object has not made.
     const std::vector<Process*>& processes() const { return processes_; }

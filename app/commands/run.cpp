@@ -12,6 +12,7 @@
 #include "explore/problems.hpp"
 #include "iserver/offered_board.hpp"
 #include "picture/gnuplot.hpp"
+#include "ranks/ranks.hpp"
 #include "report/convergence.hpp"
 #include "report/manifest.hpp"
 #include "report/run_report.hpp"
@@ -54,7 +55,9 @@ struct RunOptions {
     std::size_t seeds = 1; ///< number of seeds, from the first on
     bool watch = false, yes = false;
     bool listing = false, step = false, analyse = false; ///< of transputers that execute their own code
-    std::string offer; ///< where the host's link is offered to another program; "": nowhere
+    std::string offer;            ///< where the host's link is offered to another program; "": nowhere
+    std::shared_ptr<Ranks> ranks; ///< of a native run; null: without mpirun
+    std::shared_ptr<CheckpointFile> checkpoints; ///< null without the option
 
     std::array<std::filesystem::path, 6> outputs() const {
         return {json, recorded.trace, recorded.page, log, convergence, checkpoint};
@@ -113,26 +116,23 @@ void require_fit(const Network& network, const RunOptions& options) {
         require_searches(network);
 }
 
-/// Reads the checkpoint of an earlier run, if there is one, and says so. Nothing without the option.
-std::unique_ptr<CheckpointFile> checkpoints_of(const Network& network, const RunOptions& options, std::uint64_t seed) {
+std::shared_ptr<CheckpointFile> checkpoints_of(const Network& network, const RunOptions& options) {
     if (options.checkpoint.empty())
         return nullptr;
-    auto file = std::make_unique<CheckpointFile>(options.checkpoint, network, seed, options.checkpoint_every);
-    if (file->begin() > 0)
-        print_error(fmt::format("placedpar: goes on after generation {} of {}\n", file->begin(), options.checkpoint));
-    return file;
+    return std::make_shared<CheckpointFile>(options.checkpoint, network, options.seed, options.checkpoint_every);
 }
 
 RunReport run_observed(const Network& network, const RunOptions& options, std::uint64_t seed, TraceSink* trace,
                        Interruption& interruption, SearchObserver* observer) {
-    const auto checkpoints = checkpoints_of(network, options, seed);
     const RunSettings settings{.seed = seed,
                                .until = options.until,
                                .shuffle = options.shuffle,
                                .trace = trace,
                                .observer = observer,
-                               .checkpoints = checkpoints.get(),
+                               .checkpoints = options.checkpoints.get(),
                                .interruption = &interruption};
+    if (options.ranks)
+        return *run_on_ranks(network, options.native, settings, *options.ranks);
     return options.native.is_native ? run_natively(network, options.native, settings)
                                     : run_netlist(network, known_problems(seed), settings);
 }
@@ -257,11 +257,51 @@ bool offer_link(Network& network, const RunOptions& options, const Interruption&
     return board->wait_for_program();
 }
 
-ExitCode run(const RunOptions& options, const Options& command, const std::string& typed) {
+/// Makes the part of a native run that runs in a rank above 0, which writes nothing.
+ExitCode help_rank_zero(const Network& network, const RunOptions& options) {
+    InterruptedBySignals interruption;
+    const RunSettings settings{
+        .seed = options.seed, .checkpoints = options.checkpoints.get(), .interruption = &interruption};
+    run_on_ranks(network, options.native, settings, *options.ranks);
+    return ExitCode::success;
+}
+
+/// Checks the options, and loads the network and the checkpoint of an earlier run. Returns nothing in a rank of mpirun
+/// that must end silently.
+std::optional<Network> load(RunOptions& options, const Options& command) {
+    std::optional<Network> network;
+    const auto load_here = [&]() -> LoadedRun {
+        if (!options.ranks || options.ranks->own() == 0)
+            require_outputs(options);
+        require_native(options);
+        network = load_network(command, options.netlist, options.booted);
+        require_fit(*network, options);
+        options.checkpoints = checkpoints_of(*network, options);
+        return {*network, options.checkpoints ? options.checkpoints->begin() : 0};
+    };
+    if (!options.ranks)
+        load_here();
+    else if (!load_in_all(*options.ranks, options.native, options.seed, load_here))
+        network.reset();
+    return network;
+}
+
+void say_begin(const RunOptions& options) {
+    if (options.checkpoints && options.checkpoints->begin() > 0)
+        print_error(fmt::format("placedpar: goes on after generation {} of {}\n", options.checkpoints->begin(),
+                                options.checkpoint));
+}
+
+ExitCode run(RunOptions options, const Options& command, const std::string& typed) {
     Manifest manifest = options.manifest(typed);
-    require_outputs(options);
-    require_native(options);
-    Network network = load_network(command, options.netlist, options.booted);
+    options.ranks = ranks_of(options.native);
+    std::optional<Network> loaded = load(options, command);
+    if (!loaded)
+        return ExitCode::success;
+    if (options.ranks && options.ranks->own() > 0)
+        return help_rank_zero(*loaded, options);
+    say_begin(options);
+    Network& network = *loaded;
     InterruptedBySignals interruption;
     network.host.lists_code = options.listing;
     network.host.analyses = options.analyse;
@@ -274,7 +314,6 @@ ExitCode run(const RunOptions& options, const Options& command, const std::strin
             interruption.request();
         },
         !options.step);
-    require_fit(network, options);
     std::optional<iserver::OfferedBoard> board;
     if (!offer_link(network, options, interruption, board))
         return ExitCode::interrupted;
