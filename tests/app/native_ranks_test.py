@@ -121,6 +121,24 @@ class OnRanks(unittest.TestCase):
                 self.assertNotEqual(mpirun.returncode, 0)
                 self.assertIn(f"rank {dying} ", errors)
 
+    def test_a_killed_run_goes_on_from_its_checkpoint_with_another_number_of_ranks(self):
+        expected = results(ISLANDS)
+        chance = random.Random(2)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "search.checkpoint")
+            kept = ("--native", "--checkpoint", file, "--checkpoint-every", "1")
+            for ranks in (3, 2, 3):
+                with start(ranks, "run", ISLANDS, *kept) as mpirun:
+                    while len(ranks_of(mpirun)) < ranks and mpirun.poll() is None:
+                        time.sleep(0.01)
+                    time.sleep(chance.uniform(0.1, 0.4))
+                    for rank in list(ranks_of(mpirun).values())[1:2]:
+                        os.kill(rank, signal.SIGKILL)
+                    mpirun.communicate(timeout=20)
+            self.assertTrue(file.exists())
+            self.assertEqual(results(ISLANDS, *kept, program=on(2)), expected)
+            self.assertEqual(results(ISLANDS, "--checkpoint", file), expected)
+
     def test_an_idle_rank_uses_hardly_any_of_a_core(self):
         with tempfile.TemporaryDirectory() as folder:
             netlist = pathlib.Path(folder, "wait.cfs")
