@@ -2,6 +2,7 @@
 
 #include "native/crossing.hpp"
 #include "native/group.hpp"
+#include "native/pace.hpp"
 #include "native/placement.hpp"
 #include "native/run_parts.hpp"
 #include "netlist/failed_process.hpp"
@@ -17,6 +18,7 @@
 #include <exception>
 #include <list>
 #include <optional>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -36,6 +38,7 @@ struct Strand {
     std::shared_ptr<const Catalogue> catalogue;
     std::unique_ptr<Software> software;
     Simulation simulation;
+    Pace* pace = nullptr;            ///< null: computations take the time that they take
     std::vector<Time> waited = {};   ///< for how long each process waited, at the end of the work
     std::optional<RunResult> result; ///< empty if the run has thrown
     std::exception_ptr thrown;
@@ -49,6 +52,8 @@ public:
             strand.catalogue = settings.make_catalogue();
             strand.software = std::make_unique<Software>(network, *strand.catalogue, settings.seed);
             group_.add(strand.simulation);
+            if (settings.pace > 0)
+                strand.pace = &strand.simulation.add<Pace>(network, settings.pace);
         }
         for (std::size_t i = 0; i < network.channels.size(); ++i)
             cross(i);
@@ -85,7 +90,7 @@ private:
             std::vector<bool> nodes(network_.nodes.size());
             for (std::size_t i = 0; i < nodes.size(); ++i)
                 nodes[i] = thread_of_node_[i] == thread;
-            strands_[thread].software->start_natively(strands_[thread].simulation, nodes);
+            strands_[thread].software->start_natively(strands_[thread].simulation, nodes, strands_[thread].pace);
             for (std::size_t i = 0; i < all.size(); ++i)
                 if (Process* const made = strands_[thread].software->processes()[i])
                     all[i] = made;
@@ -106,6 +111,10 @@ private:
         try {
             for (Strand& strand : strands_)
                 threads.emplace_back([&] { execute(strand); });
+        } catch (const std::system_error& refused) {
+            set_gate(Gate::cancelled);
+            throw UserError(fmt::format("thread {} of {} cannot be started: {}: give a smaller number of --threads",
+                                        threads.size() + 1, strands_.size(), refused.code().message()));
         } catch (...) {
             set_gate(Gate::cancelled);
             throw;

@@ -22,7 +22,7 @@ std::vector<bool> nodes_with_processes(const Network& network) {
 
 /// Returns the rank that the node states, if any. Throws UserError if it is not a place.
 std::optional<std::size_t> rank_on(const Places& places, const Node& node) {
-    const std::optional<std::size_t> rank = node.rank();
+    const std::optional<std::size_t> rank = node.rank;
     if (rank >= places.count)
         throw UserError(fmt::format("{}: \"{}\" has rank = {}, but the run has {}, counted from 0: give {} {} or more",
                                     node.declared.text(), node.name, *rank, counted(places.count, places.noun),
@@ -85,7 +85,7 @@ std::size_t most_places(const Network& network) {
     const std::vector<bool> has_process = nodes_with_processes(network);
     std::size_t most = static_cast<std::size_t>(std::ranges::count(has_process, true));
     for (std::size_t i = 0; i < has_process.size(); ++i)
-        if (const std::optional<std::size_t> rank = network.nodes[i].rank(); rank && has_process[i])
+        if (const std::optional<std::size_t> rank = network.nodes[i].rank; rank && has_process[i])
             most = std::max(most, *rank + 1);
     return most;
 }

@@ -1,6 +1,7 @@
 #include "native/rank_run.hpp"
 
 #include "native/native_run.hpp"
+#include "native/pace.hpp"
 #include "native/placement.hpp"
 #include "native/rank_channel.hpp"
 #include "native/rank_member.hpp"
@@ -136,7 +137,8 @@ private:
         std::vector<bool> nodes(network_.nodes.size());
         for (std::size_t i = 0; i < nodes.size(); ++i)
             nodes[i] = rank_of_node_[i] == own();
-        software_->start_natively(simulation_, nodes);
+        Pace* const pace = settings_.pace > 0 ? &simulation_.add<Pace>(network_, settings_.pace) : nullptr;
+        software_->start_natively(simulation_, nodes, pace);
         software_->expect_partners(software_->processes());
     }
 

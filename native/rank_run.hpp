@@ -19,6 +19,7 @@ class Ranks; // ranks/ranks.hpp
 
 struct RankRunSettings {
     std::uint64_t seed = 1;
+    double pace = 0; ///< as in NativeSettings
     /// Returns the load of each node, by which nodes are placed (native/placement.hpp). Empty: without loads.
     std::function<std::vector<Time>()> loads = {};
     /// Makes the kinds of the processes of this rank. `send_note`: sends bytes to rank 0 during the run; REQUIRES:

@@ -35,9 +35,9 @@ void Software::start(Simulation& simulation, const std::vector<Executive*>& exec
     expect_partners(processes_);
 }
 
-void Software::start_natively(Simulation& simulation, const std::vector<bool>& nodes) {
+void Software::start_natively(Simulation& simulation, const std::vector<bool>& nodes, Executive* executive) {
     for (std::size_t i = 0; i < network_.processes.size(); ++i)
-        processes_.push_back(nodes[network_.processes[i].node] ? &start(simulation, i, nullptr) : nullptr);
+        processes_.push_back(nodes[network_.processes[i].node] ? &start(simulation, i, executive) : nullptr);
 }
 
 void Software::expect_partners(const std::vector<Process*>& all) {

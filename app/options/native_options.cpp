@@ -10,6 +10,7 @@
 #include "netlist/print/print.hpp"
 #include "ranks/ranks.hpp"
 #include "report/manifest.hpp"
+#include "text/number.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -26,6 +27,7 @@ namespace placedpar {
 namespace {
 
 constexpr std::size_t most_threads = 1024; // our choice, far more than computers have cores
+constexpr double slowest_pace = 1e-6, fastest_pace = 1e6;
 
 /// The kinds of the processes of one thread, with problems of its own, which may keep what they have computed.
 struct KindsOfThread {
@@ -34,6 +36,13 @@ struct KindsOfThread {
     ProblemRegistry problems;
     Catalogue catalogue;
 };
+
+std::string not_a_pace(const std::string& text) {
+    const std::optional<double> number = parse_number<double>(text);
+    return number && *number >= slowest_pace && *number <= fastest_pace
+               ? ""
+               : fmt::format("\"{}\" is not a number from {} to {}", text, slowest_pace, fastest_pace);
+}
 
 std::size_t threads_of(const NativeOptions& options, const Network& network) {
     const std::size_t useful = std::max<std::size_t>(native::most_places(network), 1);
@@ -62,12 +71,19 @@ void add_native(Options& command, NativeOptions& options) {
              "distributes processors over the threads of a native run: in turn, or by the loads of a simulated run, "
              "which comes first")
         .one_of({"modulo", "balance"});
+    command
+        .add("--pace", options.pace,
+             "slows a native run down: each computation takes its time on the netlist's processor, divided by this "
+             "number")
+        .type("FACTOR")
+        .check(not_a_pace);
 }
 
 void refuse_with_native(const NativeOptions& options, const std::vector<std::pair<bool, const char*>>& typed) {
+    const std::pair<bool, const char*> of_native_runs[] = {
+        {options.threads != 0, "--threads"}, {!options.map.empty(), "--map"}, {options.pace != 0, "--pace"}};
     if (!options.is_native)
-        for (const auto& [is_typed, name] :
-             {std::pair(options.threads != 0, "--threads"), {!options.map.empty(), "--map"}})
+        for (const auto& [is_typed, name] : of_native_runs)
             if (is_typed)
                 throw UserError(fmt::format("{} is for native runs: give --native, too", name));
     if (options.is_native)
@@ -83,6 +99,7 @@ RunReport run_natively(const Network& network, const NativeOptions& options, con
     NativeSettings settings;
     settings.seed = run.seed;
     settings.threads = threads_of(options, network);
+    settings.pace = options.pace;
     if (options.map == "balance")
         settings.loads = [&] { return simulated_loads(network, run.seed, *run.interruption); };
     settings.make_catalogue = [&]() -> std::shared_ptr<const Catalogue> {
@@ -107,8 +124,8 @@ bool load_in_all(Ranks& ranks, const NativeOptions& options, std::uint64_t seed,
                 fmt::format("--threads {}: each rank of mpirun runs its processes on one thread: start more "
                             "ranks",
                             options.threads));
-        return fmt::format("{} {} {} {} {}", version_text(), hex(network_hash(canonical_form(loaded.network))), seed,
-                           options.map, loaded.begin);
+        return fmt::format("{} {} {} {} {} {}", version_text(), hex(network_hash(canonical_form(loaded.network))), seed,
+                           options.map, options.pace, loaded.begin);
     });
 }
 
@@ -118,6 +135,7 @@ std::optional<RunReport> run_on_ranks(const Network& network, const NativeOption
     std::optional<SentCheckpoints> sent_checkpoints;
     RankRunSettings settings;
     settings.seed = run.seed;
+    settings.pace = options.pace;
     if (options.map == "balance")
         settings.loads = [&] { return simulated_loads(network, run.seed, *run.interruption); };
     settings.make_catalogue = [&](const std::function<void(MessageBytes)>& send) -> std::shared_ptr<const Catalogue> {

@@ -21,6 +21,7 @@ class Ranks; // ranks/ranks.hpp
 struct NativeOptions {
     bool is_native = false;
     std::size_t threads = 0; ///< 0: as many as the computer has cores, but not more than can have processes
+    double pace = 0;         ///< 0: the processes compute as fast as they can
     std::string map;         ///< "modulo", "balance", or "", which is "modulo"
 };
 

@@ -35,6 +35,8 @@ NodeType with_attributes_of(NodeType type, const Node& untyped) {
     type.preset.given.insert(untyped.given.begin(), untyped.given.end());
     for (const auto& [name, value] : untyped.other)
         type.preset.other[name] = value;
+    if (untyped.rank)
+        type.preset.rank = untyped.rank;
     return type;
 }
 
@@ -100,8 +102,10 @@ void apply_node_attribute(Node& node, const Setting& setting, Reporter& reporter
     if (const auto* attribute = node.kind->attribute(setting.name)) {
         node.attributes[setting.name] = value.as(*attribute);
         node.given.insert(setting.name);
-    } else
-        node.other[setting.name] = setting.name == rank_attribute ? value.as(rank_description()) : value.any();
+    } else if (setting.name == rank_attribute)
+        node.rank = static_cast<std::size_t>(std::get<std::int64_t>(value.as(rank_description())));
+    else
+        node.other[setting.name] = value.any();
 }
 
 void apply_node_attributes(NodeType& type, const std::vector<Setting>& settings, const Scopes& scopes,

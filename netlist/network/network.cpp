@@ -16,11 +16,6 @@ std::int64_t Node::integer(std::string_view attribute) const {
     return std::get<std::int64_t>(found->second);
 }
 
-std::optional<std::size_t> Node::rank() const {
-    const auto found = other.find("rank");
-    return found == other.end() ? std::nullopt : std::optional(std::get<std::int64_t>(found->second));
-}
-
 std::size_t Network::count_wires() const {
     return static_cast<std::size_t>(
         std::ranges::count_if(connections, [](const LinkConnection& each) { return !each.over_bus; }));

@@ -49,7 +49,7 @@ struct Node {
     bool overlapped_acknowledge = true;                   ///< its links acknowledge a byte while the byte comes in
     bool floating_point_unit = true;                      ///< the processor has a floating-point unit, as a T800 has
     std::set<std::string, std::less<>> given = {};        ///< names of the attributes that the netlist gives
-    std::map<std::string, Value> other; ///< attributes that a simulation does not use: of the INMOS tool, and `rank`
+    std::map<std::string, Value> other;                   ///< attributes of the INMOS tool, not used by a simulation
     Location declared;
     std::string boot_file = ""; ///< path of the bootable file that a host sends to the node; "" if none
     std::shared_ptr<const std::vector<std::uint8_t>> boot_bytes = nullptr; ///< contents of this file
@@ -60,11 +60,10 @@ struct Node {
     /// The program that is in the memory when the run begins: all processes of the node that are code, in one. Null if
     /// the node has none.
     std::shared_ptr<const transputer::Image> image = nullptr;
+    std::optional<std::size_t> rank = {}; ///< the thread or MPI rank of its processes in a native run; empty: any
 
     /// REQUIRES: the kind has an integer attribute of this name; throws std::logic_error otherwise.
     std::int64_t integer(std::string_view attribute) const;
-    /// Returns the thread or MPI rank that the netlist states for a native run, if it states one.
-    std::optional<std::size_t> rank() const;
 };
 
 struct LinkEnd {

@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import pathlib
+import resource
 import signal
 import subprocess
 import tempfile
@@ -135,14 +136,28 @@ class Endings(unittest.TestCase):
         self.assertEqual(run.returncode, 130)
         self.assertIn("interrupted", out)
 
+    def test_a_thread_that_cannot_be_started_ends_the_run(self):
+        def few_threads():
+            resource.setrlimit(resource.RLIMIT_AS, (2 << 30, 2 << 30))  # 2 Gbyte have no room for the stacks of 400
+            resource.setrlimit(resource.RLIMIT_STACK, (8 << 20, 8 << 20))
+        run = subprocess.run([PROGRAM, "run", EXAMPLES / "csp/deadlock/ring.cfs", "--native", "--set", "n=400",
+                              "--threads", "400"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                             preexec_fn=few_threads, timeout=60, check=False)
+        self.assertEqual(run.returncode, 1)
+        self.assertRegex(run.stderr, r"thread \d+ of 400 cannot be started: .*: give a smaller number of --threads")
+
     def test_what_only_simulated_runs_have_is_refused(self):
         netlist = EXAMPLES / "csp/deadlock/ring.cfs"
         for option in (["--until", "1ms"], ["--seeds", "2"], ["--shuffle", "1"], ["--trace", "t.json"]):
             run = placedpar("run", netlist, "--native", *option)
             self.assertEqual(run.returncode, 1, option)
             self.assertIn(f"{option[0]}: only simulated runs have this option", run.stderr)
-        run = placedpar("run", netlist, "--threads", 2)
-        self.assertEqual((run.returncode, "give --native" in run.stderr), (1, True))
+        for option in (["--threads", 2], ["--pace", 1]):
+            run = placedpar("run", netlist, *option)
+            self.assertEqual((run.returncode, f"{option[0]} is for native runs: give --native" in run.stderr), (1, True))
+        for pace in ("0", "-1", "nan", "1e9", "fast"):
+            run = placedpar("run", netlist, "--native", "--pace", pace)
+            self.assertEqual((run.returncode, "is not a number from 1e-06 to 1000000" in run.stderr), (1, True), pace)
         run = placedpar("run", EXAMPLES / "occam/network/table.cfs", "--native")
         self.assertEqual((run.returncode, "executes the code of a transputer" in run.stderr), (1, True))
 

@@ -128,8 +128,8 @@ TEST_CASE("a rank that is no place is refused with its place in the netlist") {
 }
 
 TEST_CASE("the netlist's text keeps a rank, and simulations do not see it") {
-    CHECK(ring_with({-1, 1, -1}).nodes[1].rank() == 1);
-    CHECK_FALSE(ring_with({-1, 1, -1}).nodes[0].rank());
+    CHECK(ring_with({-1, 1, -1}).nodes[1].rank == 1);
+    CHECK_FALSE(ring_with({-1, 1, -1}).nodes[0].rank);
     for (const char* wrong : {"-1", "1.5", "\"1\"", "1000000"}) {
         Catalogue catalogue;
         add_csp_kinds(catalogue);
