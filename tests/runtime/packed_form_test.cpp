@@ -110,6 +110,7 @@ TEST_CASE("a type that does not state how it is packed cannot travel") {
     CHECK_FALSE(Packable<int*>);
     const Channel<Letter> letters("letters");
     const Channel<Unstated> others("others");
-    for (const AnyChannel* channel : {static_cast<const AnyChannel*>(&letters), static_cast<const AnyChannel*>(&others)})
+    for (const AnyChannel* channel :
+         {static_cast<const AnyChannel*>(&letters), static_cast<const AnyChannel*>(&others)})
         CHECK((channel->packed_form() != nullptr) == (channel == &letters));
 }
