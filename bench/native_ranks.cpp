@@ -74,7 +74,7 @@ double by_channels(RankMail& mail, long times) {
 } // namespace
 
 int main(int arguments, char** argument) {
-    const long times = arguments > 1 ? std::atol(argument[1]) : 100'000;
+    const long times = arguments > 1 ? std::atol(argument[1]) : 10'000;
     const std::unique_ptr<Ranks> ranks(placedpar_mpi_ranks());
     if (ranks->count() != 2) {
         fmt::print(stderr, "start two ranks: mpirun -n 2 native_ranks\n");
@@ -82,7 +82,7 @@ int main(int arguments, char** argument) {
     }
     const std::unique_ptr<RankMail> mail = ranks->open_mail();
     double usual = 1e12, synchronous = 1e12, channels = 1e12;
-    for (int repetition = 0; repetition < 10; ++repetition) {
+    for (int repetition = 0; repetition < 100; ++repetition) {
         usual = std::min(usual, by_mpi(MPI_Send, ranks->own(), times));
         synchronous = std::min(synchronous, by_mpi(MPI_Ssend, ranks->own(), times));
         channels = std::min(channels, by_channels(*mail, times));

@@ -4,11 +4,6 @@
 
 namespace placedpar::native {
 
-std::uint64_t QuietDetection::ask() {
-    missing_ = answers_.size();
-    return ++round_;
-}
-
 QuietDetection::Verdict QuietDetection::take(std::size_t rank, const QuietAnswer& answer) {
     answers_[rank] = answer;
     return --missing_ > 0 ? Verdict::unknown : compare();

@@ -9,7 +9,6 @@ namespace placedpar::native {
 
 /// What a rank without anything to do tells about itself.
 struct QuietAnswer {
-    std::uint64_t round = 0;              ///< the round of questions that the rank answers
     std::uint64_t sent = 0, received = 0; ///< numbers of messages that give a rank something to do
     bool awaits_end = false;              ///< processes of the rank wait for the end of the work
 };
@@ -32,9 +31,9 @@ public:
     };
     /// Returns whether a round has begun, and answers are missing.
     bool is_asking() const { return missing_ > 0; }
-    /// Begins a round, and returns its number. REQUIRES: !is_asking().
-    std::uint64_t ask();
-    /// REQUIRES: the rank has not answered in this round; the answer is for this round.
+    /// Begins a round. REQUIRES: !is_asking().
+    void ask() { missing_ = answers_.size(); }
+    /// REQUIRES: a round has begun, and the rank has not answered in it.
     Verdict take(std::size_t rank, const QuietAnswer&);
 
 private:
@@ -42,7 +41,6 @@ private:
 
     std::vector<QuietAnswer> answers_;
     std::size_t missing_ = 0;
-    std::uint64_t round_ = 0;
     std::optional<std::uint64_t> received_before_; ///< messages that were received, in the round before
 };
 

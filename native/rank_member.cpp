@@ -11,8 +11,8 @@ namespace placedpar {
 
 template <>
 struct PackedForm<native::QuietAnswer>
-    : PackedMembers<native::QuietAnswer, &native::QuietAnswer::round, &native::QuietAnswer::sent,
-                    &native::QuietAnswer::received, &native::QuietAnswer::awaits_end> {};
+    : PackedMembers<native::QuietAnswer, &native::QuietAnswer::sent, &native::QuietAnswer::received,
+                    &native::QuietAnswer::awaits_end> {};
 
 } // namespace placedpar
 
@@ -58,7 +58,7 @@ void RankMember::send_counted(int to, Kind kind, const Parts&... parts) {
 void RankMember::send_to_others(Kind kind) {
     for (int rank = 0; rank < mail_.count(); ++rank)
         if (rank != mail_.own())
-            kind == Kind::over ? send(rank, kind) : send_counted(rank, kind);
+            is_counted(kind) ? send_counted(rank, kind) : send(rank, kind);
 }
 
 void RankMember::send_message(int to, std::size_t channel, std::span<const std::uint8_t> packed) {
@@ -110,7 +110,7 @@ bool RankMember::handle_at_once(const RankLetter& letter) {
         is_quiet_ = !is_stopped_;
         break;
     case Kind::over: is_over_ = true; break;
-    case Kind::question: question_ = PackedForm<std::uint64_t>::read(from); break;
+    case Kind::question: is_asked_ = true; break;
     case Kind::answer:
         heed(detection_.take(static_cast<std::size_t>(letter.from), PackedForm<QuietAnswer>::read(from)));
         break;
@@ -165,27 +165,25 @@ void RankMember::handle_held() {
 }
 
 void RankMember::take_arrivals() noexcept {
+    if (held_ || held_parcel_)
+        return handle_held(); // rest() has just looked
     while (fetch())
         handle_held();
 }
 
-QuietAnswer RankMember::own_answer(std::uint64_t round, bool awaits_end) const {
-    return {round, sent_, received_, awaits_end};
-}
-
 /// Answers the question whether this rank has anything to do, or asks it. REQUIRES: it has not.
 void RankMember::take_part_in_rounds(bool awaits_end) {
+    const QuietAnswer own_answer{sent_, received_, awaits_end};
     if (mail_.own() == 0 && !detection_.is_asking())
-        begin_round(awaits_end);
-    else if (const std::optional<std::uint64_t> question = std::exchange(question_, std::nullopt))
-        send(0, Kind::answer, own_answer(*question, awaits_end));
+        begin_round(own_answer);
+    else if (std::exchange(is_asked_, false))
+        send(0, Kind::answer, own_answer);
 }
 
-void RankMember::begin_round(bool awaits_end) {
-    const std::uint64_t round = detection_.ask();
-    for (int rank = 1; rank < mail_.count(); ++rank)
-        send(rank, Kind::question, round);
-    heed(detection_.take(0, own_answer(round, awaits_end)));
+void RankMember::begin_round(const QuietAnswer& own_answer) {
+    detection_.ask();
+    send_to_others(Kind::question);
+    heed(detection_.take(0, own_answer));
 }
 
 void RankMember::heed(QuietDetection::Verdict verdict) {
@@ -205,15 +203,15 @@ Time RankMember::patience() const {
 }
 
 /// Returns how the rest ends; nothing if it goes on.
-std::optional<Surroundings::Rest> RankMember::look(Time due, bool awaits_end, bool is_patient) {
+std::optional<Surroundings::Rest> RankMember::look(bool is_due, bool awaits_end, bool may_answer) {
     const bool has_come = fetch();
     if (is_over_)
         return Rest::forever;
     if (std::exchange(is_quiet_, false))
         return Rest::quiet;
-    if (has_come || interrupted_ || now() >= due)
+    if (has_come || interrupted_ || is_due)
         return Rest::over;
-    if (!is_patient && due == Time::max() && mail_.has_all_parcels())
+    if (may_answer && mail_.has_all_parcels())
         take_part_in_rounds(awaits_end);
     return std::nullopt;
 }
@@ -223,8 +221,8 @@ Surroundings::Rest RankMember::rest(Time due, bool awaits_end) {
     for (;;) {
         const Time time = now();
         const bool is_patient = time < patient_until;
-        if (const std::optional<Rest> end = look(due, awaits_end, is_patient)) {
-            rested_ += now() - since;
+        if (const std::optional<Rest> end = look(time >= due, awaits_end, !is_patient && due == Time::max())) {
+            rested_ += time - since;
             if (end == Rest::quiet && !rested_in_work_)
                 rested_in_work_ = rested_;
             return *end;

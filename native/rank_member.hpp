@@ -76,6 +76,7 @@ public:
 private:
     enum class Kind : std::uint8_t { message, parcel, taker, quiet, over, question, answer, stop, note };
 
+    static bool is_counted(Kind kind) { return kind == Kind::quiet || kind == Kind::stop; }
     template <class... Parts>
     void send(int to, Kind, const Parts&...);
     template <class... Parts>
@@ -86,10 +87,9 @@ private:
     bool handle_at_once(const RankLetter&);
     bool handle_parcel();
     void take_part_in_rounds(bool awaits_end);
-    QuietAnswer own_answer(std::uint64_t round, bool awaits_end) const;
-    void begin_round(bool awaits_end);
+    void begin_round(const QuietAnswer& own_answer);
     void heed(QuietDetection::Verdict);
-    std::optional<Rest> look(Time due, bool awaits_end, bool is_patient);
+    std::optional<Rest> look(bool is_due, bool awaits_end, bool may_answer);
     void stop_others();
     Time patience() const;
 
@@ -103,8 +103,8 @@ private:
     std::optional<RankParcel> held_parcel_;
     MessageBytes letter_; ///< memory of the letter that is written
     std::uint64_t sent_ = 0, received_ = 0;
-    QuietDetection detection_;              ///< used by rank 0
-    std::optional<std::uint64_t> question_; ///< a round that the rank has not answered yet
+    QuietDetection detection_; ///< used by rank 0
+    bool is_asked_ = false;    ///< a question of rank 0 has not been answered yet
     bool is_quiet_ = false, is_over_ = false, is_stopped_ = false, others_stop_ = false;
     std::atomic<bool> interrupted_{false};
     Time rested_{};

@@ -41,9 +41,9 @@ std::vector<std::size_t> ranks_of_nodes(const Network& network, const RankRunSet
 
 void require_enough_nodes(const Network& network, std::size_t ranks) {
     if (const std::size_t most = most_places(network); ranks > most)
-        throw UserError(fmt::format("{}: mpirun started {} ranks, but {} with processes: start at most as many ranks",
-                                    network.source_path, ranks,
-                                    counted(most, "processor is there", "processors are there")));
+        throw UserError(fmt::format("{}: mpirun started {} ranks, but only {} processes: start at most {}",
+                                    network.source_path, ranks, counted(most, "processor has", "processors have"),
+                                    counted(most, "rank")));
 }
 
 /// Throws UserError if messages of the channel cannot travel to another rank.

@@ -9,7 +9,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,19 +20,23 @@ TEST_CASE("ranks without messages are quiet after two rounds") {
     QuietDetection detection(2);
     for (const auto verdict : {QuietDetection::Verdict::again, QuietDetection::Verdict::over}) {
         CHECK_FALSE(detection.is_asking());
-        const std::uint64_t round = detection.ask();
-        CHECK(detection.take(1, {round, 3, 2, false}) == QuietDetection::Verdict::unknown);
+        detection.ask();
+        CHECK(detection.take(1, {3, 2, false}) == QuietDetection::Verdict::unknown);
         CHECK(detection.is_asking());
-        CHECK(detection.take(0, {round, 2, 3, false}) == verdict);
+        CHECK(detection.take(0, {2, 3, false}) == verdict);
     }
 }
 
 TEST_CASE("a process that waits for the end of the work goes on when the ranks are quiet") {
     QuietDetection detection(1);
-    CHECK(detection.take(0, {detection.ask(), 0, 0, true}) == QuietDetection::Verdict::again);
-    CHECK(detection.take(0, {detection.ask(), 0, 0, true}) == QuietDetection::Verdict::quiet);
-    CHECK(detection.take(0, {detection.ask(), 1, 1, false}) == QuietDetection::Verdict::again); // it begins anew
-    CHECK(detection.take(0, {detection.ask(), 1, 1, false}) == QuietDetection::Verdict::over);
+    const auto asked = [&](const QuietAnswer& answer) {
+        detection.ask();
+        return detection.take(0, answer);
+    };
+    CHECK(asked({0, 0, true}) == QuietDetection::Verdict::again);
+    CHECK(asked({0, 0, true}) == QuietDetection::Verdict::quiet);
+    CHECK(asked({1, 1, false}) == QuietDetection::Verdict::again); // it begins anew
+    CHECK(asked({1, 1, false}) == QuietDetection::Verdict::over);
 }
 
 namespace {
@@ -86,13 +89,11 @@ private:
         is_busy_[rank] = true;
     }
     void ask() {
-        const std::uint64_t round = detection_.ask();
-        for (auto& question : questions_)
-            question = round;
+        detection_.ask();
+        questions_.assign(ranks_, true);
     }
     QuietDetection::Verdict answer(std::size_t rank) {
-        counts_[rank].round = *questions_[rank];
-        questions_[rank].reset();
+        questions_[rank] = false;
         return detection_.take(rank, counts_[rank]);
     }
 
@@ -101,7 +102,7 @@ private:
     std::size_t ranks_;
     std::vector<bool> is_busy_;
     std::vector<QuietAnswer> counts_;
-    std::vector<std::optional<std::uint64_t>> questions_;
+    std::vector<bool> questions_;         ///< not answered yet
     std::vector<std::uint64_t> messages_; ///< under way to each rank
     int budget_ = 60;
 };
