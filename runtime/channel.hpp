@@ -99,6 +99,8 @@ public:
     // The next functions are for alternations.
     /// Returns whether an input would find a message.
     bool message_waits() const { return carrier_ ? carrier_->message_waits(*this) : message_ != nullptr; }
+    /// Keeps the message that waits until the next input. Returns false if it does not wait any more.
+    bool keep_message() { return !carrier_ || carrier_->keep_message(*this); }
     /// Records that the process has a guard on the channel. Throws std::logic_error if the process does not own the
     /// input end.
     void own_input(const Process& process) {

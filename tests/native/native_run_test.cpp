@@ -320,6 +320,36 @@ TEST_CASE("a paced computation takes its time on the processor, also beside othe
     CHECK(run_paced(0, 1, together).result.time < Time(15ms));
 }
 
+TEST_CASE("a message that an ALT on another thread has chosen cannot be given up any more") {
+    // The ALT ends after a cycle, 50 us at this pace, and then inputs. Meanwhile the outputter would often give up.
+    constexpr int rounds = 300;
+    const auto hasty = kind_of("hasty", [](ProcessEnvironment& environment) {
+        const auto in = environment.input<int>("in");
+        const auto out = environment.output<int>("out");
+        int passed = 0;
+        for (int i = 0; i < rounds; ++i)
+            if (environment.index() == 1) {
+                alt(on(in, [&](int) { ++passed; }), after(now() + 200us, [] {}));
+                out.output(i);
+            } else {
+                if (output_or_fail(out, i, now() + std::chrono::microseconds(10 * (i % 20))))
+                    ++passed;
+                else
+                    reset(out);
+                CHECK(in.input() == i);
+            }
+        environment.measure("passed", passed);
+    });
+    const Catalogue catalogue = kinds_with({hasty});
+    NativeSettings settings;
+    settings.threads = 2;
+    settings.pace = 0.001;
+    settings.make_catalogue = [&] { return std::make_shared<const Catalogue>(kinds_with({hasty})); };
+    const RunReport report = run_natively(network_of(ring(2, "hasty"), catalogue), settings);
+    REQUIRE(report.result.ending == Ending::completed); // else the ALT's input waits for another message
+    CHECK(report.measured("p[0]", "passed") == report.measured("p[1]", "passed"));
+}
+
 TEST_CASE("processes on different processors of a paced thread communicate, and a deadlock is found") {
     const auto relay = kind_of("relay", [](ProcessEnvironment& environment) {
         const auto in = environment.input<int>("in");
