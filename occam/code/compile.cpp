@@ -37,8 +37,7 @@ void Generator::declare_outermost(const Declaration& d) {
 
 /// Calls the main procedure with the channels of link 0 and with free memory behind the vector space.
 Code Generator::generate(const Declaration& main) {
-    for (const DeclarationBox& each : program_.routines)
-        declare(*each);
+    declare_library();
     for (const std::unique_ptr<Unit>& unit : program_.units)
         for (const DeclarationBox& each : unit->declarations)
             declare_outermost(*each);

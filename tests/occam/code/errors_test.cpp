@@ -101,6 +101,31 @@ TEST_CASE("an error halts the processor in mode halt and in mode universal") {
         }
 }
 
+TEST_CASE("without a floating-point unit, an error of reals names the operation and its place in the program") {
+    constexpr RunTimeError errors[] = {
+        {"r := r / (REAL32 ROUND zero)", "15:5 REAL32 /: overflow, division by zero, an infinity or a NaN"},
+        {"r := (r * r) + r", "15:5 REAL32 *: overflow, an infinity or a NaN"},
+        {"r := (r * 3.0E+8(REAL32)) + (r * 3.0E+8(REAL32))", "15:5 REAL32 +: overflow, an infinity or a NaN"},
+        {"r := r \\ (REAL32 ROUND zero)", "15:5 REAL32 \\: division by zero, an infinity or a NaN"},
+        {"x := INT ROUND r", "15:5 REAL32: the real does not fit in INT"},
+        {"w := INT64 TRUNC (REAL64 r)", "15:5 REAL64: the real does not fit in INT64"},
+        {"r := REAL32 ROUND ((REAL64 r) * (REAL64 r))", "15:5 REAL64: the real does not fit in REAL32"},
+        {"r := SQRT (-r)", "15:5 SQRT: the result is not a finite number"},
+        {"IF\n  (MULBY2 (r)) > (r * r)\n    SKIP", "16:7 REAL32 *: overflow, an infinity or a NaN"},
+        {"r := SCALEB (r, 1000)", "15:5 SCALEB: the result is not a finite number"},
+    };
+    for (const RunTimeError& error : errors)
+        for (const occam::ErrorMode mode : {occam::ErrorMode::halt, occam::ErrorMode::stop}) {
+            CAPTURE(error.text);
+            const Executed done = execute(with_values + indented(error.text, 2) + "  memory[1] := 1\n",
+                                          {.model = transputer::Model::t414, .mode = mode});
+            CHECK(done.trouble == "");
+            CHECK(joined(done.errors) == std::string(error.said));
+            CHECK(done.results[0] == 1);
+            CHECK(done.results[1] == 0);
+        }
+}
+
 TEST_CASE("an error stops its process in mode stop, and others go on") {
     for (const RunTimeError& error : run_time_errors) {
         CAPTURE(error.text);
