@@ -263,6 +263,8 @@ private:
     /// "table/phil[2]". What is not of the netlist has the name of the node in front.
     static void name_components(Code& code, const TextOfImage& text, const std::string& node) {
         const std::vector<Component>& all = text.components;
+        std::erase_if(code.workspaces,
+                      [](const CodeWorkspace& each) { return each.outermost == CodeWorkspace::first_process; });
         std::size_t outermost = 0;
         for (const CodeWorkspace& each : code.workspaces)
             outermost = std::max(outermost, each.outermost + 1);

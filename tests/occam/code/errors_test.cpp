@@ -232,6 +232,13 @@ TEST_CASE("processes that a procedure starts are named behind its name") {
                          row) ==
         "row 14:5/reader[0], row 14:5/reader[1], row[0] 16:7/reader[0], row[0] 16:7/reader[1], row[1] 16:7/reader[0], "
         "row[1] 16:7/reader[1]");
-    // The words of PARs that follow one another are the same, so they get no names.
-    CHECK(names_of_waiting("[2]CHAN OF INT c, d:\nSEQ\n  PAR\n    SKIP\n    SKIP\n  row (c)\n", row) == ", ");
+    CHECK(names_of_waiting("[2]CHAN OF INT c, d:\nSEQ\n  PAR\n    SKIP\n    SKIP\n  row (c)\n", row) ==
+          "reader[0], reader[1]");
+}
+
+TEST_CASE("the first process has the name of the procedure, and others of the same words have a name together") {
+    CHECK(names_of_waiting("CHAN OF INT c:\nreader (c)\n") == "main");
+    constexpr const char* after = "CHAN OF INT c, d, e:\nSEQ\n  PAR\n    SKIP\n    SEQ\n      SKIP\n  PAR\n    "
+                                  "reader (c)\n    INT x:\n    d ? x\n";
+    CHECK(names_of_waiting(after) == "11:7 or reader, 16:7");
 }
