@@ -124,7 +124,8 @@ void report_no_procedure(const Program& program, const std::string& name, const 
                          Reporter& reporter) {
     const std::string path = program.files.front()->path();
     if (name.empty())
-        reporter.error(named_at, fmt::format("the file \"{}\" has no PROC", path));
+        reporter.error(named_at, fmt::format("the file \"{}\" has no PROC", path),
+                       program.is_configuration ? "a configuration uses kinds of other files; name one of these" : "");
     else
         reporter.error(named_at, fmt::format("the file \"{}\" has no PROC {}", path, name),
                        did_you_mean(name, procedures_of(program)));
