@@ -69,7 +69,7 @@ constexpr RunTimeError run_time_errors[] = {
     {"CASE x\n  1\n    SKIP", "no option of CASE for 10"},
     {"STOP", "STOP"},
     {"CAUSEERROR ()", "CAUSEERROR"},
-    {"ASSERT (x = zero)", "ASSERT of what is FALSE"},
+    {"ASSERT (x = zero)", "the condition of ASSERT is FALSE"},
     {"w := (MOSTPOS INT64) + (INT64 x)", "overflow: 9223372036854775807 + 10"},
     {"w := ((MOSTNEG INT64) + w) - (INT64 x)", "overflow: -9223372036854775808 - 10"},
     {"w := ((MOSTPOS INT64) - w) * (INT64 x)", "overflow: 9223372036854775807 * 10"},
