@@ -44,34 +44,36 @@ bool Pace::begin_computing(Process& self, Cycles cycles, const CodeShape&) {
     const Time takes = times(static_cast<std::int64_t>(cycles), processor.cycle);
     if (takes == Time{})
         return true;
-    processor.until = std::min(later(processor.until, takes), last_moment);
-    kernel_.future().schedule(processor, std::max(processor.until, kernel_.now()), EventQueue::turn);
+    if (processor.computations.empty() && processor.last != &self)
+        processor.until = kernel_.now();
+    processor.computations.push_back({&self, takes});
+    if (processor.computations.size() == 1)
+        processor.begin_first();
     return false;
 }
 
-void Pace::Processor::happen() noexcept { kernel.enqueue(*current); }
-
-void Pace::make_ready(Process& process) {
-    Processor& processor = processor_of(process);
-    processor.ready.push_back(process);
-    if (!processor.current)
-        processor.take_next();
+void Pace::Processor::begin_first() {
+    until = std::min(later(until, computations.front().takes), last_moment);
+    kernel.future().schedule(*this, std::max(until, kernel.now()), EventQueue::turn);
 }
+
+void Pace::Processor::happen() noexcept {
+    Process& process = *computations.front().process;
+    computations.pop_front();
+    last = &process;
+    kernel.enqueue(process);
+    if (!computations.empty())
+        begin_first();
+}
+
+void Pace::make_ready(Process& process) { kernel_.enqueue(process); }
 
 void Pace::leave(Process& process, Process* successor) {
     Processor& processor = processor_of(process);
-    processor.current = nullptr;
+    if (processor.last == &process)
+        processor.last = nullptr;
     if (successor)
         make_ready(*successor);
-    else
-        processor.take_next();
-}
-
-void Pace::Processor::take_next() {
-    current = ready.pop_front();
-    until = kernel.now();
-    if (current)
-        kernel.enqueue(*current);
 }
 
 } // namespace placedpar::native

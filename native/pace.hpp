@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <deque>
 #include <map>
 #include <string>
 #include <unordered_map>
@@ -22,9 +23,9 @@ namespace placedpar::native {
 /// of other processors go on meanwhile. The computation itself is part of this time. If a process computes again and
 /// again without a wait, its delays do not add up.
 ///
-/// A processor runs one process until the process waits; then it takes the next ready process. Channels, PAR, ALT and
-/// timers are not slowed down. All processors of a kernel are one executive, so that channels between them need no
-/// carrier.
+/// A processor does one computation at a time, in the order in which they begin; meanwhile its other processes can
+/// communicate. Channels, PAR, ALT and timers are not slowed down. All processors of a kernel are one executive, so
+/// that channels between them need no carrier.
 class Pace final : public Executive {
 public:
     /// REQUIRES: pace > 0; the kernel outlives this object.
@@ -36,15 +37,19 @@ public:
     void leave(Process&, Process* successor) override;
 
 private:
+    struct Computation {
+        Process* process;
+        Time takes;
+    };
     struct Processor final : Event {
         Processor(Kernel& run_by, Time of_a_cycle) : kernel(run_by), cycle(of_a_cycle) {}
         void happen() noexcept override;
-        void take_next();
+        void begin_first();
         Kernel& kernel;
-        Time cycle; ///< zero if computations take no time
-        ProcessQueue ready{};
-        Process* current = nullptr;
-        Time until{}; ///< the time that the computations of `current` have taken since it got the processor end here
+        Time cycle;                             ///< zero if computations take no time
+        std::deque<Computation> computations{}; ///< the first is under way
+        Time until{};                           ///< end of the last computation that has begun
+        const Process* last = nullptr;          ///< the process of the last computation, if it has not waited since
     };
     Processor& processor_of(const Process&);
 

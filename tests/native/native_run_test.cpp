@@ -314,9 +314,7 @@ TEST_CASE("a paced computation takes its time on the processor, also beside othe
         CHECK(both < Time(140ms)); // 80 ms each at the same time, also on one thread
         CHECK(run_paced(1, threads, apart).result.time >= Time(20ms));
     }
-    const RunReport in_turn = run_paced(0.25, 1, together);
-    CHECK(in_turn.result.time >= Time(160ms)); // a processor executes one process at a time
-    CHECK(in_turn.measured("p[0]", "s") < 0.14);
+    CHECK(run_paced(0.25, 1, together).result.time >= Time(160ms)); // a processor does one computation at a time
     CHECK(run_paced(0, 1, together).result.time < Time(15ms));
 }
 
@@ -348,6 +346,24 @@ TEST_CASE("a message that an ALT on another thread has chosen cannot be given up
     const RunReport report = run_natively(network_of(ring(2, "hasty"), catalogue), settings);
     REQUIRE(report.result.ending == Ending::completed); // else the ALT's input waits for another message
     CHECK(report.measured("p[0]", "passed") == report.measured("p[1]", "passed"));
+}
+
+TEST_CASE("a process communicates while another one of its paced processor computes") {
+    const auto both = kind_of("both", [](ProcessEnvironment& environment) {
+        if (environment.index() == 1) {
+            environment.input<int>("in").input();
+            environment.measure("s", std::chrono::duration<double>(now()).count());
+        } else {
+            par([] { compute(Cycles{4'000'000}); }, [&] { environment.output<int>("out").output(1); }); // 200 ms
+        }
+    });
+    const Catalogue catalogue = kinds_with({both});
+    NativeSettings settings;
+    settings.pace = 1;
+    settings.make_catalogue = [&] { return std::make_shared<const Catalogue>(kinds_with({both})); };
+    const RunReport report = run_natively(network_of(ring(2, "both"), catalogue), settings);
+    CHECK(report.result.time >= Time(200ms));
+    CHECK(report.measured("p[1]", "s") < 0.1);
 }
 
 TEST_CASE("processes on different processors of a paced thread communicate, and a deadlock is found") {
