@@ -32,17 +32,6 @@ std::vector<bool> nodes_with_processes(const Network& network) {
     return has_process;
 }
 
-/// Returns the thread of each node.
-std::vector<std::size_t> threads_of_nodes(const Network& network, std::size_t threads) {
-    const std::vector<bool> has_process = nodes_with_processes(network);
-    std::vector<std::size_t> result(network.nodes.size());
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < result.size(); ++i)
-        if (has_process[i])
-            result[i] = next++ % threads;
-    return result;
-}
-
 void require_native(const Network& network) {
     for (const Node& node : network.nodes)
         if (node.runs_own_code)
@@ -246,8 +235,18 @@ std::size_t count_native_nodes(const Network& network) {
     return static_cast<std::size_t>(std::ranges::count(nodes_with_processes(network), true));
 }
 
-RunReport run_natively(const Network& network, const NativeSettings& settings) {
+std::vector<std::size_t> threads_of_nodes(const Network& network, std::size_t threads) {
     require_native(network);
+    const std::vector<bool> has_process = nodes_with_processes(network);
+    std::vector<std::size_t> result(network.nodes.size());
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < result.size(); ++i)
+        if (has_process[i])
+            result[i] = next++ % threads;
+    return result;
+}
+
+RunReport run_natively(const Network& network, const NativeSettings& settings) {
     return NativeRun(network, settings).run(settings.is_interrupted);
 }
 

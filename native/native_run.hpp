@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace placedpar {
 
@@ -22,6 +23,10 @@ struct NativeSettings {
 
 /// Returns the number of nodes that have processes. A run can use as many threads.
 std::size_t count_native_nodes(const Network&);
+
+/// Returns the thread of each node in a native run on so many threads. Throws UserError for a network that cannot run
+/// natively. REQUIRES: threads >= 1.
+std::vector<std::size_t> threads_of_nodes(const Network&, std::size_t threads);
 
 /// Runs the processes of a network on threads of this computer. Time is that of the wall clock, and a computation takes
 /// the time that it takes. Wires, switches and buses only show which processes communicate. The processes of node i of

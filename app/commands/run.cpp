@@ -92,7 +92,8 @@ void require_outputs(const RunOptions& options) {
 
 /// Throws UserError for an option that only simulated runs have.
 void require_native(const RunOptions& options) {
-    refuse_with_native(options.native, {{options.until != Time::max(), "--until"},
+    refuse_with_native(options.native, !options.netlist.calibration.empty(),
+                       {{options.until != Time::max(), "--until"},
                                         {options.seeds > 1, "--seeds"},
                                         {options.shuffle.has_value(), "--shuffle"},
                                         {!options.recorded.trace.empty(), "--trace"},
@@ -245,7 +246,9 @@ ExitCode run(const RunOptions& options, const Options& command, const std::strin
     Manifest manifest = options.manifest(typed);
     require_outputs(options);
     require_native(options);
-    Network network = load_network(command, options.netlist, options.booted);
+    Network network = options.netlist.calibration.empty()
+                          ? load_network(command, options.netlist, options.booted)
+                          : load_network(options.netlist);
     InterruptedBySignals interruption;
     network.host.lists_code = options.listing;
     network.host.analyses = options.analyse;
@@ -317,6 +320,7 @@ Action declare_run(Options& command, const std::string& typed) {
     add_file(command, "--page", options->recorded.page, "writes one self-contained HTML page that shows the run");
     add_trace(command, *options);
     add_native(command, options->native);
+    add_predict(command, options->netlist);
     add_booted(command, options->booted);
     command.add_flag("--listing", options->listing,
                      "prints the code that booted transputers executed, with its cycles");
@@ -331,7 +335,10 @@ Action declare_run(Options& command, const std::string& typed) {
              "tcp:PORT, tcp:ADDRESS:PORT, or pty for a pseudo terminal")
         .type("WHERE")
         .check(not_a_name);
-    return [options, command, typed] { return run(*options, command, typed); };
+    return [options, command, typed] {
+        options->netlist.threads = options->native.threads;
+        return run(*options, command, typed);
+    };
 }
 
 } // namespace

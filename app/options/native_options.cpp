@@ -36,12 +36,18 @@ std::size_t threads_of(const NativeOptions& options, const Network& network) {
 void add_native(Options& command, NativeOptions& options) {
     command.add_flag("--native", options.is_native,
                      "runs the processes on threads of this computer, and measures their times by its clock");
-    add_number(command, "--threads", options.threads, 1, most_threads,
+    add_threads(command, options.threads);
+}
+
+void add_threads(Options& command, std::size_t& threads) {
+    add_number(command, "--threads", threads, 1, most_threads,
                "number of threads of a native run; by default one for each core");
 }
 
-void refuse_with_native(const NativeOptions& options, const std::vector<std::pair<bool, const char*>>& typed) {
-    if (!options.is_native && options.threads != 0)
+void refuse_with_native(const NativeOptions& options, bool predicts, const std::vector<std::pair<bool, const char*>>& typed) {
+    if (options.is_native && predicts)
+        throw UserError("--predict simulates a native run: leave out --native, or --predict");
+    if (!options.is_native && !predicts && options.threads != 0)
         throw UserError("--threads is for native runs: give --native, too");
     if (options.is_native)
         for (const auto& [is_typed, name] : typed)

@@ -19,9 +19,12 @@ struct NativeOptions {
 
 void add_native(Options&, NativeOptions&);
 
-/// Throws UserError for an option that was typed although only simulated runs have it, and for --threads without
-/// --native.
-void refuse_with_native(const NativeOptions&, const std::vector<std::pair<bool, const char*>>& typed);
+/// Declares --threads.
+void add_threads(Options&, std::size_t& threads);
+
+/// Throws UserError for an option that was typed although only simulated runs have it, and for --threads if the run
+/// is neither native nor the prediction of a native run.
+void refuse_with_native(const NativeOptions&, bool predicts, const std::vector<std::pair<bool, const char*>>& typed);
 
 /// Runs the network natively. `observer` may be null. Throws as run_netlist does.
 RunReport run_natively(const Network&, const NativeOptions&, std::uint64_t seed, SearchObserver* observer,

@@ -55,6 +55,7 @@ BELOW = {
     "observe/page": ["observe/trace", "report"],
     "explore/generate": ["netlist"],
     "explore": ["classics", "identification", "occam", "problems", "report"],
+    "explore/prediction": ["explore", "native"],
     "explore/explain": ["explore", "observe/critical_path"],
     "explore/study": ["explore", "store"],
     "explore/optimise": ["explore/explain", "explore/study"],
@@ -77,7 +78,7 @@ BELOW = {
     "app/exercise": ["app"],
     "app/identify": ["app/options", "identification/report"],
     "app/mpi": ["explore/study"],
-    "app/commands": ["app/exercise", "app/generation", "app/identify", "app/record", "experiments/kit", "explore/generate", "explore/optimise", "monitor/service"],
+    "app/commands": ["app/exercise", "app/generation", "app/identify", "app/record", "experiments/kit", "explore/generate", "explore/optimise", "explore/prediction", "monitor/service"],
 }
 ROOMS = sorted({folder.split("/")[0] for folder in BELOW})
 
