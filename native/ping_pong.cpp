@@ -5,8 +5,10 @@
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <deque>
+#include <iterator>
 #include <list>
 #include <thread>
 #include <utility>
@@ -18,6 +20,38 @@ namespace {
 
 using Ball = std::vector<unsigned char>;
 using WallClock = std::chrono::steady_clock;
+
+/// The times of batches of equal actions. To read the clock takes about as long as an action.
+class Batches {
+public:
+    explicit Batches(long batch) : batch_(batch) {}
+
+    void begin() {
+        if (done_ == 0)
+            begun_ = WallClock::now();
+    }
+    void end() {
+        if (++done_ < batch_)
+            return;
+        const std::chrono::duration<double, std::nano> took = WallClock::now() - begun_;
+        nanoseconds_.push_back(took.count() / static_cast<double>(std::exchange(done_, 0)));
+    }
+    /// Returns the median time of an action; 0 if there was no whole batch.
+    double median() {
+        if (nanoseconds_.empty())
+            return 0;
+        const auto middle = nanoseconds_.begin() + std::ssize(nanoseconds_) / 2;
+        std::ranges::nth_element(nanoseconds_, middle);
+        return *middle;
+    }
+
+private:
+    long batch_, done_ = 0;
+    WallClock::time_point begun_;
+    std::vector<double> nanoseconds_;
+};
+
+long size_of_batch(long times) { return std::min(times, 50L); }
 
 /// The halves of a channel. If both processes are on one thread, only the first is used.
 struct Halves {
@@ -35,7 +69,9 @@ Ball touched(Ball ball) {
 
 class Match {
 public:
-    explicit Match(const PingPong& match) : match_(match), simulations_(match.threads) {
+    explicit Match(const PingPong& match)
+        : match_(match), simulations_(match.threads),
+          rounds_(match.pause > Time{} || match.bytes > 0 ? 1 : size_of_batch(match.times)) {
         for (Simulation& simulation : simulations_)
             group_.add(simulation);
         if (match.threads == 2) {
@@ -51,7 +87,7 @@ public:
         for (Simulation& simulation : simulations_)
             running.emplace_back([&simulation] { simulation.run(); });
         running.clear();
-        return std::chrono::duration<double, std::nano>(played_).count() / static_cast<double>(match_.times);
+        return rounds_.median();
     }
 
 private:
@@ -60,10 +96,10 @@ private:
         for (long i = 0; i < match_.times; ++i) {
             if (match_.pause > Time{})
                 wait_for(match_.pause);
-            const auto begun = WallClock::now();
+            rounds_.begin();
             there_.output.out().output(touched(std::move(ball)));
             ball = back_.inputters(match_.threads).in().input();
-            played_ += WallClock::now() - begun;
+            rounds_.end();
         }
     }
     void pong() {
@@ -73,10 +109,10 @@ private:
 
     PingPong match_;
     std::deque<Simulation> simulations_;
+    Batches rounds_;
     Group group_;
     Halves there_{"there"}, back_{"back"};
     std::list<Crossing> crossings_;
-    WallClock::duration played_{};
 };
 
 } // namespace
@@ -87,15 +123,20 @@ double nanoseconds_of_switch(long times) {
     Simulation simulation;
     Group group;
     group.add(simulation);
-    const auto give_way = [times] {
+    Batches switches(size_of_batch(times));
+    simulation.process("one", [&] {
+        for (long i = 0; i < times; ++i) {
+            switches.begin();
+            wait_until(Time{});
+            switches.end();
+        }
+    });
+    simulation.process("other", [times] {
         for (long i = 0; i < times; ++i)
             wait_until(Time{});
-    };
-    simulation.process("one", give_way);
-    simulation.process("other", give_way);
-    const auto begun = WallClock::now();
+    });
     simulation.run();
-    return std::chrono::duration<double, std::nano>(WallClock::now() - begun).count() / static_cast<double>(2 * times);
+    return switches.median() / 2; // to the other process and back
 }
 
 } // namespace placedpar::native

@@ -14,10 +14,12 @@ struct PingPong {
     Time pause{};            ///< time before each message, in which no process has anything to do
 };
 
-/// Runs it natively. Returns the mean time for a message there and back, without the pauses, in nanoseconds.
+/// Runs it natively. Returns the time for a message there and back, without the pauses, in nanoseconds. It is the
+/// median of batches of messages, since other programs on the computer can make some of them take much longer.
 double nanoseconds_there_and_back(const PingPong&);
 
-/// Returns the time of a switch from one process to another on a kernel, in nanoseconds. REQUIRES: times >= 1.
+/// Returns the time of a switch from one process to another on a kernel, in nanoseconds: the median of batches of
+/// switches. REQUIRES: times >= 1.
 double nanoseconds_of_switch(long times);
 
 } // namespace placedpar::native

@@ -1,9 +1,9 @@
-#include "explore/prediction/calibration.hpp"
 #include "app/command.hpp"
 #include "app/options/common_options.hpp"
 #include "app/options/netlist_options.hpp"
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
+#include "explore/prediction/calibration.hpp"
 #include "explore/prediction/native_netlist.hpp"
 #include "explore/problems.hpp"
 #include "text/output_file.hpp"
@@ -45,12 +45,15 @@ ExitCode calibrate_computer(const CalibrateOptions& options) {
     ProgressLine line;
     const Calibration calibration =
         measure_computer({.repetitions = options.repetitions,
-                   .problems = problems_to_measure(options),
-                   .progress = [&](const std::string& what) { line.show("measuring " + what); },
-                   .is_interrupted = [&] { return interruption.requested(); }});
+                          .problems = problems_to_measure(options),
+                          .progress = [&](const std::string& what) { line.show("measuring " + what); },
+                          .is_interrupted = [&] { return interruption.requested(); }});
     line.clear();
     if (interruption.requested())
         return exit_code_of(Ending::interrupted);
+    if (calibration.is_disturbed())
+        print_warnings("warning: threads wait for cores that other programs use; calibrate again when the computer is "
+                       "quiet\n");
     write_whole(options.out, print_calibration(calibration));
     return ExitCode::success;
 }

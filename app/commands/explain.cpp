@@ -132,9 +132,8 @@ void add_answers(Explanation& explanation, const Network& network, const Explain
     };
     const TypedNetlist netlist = parse_netlist(options.netlist, [](const std::string&) {});
     std::vector<Change> changes = changes_of(network, explanation.report, declaring_with(netlist));
-    explanation.answers =
-        try_out(changes, explanation.path,
-                {reading_with(netlist), options.seed, options.until, interruption, progress});
+    explanation.answers = try_out(changes, explanation.path,
+                                  {reading_with(netlist), options.seed, options.until, interruption, progress});
     explanation.left_out = changes.size() - explanation.answers.size();
 }
 

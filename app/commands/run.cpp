@@ -94,11 +94,11 @@ void require_outputs(const RunOptions& options) {
 void require_native(const RunOptions& options) {
     refuse_with_native(options.native, !options.netlist.calibration.empty(),
                        {{options.until != Time::max(), "--until"},
-                                        {options.seeds > 1, "--seeds"},
-                                        {options.shuffle.has_value(), "--shuffle"},
-                                        {!options.recorded.trace.empty(), "--trace"},
-                                        {!options.recorded.page.empty(), "--page"},
-                                        {!options.offer.empty(), "--offer"}});
+                        {options.seeds > 1, "--seeds"},
+                        {options.shuffle.has_value(), "--shuffle"},
+                        {!options.recorded.trace.empty(), "--trace"},
+                        {!options.recorded.page.empty(), "--page"},
+                        {!options.offer.empty(), "--offer"}});
 }
 
 /// Throws UserError if an option cannot be used with this network.
@@ -246,9 +246,8 @@ ExitCode run(const RunOptions& options, const Options& command, const std::strin
     Manifest manifest = options.manifest(typed);
     require_outputs(options);
     require_native(options);
-    Network network = options.netlist.calibration.empty()
-                          ? load_network(command, options.netlist, options.booted)
-                          : load_network(options.netlist);
+    Network network = options.netlist.calibration.empty() ? load_network(command, options.netlist, options.booted)
+                                                          : load_network(options.netlist);
     InterruptedBySignals interruption;
     network.host.lists_code = options.listing;
     network.host.analyses = options.analyse;

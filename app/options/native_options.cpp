@@ -44,7 +44,8 @@ void add_threads(Options& command, std::size_t& threads) {
                "number of threads of a native run; by default one for each core");
 }
 
-void refuse_with_native(const NativeOptions& options, bool predicts, const std::vector<std::pair<bool, const char*>>& typed) {
+void refuse_with_native(const NativeOptions& options, bool predicts,
+                        const std::vector<std::pair<bool, const char*>>& typed) {
     if (options.is_native && predicts)
         throw UserError("--predict simulates a native run: leave out --native, or --predict");
     if (!options.is_native && !predicts && options.threads != 0)

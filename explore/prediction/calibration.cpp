@@ -101,13 +101,11 @@ private:
         constexpr std::size_t large = 256 * 1024;
         constexpr Time pause = std::chrono::microseconds(200);
         result.switching = repeat("switches", [] { return native::nanoseconds_of_switch(often); });
-        result.there_and_back = repeat("messages in a thread", [] {
-            return nanoseconds_there_and_back({.threads = 1, .times = often});
-        });
+        result.there_and_back =
+            repeat("messages in a thread", [] { return nanoseconds_there_and_back({.threads = 1, .times = often}); });
         result.across = repeat("messages between threads", [] { return nanoseconds_there_and_back({.times = often}); });
-        result.across_asleep = repeat("messages to threads that sleep", [] {
-            return nanoseconds_there_and_back({.times = seldom, .pause = pause});
-        });
+        result.across_asleep = repeat("messages to threads that sleep",
+                                      [] { return nanoseconds_there_and_back({.times = seldom, .pause = pause}); });
         result.kilobyte = repeat("large messages", [] {
             const auto one_way = [](std::size_t threads) {
                 return nanoseconds_there_and_back({.threads = threads, .times = seldom, .bytes = large}) / 2;
@@ -137,8 +135,7 @@ private:
 
     ProblemCost cost_of_problem(const std::string& problem) {
         settings_.progress(fmt::format("\"{}\"", problem));
-        const Network network =
-            network_to_measure(search_of(problem, generations_for(problem)), kinds_.catalogue);
+        const Network network = network_to_measure(search_of(problem, generations_for(problem)), kinds_.catalogue);
         const double evaluation_ms = run_netlist(network, kinds_.catalogue, {}).measured("master", "P_time2");
         const double errors = evaluation_ms * 1000; // an error takes 1000 cycles of 1 ns
         std::vector<double> error, rest;

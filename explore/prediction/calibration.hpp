@@ -27,17 +27,21 @@ struct Calibration {
     std::string processor; ///< the name of the host's processor
     std::string date;      ///< "2026-11-29"
     std::size_t repetitions = 0;
-    MeasuredCost switching;                 ///< from a process to the next
-    MeasuredCost there_and_back;            ///< a message between processes of a thread
-    MeasuredCost across, across_asleep;     ///< between threads: both awake; both asleep
-    MeasuredCost kilobyte;                  ///< 1024 bytes of a message that a thread takes over from another
-    MeasuredCost string;                    ///< an individual in a task and its result, beyond the message
+    MeasuredCost switching;             ///< from a process to the next
+    MeasuredCost there_and_back;        ///< a message between processes of a thread
+    MeasuredCost across, across_asleep; ///< between threads: both awake; both asleep
+    MeasuredCost kilobyte;              ///< 1024 bytes of a message that a thread takes over from another
+    MeasuredCost string;                ///< an individual in a task and its result, beyond the message
     std::vector<ProblemCost> problems;
+
+    /// Returns whether threads that are awake take so long to answer that they fall asleep. Other programs then use the
+    /// cores, and the costs predict nothing.
+    bool is_disturbed() const;
 };
 
 struct CalibrationSettings {
-    std::size_t repetitions = 15;      ///< at least 6
-    std::vector<std::string> problems; ///< as in a netlist
+    std::size_t repetitions = 15;                                                 ///< at least 6
+    std::vector<std::string> problems;                                            ///< as in a netlist
     std::function<void(const std::string&)> progress = [](const std::string&) {}; ///< called with what is measured next
     /// Asked between measurements.
     std::function<bool()> is_interrupted = [] { return false; };

@@ -43,8 +43,8 @@ public:
         require("define core", "it does not describe a computer");
     }
 
-    /// Returns the value of a parameter of a process, as an expression of the netlist; nothing if a native run uses the
-    /// parameter as the netlist states it.
+    /// Returns the value of a parameter of a process, as an expression of the netlist; nothing if the process keeps its
+    /// value.
     std::optional<std::string> value_of(const std::string& parameter, const ProcessInstance& process) const {
         if (parameter == "cycles_per_error")
             return of_problem("error", process);
@@ -52,11 +52,8 @@ public:
             return of_problem("individual", process);
         if (parameter == "string_bytes" || parameter == "fitness_bytes")
             return "individual_bytes";
-        if (parameter == "measurement_bytes" || parameter == "sample_bytes")
-            return "1"; // a native run passes on measurements without a copy
-        if (parameter.starts_with("cycles") || parameter == "words")
-            return "0";
-        return std::nullopt;
+        const bool is_cost = parameter.starts_with("cycles") || parameter == "words";
+        return is_cost && process.parameters.at(parameter) != Value{0} ? std::optional<std::string>("0") : std::nullopt;
     }
 
 private:
@@ -70,8 +67,8 @@ private:
     }
     void require(const std::string& words, const std::string& otherwise) const {
         if (text_.find(words) == std::string::npos)
-            throw UserError(fmt::format("{0}: {1}: write it by placedpar calibrate NETLIST -o {0}", path_.string(),
-                                        otherwise));
+            throw UserError(
+                fmt::format("{0}: {1}: write it by placedpar calibrate NETLIST -o {0}", path_.string(), otherwise));
     }
 
     std::filesystem::path path_;
@@ -103,7 +100,8 @@ Network on_cores(const Network& network, std::size_t threads) {
         result.nodes.push_back(node_of(devices, "core", "this_core", fmt::format("{}[{}]", thread, i)));
     result.nodes.push_back(node_of(devices, "shared_memory", "this_memory", free_name("memory_of_threads", network)));
     for (std::size_t i = 0; i < threads; ++i)
-        result.attachments.push_back({.node = i, .bus = threads, .slot = static_cast<int>(i) + 1, .name = {}, .connected = {}});
+        result.attachments.push_back(
+            {.node = i, .bus = threads, .slot = static_cast<int>(i) + 1, .name = {}, .connected = {}});
     result.processes = network.processes;
     for (ProcessInstance& process : result.processes)
         process.node = thread_of[process.node];
@@ -130,7 +128,8 @@ void move_costs(ProcessInstance& process, const StatedCosts& costs, std::string&
 std::vector<std::string> problems_of(const Network& network) {
     std::vector<std::string> problems;
     for (const ProcessInstance& process : network.processes)
-        if (const std::string* const problem = problem_of(process); problem && std::ranges::count(problems, *problem) == 0)
+        if (const std::string* const problem = problem_of(process);
+            problem && std::ranges::count(problems, *problem) == 0)
             problems.push_back(*problem);
     return problems;
 }

@@ -13,9 +13,7 @@ namespace placedpar {
 
 namespace {
 
-std::int64_t cycles(double nanoseconds) {
-    return std::llround(std::max(nanoseconds, 0.0) * cycles_in_a_nanosecond);
-}
+std::int64_t cycles(double nanoseconds) { return std::llround(std::max(nanoseconds, 0.0) * cycles_in_a_nanosecond); }
 
 std::string interval(const MeasuredCost& cost) {
     return fmt::format("{:.4g} ns ({:.4g} to {:.4g})", cost.median, cost.low, cost.high);
@@ -30,8 +28,8 @@ double waking_ns(const Calibration& c) {
     return both > patience_ns() ? both / 2 : both;
 }
 
-/// Returns the bytes of an individual whose copies in the model take as long as was measured. The model copies them four
-/// times, at 1.5 cycles a byte: into and out of the task, into and out of the result.
+/// Returns the bytes of an individual whose copies in the model take as long as was measured. The model copies them
+/// four times, at 1.5 cycles a byte: into and out of the task, into and out of the result.
 std::int64_t string_bytes(const Calibration& c) {
     constexpr double copies = 4 * 1.5;
     return std::clamp<std::int64_t>(std::llround(static_cast<double>(cycles(c.string.median)) / copies), 1, 65536);
@@ -61,6 +59,8 @@ std::string print_problem(const ProblemCost& cost) {
 }
 
 } // namespace
+
+bool Calibration::is_disturbed() const { return across.median > 2 * patience_ns(); }
 
 std::string val_of_problem(const std::string& what, const std::string& problem) {
     std::string name = what + "_";

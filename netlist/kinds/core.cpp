@@ -83,9 +83,10 @@ std::vector<BusWay> ways_between_cores(const Attached& attached, std::size_t mem
 }
 
 AttributeDescription cost(const char* name, std::int64_t by_default, const char* about) {
-    return {.value = description::integer(
-                name, {.unit = "cycles", .by_default = static_cast<double>(by_default), .least = 0, .most = 1e9}, about),
-            .json_name = fmt::format("{}_cycles", name)};
+    return {
+        .value = description::integer(
+            name, {.unit = "cycles", .by_default = static_cast<double>(by_default), .least = 0, .most = 1e9}, about),
+        .json_name = fmt::format("{}_cycles", name)};
 }
 
 std::vector<AttributeDescription> core_attributes() {
@@ -128,10 +129,7 @@ DeviceKind shared_memory() {
                                 "bytes of messages that a core takes over in a second"),
                             .decimal_suffixes = true,
                             .json_name = "bytes_per_second"}},
-            .medium = Medium{.slots = most_cores,
-                             .shares_ways = true,
-                             .takes = takes_core,
-                             .ways = ways_between_cores},
+            .medium = Medium{.slots = most_cores, .shares_ways = true, .takes = takes_core, .ways = ways_between_cores},
             .make = make_device<SharedMemoryNode>,
             .drawing = {.frame = "#7a6a3b", .heading = "#f3e9c9", .legend = "shared memory"}};
 }

@@ -27,7 +27,7 @@ DeviceKind core();
 DeviceKind shared_memory();
 
 /// Lists all devices above.
-inline constexpr DeviceKind (*known_devices[])() = {transputers, workstation,  crossbar,  edge,
-                                                    vme,         link_adapter, bus_master, core, shared_memory};
+inline constexpr DeviceKind (*known_devices[])() = {transputers,  workstation, crossbar, edge,         vme,
+                                                    link_adapter, bus_master,  core,     shared_memory};
 
 } // namespace placedpar

@@ -130,8 +130,8 @@ struct Costly : OverBox<Costly> {
     static constexpr double low = -5.12, high = 5.12;
     std::size_t work = 1; ///< computations in each evaluation
     static constexpr auto numbers() {
-        return std::tuple_cat(OverBox::numbers(), std::tuple(PolicyNumber{"work", &Costly::work, 1, 1e9,
-                                                                          "computations of the function"}));
+        return std::tuple_cat(OverBox::numbers(),
+                              std::tuple(PolicyNumber{"work", &Costly::work, 1, 1e9, "computations of the function"}));
     }
     double objective(std::span<const double> x) const;
 };

@@ -27,8 +27,7 @@ OperationCosts costs_of(const CoreCosts& core) {
 
 Core::Core(Kernel& kernel, std::string name, const CoreCosts& costs)
     : Executive(std::move(name), costs_of(costs)), kernel_(kernel), core_(costs) {
-    const auto least =
-        std::min({costs.communication, costs.crossing, costs.switching, costs.patience, costs.waking});
+    const auto least = std::min({costs.communication, costs.crossing, costs.switching, costs.patience, costs.waking});
     if (costs.clock_hz <= 0 || least < Cycles{0})
         throw std::logic_error("core " + this->name() + ": its clock must be positive, and no cost negative");
 }

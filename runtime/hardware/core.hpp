@@ -81,8 +81,8 @@ public:
 private:
     /// What is under way on a channel.
     struct Transfer {
-        std::int64_t bytes = 0;      ///< length of the message
-        bool is_full = false;        ///< a message waits
+        std::int64_t bytes = 0;     ///< length of the message
+        bool is_full = false;       ///< a message waits
         Process* waiting = nullptr; ///< the process that waits for its partner
     };
     void wait_until(bool full, Transfer&, const AnyChannel&, const SourceLocation&);

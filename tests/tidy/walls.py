@@ -74,7 +74,7 @@ BELOW = {
     "app": ["explore", "observe/page"],
     "app/generation": ["gaprocs", "picture"],
     "app/record": ["explore/study", "hydraulics/plant"],
-    "app/options": ["app", "native"],
+    "app/options": ["app", "explore/prediction"],
     "app/exercise": ["app"],
     "app/identify": ["app/options", "identification/report"],
     "app/mpi": ["explore/study"],

@@ -26,7 +26,10 @@ namespace {
 class KnownCalibration {
 public:
     KnownCalibration() {
-        Calibration known{.processor = "known", .date = "2026-11-29", .repetitions = 15};
+        Calibration known;
+        known.processor = "known";
+        known.date = "2026-11-29";
+        known.repetitions = 15;
         known.switching.median = 40;
         known.there_and_back.median = 120;
         known.across.median = 680;
@@ -51,10 +54,15 @@ Network network_of_text(const std::string& text) {
 
 /// Returns islands without exchange, each on a transputer of its own.
 std::string islands_apart(int number, const std::string& problem = "sphere") {
-    return "val n " + std::to_string(number) + ";\nworkstation w[n]; rep i = 0 for n - 1 connect w[0].link[i] to w[i + 1].link[0];\n"
-           "process host, thread[n]; use \"ga.host\" for host; host (problem = \"" + problem + "\", generations = 10);\n"
+    return "val n " + std::to_string(number) +
+           ";\nworkstation w[n]; rep i = 0 for n - 1 connect w[0].link[i] to w[i + 1].link[0];\n"
+           "process host, thread[n]; use \"ga.host\" for host; host (problem = \"" +
+           problem +
+           "\", generations = 10);\n"
            "rep i = 0 for n { use \"ga.master\" for thread[i]; place thread[i] on w[i];\n"
-           "thread[i] (problem = \"" + problem + "\", population = 20, rehearsals = 0);\n"
+           "thread[i] (problem = \"" +
+           problem +
+           "\", population = 20, rehearsals = 0);\n"
            "connect host.to_masters[i] to thread[i].from_host; }\nplace host on w[0];\n";
 }
 
@@ -83,7 +91,8 @@ TEST_CASE("each problem has its own val") {
 
 TEST_CASE("a search costs what the calibration says") {
     const KnownCalibration calibration;
-    const RunReport report = run_predicted(network_of_text(native_netlist(network_of_text(islands_apart(1)), 1, calibration.path())));
+    const RunReport report =
+        run_predicted(network_of_text(native_netlist(network_of_text(islands_apart(1)), 1, calibration.path())));
     CHECK(report.measured("thread[0]", "P_time2") == doctest::Approx(20 * 1000e-6)); // ms
     CHECK(report.measured("thread[0]", "S_time2") == doctest::Approx(20 * 500e-6));
 }
@@ -113,14 +122,18 @@ TEST_CASE("predictions for many numbers of threads are those for each") {
     const std::vector<ThreadsTime> times = predict_threads(stated, calibration.path(), 1, none);
     REQUIRE(times.size() == 4);
     for (const ThreadsTime& each : times)
-        CHECK(each.time == run_predicted(network_of_text(native_netlist(stated, each.threads, calibration.path()))).result.time);
+        CHECK(each.time ==
+              run_predicted(network_of_text(native_netlist(stated, each.threads, calibration.path()))).result.time);
 }
 
 TEST_CASE("a calibration that does not fit is refused") {
     const KnownCalibration calibration;
     CHECK_THROWS_WITH_AS(native_netlist(network_of_text(islands_apart(2, "step")), 2, calibration.path()),
-                         (calibration.path().string() + ": it has no cost of the problem \"step\": write it by "
-                          "placedpar calibrate NETLIST -o " + calibration.path().string()).c_str(),
+                         (calibration.path().string() +
+                          ": it has no cost of the problem \"step\": write it by "
+                          "placedpar calibrate NETLIST -o " +
+                          calibration.path().string())
+                             .c_str(),
                          UserError);
     CHECK_THROWS_AS(native_netlist(network_of_text(islands_apart(2)), 2, "no such file.inc"), UserError);
 }

@@ -19,16 +19,17 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr CoreCosts costs_of_core{.communication = Cycles{10},
-                          .crossing = Cycles{300},
-                          .switching = Cycles{40},
-                          .patience = Cycles{20'000},
-                          .waking = Cycles{50'000}};
+                                  .crossing = Cycles{300},
+                                  .switching = Cycles{40},
+                                  .patience = Cycles{20'000},
+                                  .waking = Cycles{50'000}};
 
 /// Two processes on two cores, or on one, with a channel there and back.
 struct CorePair {
     explicit CorePair(bool on_two, std::int64_t bytes_per_second = 1'000'000'000)
         : a(simulation.add<Core>("a", costs_of_core)), b(on_two ? simulation.add<Core>("b", costs_of_core) : a),
-          forth(simulation.add<CoreLane>(b, bytes_per_second)), back_lane(simulation.add<CoreLane>(a, bytes_per_second)) {
+          forth(simulation.add<CoreLane>(b, bytes_per_second)),
+          back_lane(simulation.add<CoreLane>(a, bytes_per_second)) {
         if (on_two) {
             there.put_on(forth);
             back.put_on(back_lane);
