@@ -99,7 +99,7 @@ private:
         using native::nanoseconds_there_and_back;
         constexpr long often = 20'000, seldom = 100;
         constexpr std::size_t large = 256 * 1024;
-        constexpr Time pause = std::chrono::microseconds(200);
+        static constexpr Time pause = std::chrono::microseconds(200); // far longer than the patience of a thread
         result.switching = repeat("switches", [] { return native::nanoseconds_of_switch(often); });
         result.there_and_back =
             repeat("messages in a thread", [] { return nanoseconds_there_and_back({.threads = 1, .times = often}); });

@@ -141,7 +141,8 @@ std::string native_netlist(const Network& network, std::size_t threads, const st
     std::string costs = "\n/* costs of this computer */\n";
     for (ProcessInstance& process : cores.processes)
         move_costs(process, stated, costs);
-    return fmt::format("#include \"{}\"\n\n", calibration.string()) + print_cfs(cores) + costs;
+    return fmt::format("#include \"{}\"\n\n", std::filesystem::absolute(calibration).string()) + print_cfs(cores) +
+           costs;
 }
 
 std::vector<ThreadsTime> predict_threads(const Network& network, const std::filesystem::path& calibration,

@@ -53,7 +53,7 @@ class Calibrate(unittest.TestCase):
     def test_predicts_the_generations_of_the_native_run(self):
         predicted = placedpar("run", ISLANDS, "--predict", self.here, "--threads", 2)
         self.assertRegex(predicted.stdout, r"islands.cfs: completed at [\d.]+ ms\n")
-        self.assertIn("thread[1]  this_core", predicted.stdout)
+        self.assertIn("thread[1]  core", predicted.stdout)
         self.assertEqual(populations(predicted), populations(placedpar("run", ISLANDS, "--native", "--threads", 2)))
         self.assertEqual(len(populations(predicted)), 4)
 
