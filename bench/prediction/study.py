@@ -2,7 +2,7 @@
 """usage: study.py PLACEDPAR FOLDER [--quick]
 
 Calibrates this computer, and compares predicted with measured times of native runs of 20 netlists on two threads: farms
-of 1 to 7 slaves, islands and pipelines, with evaluations of about 1 us to 10 ms. Then compares two threads with one.
+of 1 to 7 slaves, islands and pipelines, with evaluations of about 1 us to 10 ms. Then compares two threads with one, and with DEAP.
 Writes calibration, table (CSV) and plot (SVG, by gnuplot) into FOLDER. Takes a few minutes; --quick makes a few runs
 only. A measured time is the median of the runs; the least is beside it, for a computer that others use, too.
 """
@@ -87,6 +87,24 @@ def speedups(program, runs, quick):
               f"(least times; medians: {statistics.median(one) / statistics.median(two):.2f})", flush=True)
 
 
+def rivals(program, runs, quick):
+    """Compares wall times on Rastrigin's function of 20 numbers with equal evaluations: 200 in each generation."""
+    generations = 50 if quick else 500
+    settings = {"islands": 2, "population": 100, "problem": "rastrigin", "generations": generations}
+    ours = min(program.measured(EXAMPLES / "islands.cfs", settings, 2, runs))
+    print(f"rastrigin, {200 * generations} evaluations, two threads: {ours:.3f} s")
+    python = next((each for each in (sys.executable, "/usr/bin/python3")
+                   if subprocess.run([each, "-c", "import deap"], capture_output=True, check=False).returncode == 0), None)
+    if python is None:
+        print("... DEAP: skipped, not installed (Debian's python3-deap)")
+        return
+    script = pathlib.Path(__file__).with_name("rival_deap.py")
+    answers = [subprocess.run([python, script, str(generations)], check=True, capture_output=True, text=True).stdout.split()
+               for _ in range(runs)]
+    print(f"... DEAP with multiprocessing, two processes: {min(float(answer[0]) for answer in answers):.3f} s")
+    print("... pagmo: build/.../bench/rastrigin compares with it, if it was found when PlacedPar was built")
+
+
 def draw(rows, folder):
     """Draws predicted over measured times, with the band."""
     with open(folder / "prediction.csv", "w", encoding="utf-8", newline="") as file:
@@ -125,6 +143,7 @@ def main():
     rows = compare(program, calibration, runs, options.quick)
     draw(rows, options.folder)
     speedups(program, runs, options.quick)
+    rivals(program, runs, options.quick)
     print(f"load: {os.getloadavg()[0]:.1f}")
     return 0
 
