@@ -134,7 +134,8 @@ struct ParsedNetlist::Syntax {
 
     std::shared_ptr<const SourceFile> file;
     ReadOptions options;
-    Reporter found; ///< diagnostics of reading and parsing
+    Reporter found;                                              ///< diagnostics of reading and parsing
+    std::string (*translate_hint)(const std::string&) = nullptr; ///< as of MadeNetlist
     Statements statements;
     std::vector<std::string> included_paths;
     bool includes_toolset = false;
@@ -152,6 +153,7 @@ void ParsedNetlist::Syntax::parse(const std::filesystem::path& path) {
     MadeNetlist made;
     if (options.make_netlist)
         made = options.make_netlist(file, options.include_folders, found);
+    translate_hint = made.translate_hint;
     if (found.failed())
         return;
     TokenStream tokens(made.text ? made.text : file, path, found, options.include_folders, std::move(made.origins));
@@ -212,6 +214,9 @@ ReadResult ParsedNetlist::read(const Catalogue& catalogue, const Overrides& over
     result.diagnostics = reporter.take();
     result.not_shown = reporter.not_shown();
     sort_by_place(result.diagnostics);
+    if (syntax_->translate_hint)
+        for (Diagnostic& each : result.diagnostics)
+            each.hint = syntax_->translate_hint(each.hint);
     return result;
 }
 

@@ -21,6 +21,9 @@ constexpr std::size_t most_in_column = 8, longest_text = 26;
 double round_up(double length, double unit) { return std::ceil(length / unit) * unit; }
 double to_raster(double length) { return std::round(length / pitch) * pitch; }
 
+/// Leaves out the folder of a kind that is made of a file.
+std::string without_folder(const std::string& kind) { return kind.substr(kind.find_last_of('/') + 1); }
+
 /// Shortens a long text so that it ends in "..".
 std::string shortened(const std::string& text) {
     return text.size() <= longest_text ? text : text.substr(0, longest_text - 2) + "..";
@@ -79,7 +82,7 @@ private:
         if (n_.nodes[process.node].kind->is_set_by_link())
             return; // the logic of a switch is not drawn: the wire to its configuration link implies it
         auto name = shortened(process.name) + (process.high_priority ? " !" : "");
-        auto kind = process.kind.empty() ? "no program" : shortened(process.kind);
+        auto kind = process.kind.empty() ? "no program" : shortened(without_folder(process.kind));
         nodes_[process.node].processes.push_back({index, name, kind, {}, 0});
     }
 

@@ -404,9 +404,23 @@ boost::json::value fingerprint_json(const RunReport& report) {
     return boost::json::value(hex(report.result.fingerprint));
 }
 
-std::string print_ending(Ending ending) {
+/// Prints how the run has ended. Other processes may wait for ever for what a halted processor would have done.
+std::string print_ending(const RunReport& report) {
+    const Ending ending = report.result.ending;
+    if (ending != Ending::interrupted && std::ranges::any_of(report.programs, &ProgramUse::halted))
+        return painted(Paint::failure, "halted by an error");
     bool well = ending == Ending::completed || ending == Ending::time_limit;
     return painted(well ? Paint::success : Paint::failure, name_of(ending));
+}
+
+/// Prints the errors that have halted processors of a network, in front of what then waits for ever.
+std::string print_halts(const RunReport& report) {
+    std::string out;
+    if (report.programs.size() > 1)
+        for (const ProgramUse& each : report.programs)
+            if (each.halted)
+                out += fmt::format("\n{} {}\n", each.name, each.state);
+    return out;
 }
 
 /// Lists the first processes that never ran; the JSON document lists all of them.
@@ -422,11 +436,12 @@ std::string print_never_ran(const std::vector<std::string>& names) {
 
 std::string print_report(const RunReport& report, const Network& network, const GenerationLog& searches) {
     bool stopped = report.result.ending == Ending::time_limit;
-    std::string out = fmt::format("{}: {} {} {}{}\n", network.source_path, print_ending(report.result.ending),
+    std::string out = fmt::format("{}: {} {} {}{}\n", network.source_path, print_ending(report),
                                   report.is_native ? "natively, after" : "at", to_string(report.result.time),
                                   stopped ? "; the figures below cover the time until then" : "") +
                       (report.is_native ? "" : fmt::format("fingerprint: {:016x}\n", report.result.fingerprint)) +
-                      print_set(network) + print_faults(report.faults) + print_switches(report.switches);
+                      print_set(network) + print_faults(report.faults) + print_switches(report.switches) +
+                      print_halts(report);
     if (report.result.deadlock)
         out +=
             (report.result.ending == Ending::stuck ? "\n" : "\nin a deadlock while other processes could continue:\n") +

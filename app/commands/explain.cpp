@@ -9,7 +9,7 @@
 #include "explore/load.hpp"
 #include "explore/prediction/native_netlist.hpp"
 #include "explore/problems.hpp"
-#include "explore/study/ranks.hpp"
+#include "ranks/ranks.hpp"
 #include "report/manifest.hpp"
 #include "report/search_log.hpp"
 #include "text/nearest.hpp"

@@ -6,6 +6,7 @@
 #include "explore/problems.hpp"
 #include "iserver/console.hpp"
 #include "netlist/kinds/bootable_file.hpp"
+#include "occam/configuration/configuration.hpp"
 #include "runtime/transputer/model.hpp"
 #include "text/number.hpp"
 #include "text/user_error.hpp"
@@ -100,10 +101,11 @@ void refuse_for_netlists(const Options& typed, const NetlistOptions& netlist, co
                          const Network& network) {
     for (const char* option : machine_options)
         if (typed.is_given(option))
-            throw UserError(
-                fmt::format("{}: only a bootable file can be run with this option, but {} is a netlist, which "
-                            "states its processors itself",
-                            option, netlist.file));
+            throw UserError(fmt::format(
+                "{}: only a bootable file or a program in occam can be run with this option, but {} is a "
+                "{}, which states its processors itself",
+                option, netlist.file,
+                occam::is_configuration(std::filesystem::path(netlist.file)) ? "configuration" : "netlist"));
     const bool has_code = std::ranges::any_of(network.nodes, [](const Node& node) { return node.image != nullptr; });
     for (const char* option : occam_options)
         if (typed.is_given(option) && !has_code)

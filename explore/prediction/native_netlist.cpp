@@ -4,6 +4,7 @@
 #include "explore/prediction/calibration.hpp"
 #include "explore/problems.hpp"
 #include "native/native_run.hpp"
+#include "native/placement.hpp"
 #include "netlist/kinds/catalogue.hpp"
 #include "netlist/network/names.hpp"
 #include "netlist/print/print.hpp"
@@ -94,7 +95,8 @@ Node node_of(const Catalogue& devices, std::string_view model, std::string type,
 Network on_cores(const Network& network, std::size_t threads) {
     const Catalogue devices;
     Network result;
-    const std::vector<std::size_t> thread_of = threads_of_nodes(network, threads);
+    require_native(network);
+    const std::vector<std::size_t> thread_of = native::place_nodes(network, {threads});
     const std::string thread = free_name("thread", network);
     for (std::size_t i = 0; i < threads; ++i)
         result.nodes.push_back(node_of(devices, "core", "this_core", fmt::format("{}[{}]", thread, i)));
@@ -135,7 +137,7 @@ std::vector<std::string> problems_of(const Network& network) {
 }
 
 std::string native_netlist(const Network& network, std::size_t threads, const std::filesystem::path& calibration) {
-    threads = std::min(threads, std::max<std::size_t>(count_native_nodes(network), 1));
+    threads = std::min(threads, std::max<std::size_t>(native::most_places(network), 1));
     Network cores = on_cores(network, threads);
     const StatedCosts stated(calibration);
     std::string costs = "\n/* costs of this computer */\n";
@@ -150,8 +152,11 @@ std::vector<ThreadsTime> predict_threads(const Network& network, const std::file
     const ProblemRegistry problems = known_problems(seed);
     const Catalogue kinds = known_kinds(problems);
     std::vector<ThreadsTime> times;
-    const std::size_t most = std::max<std::size_t>(count_native_nodes(network), 1);
-    for (std::size_t threads = 1; threads <= most && !interruption.requested();
+    const std::size_t most = std::max<std::size_t>(native::most_places(network), 1);
+    std::size_t least = 1; // a node with a rank needs its thread
+    for (const Node& node : network.nodes)
+        least = std::max(least, node.rank.value_or(0) + 1);
+    for (std::size_t threads = least; threads <= most && !interruption.requested();
          threads += std::max<std::size_t>(1, std::bit_floor(threads) / 2)) {
         const ParsedNetlist netlist = ParsedNetlist::of_text(native_netlist(network, threads, calibration));
         const Network cores = load_network(netlist, {}, kinds, [](const std::string&) {});

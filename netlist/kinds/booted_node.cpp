@@ -363,6 +363,7 @@ void BootedNode::report(MachineUse& use) const {
                             .listing = listing_ ? print_listing(*listing_, lines()) : "",
                             .analysis = network().host.analyses ? print_analysis(device_.core(), lines()) : "",
                             .failed = exited_badly || stopped,
+                            .halted = stopped && device_.core().stopped() == transputer::Stopped::by_error,
                             .booted_at = host_ ? host_->end.booted_at() : Time{},
                             .stops = stops(),
                             .count_of_stops = device_.core().count_stopped()});

@@ -109,6 +109,7 @@ struct ProgramUse {
     std::string listing = "";   ///< the code that was executed; "" if it was not counted
     std::string analysis = "";  ///< the state of the transputer at the end; "" if it was not asked for
     bool failed = false;        ///< the program exited with failure, or the transputer stopped
+    bool halted = false;        ///< an error of the program has halted the transputer
     Time booted_at{};           ///< when the host had sent the bootable file
     /// A process that an error has stopped, while others went on.
     struct Stop {

@@ -22,6 +22,8 @@ struct MadeNetlist {
     std::shared_ptr<const SourceFile> text; ///< null if the other text is a netlist itself, or has errors
     std::vector<PartOrigin> origins;        ///< by offset; the first one has offset 0
     std::vector<std::string> paths;         ///< of the files that it was made of, without the main one
+    /// Writes a hint in the other language. Null if the other text is a netlist itself.
+    std::string (*translate_hint)(const std::string&) = nullptr;
 };
 
 /// Makes a netlist of a file, which may include others from the folders. Reports the errors of the file.

@@ -122,7 +122,7 @@ private:
     /// Checks a path that is written to.
     const Type* variable(Expression&, const std::string& action);
     /// Reports whether the type of a value is not what is wanted.
-    bool agrees(Expression&, const Type* wanted, const std::string& role);
+    bool agrees(Expression&, const Type* wanted, const std::string& role, std::string hint = "");
     bool adapt(Expression&, const Type& wanted);
     std::string conversion_hint(const Expression&, const Type& wanted) const;
     void assigned(const Declaration*, const Place&, const std::string& through);
@@ -232,7 +232,7 @@ private:
     void output_tag(Output&, const Place&, const ProtocolType&);
     const ProtocolTag* tag_of(const ProtocolType&, const std::string& name, const Place&);
     bool has_items(const Place&, std::size_t given, std::size_t wanted);
-    bool has_form(Item&, const ProtocolItem& wanted, const char* hint);
+    bool has_form(Item&, const ProtocolItem& wanted, Direction);
 
     Program& program_;
     Reporter& reporter_;

@@ -74,17 +74,21 @@ bool Checker::has_items(const Place& place, std::size_t given, std::size_t wante
 }
 
 /// Checks that an item is a counted array if the protocol has one here, and the types. Returns false if it is not.
-bool Checker::has_form(Item& item, const ProtocolItem& wanted, const char* hint) {
+bool Checker::has_form(Item& item, const ProtocolItem& wanted, Direction direction) {
+    const bool inputs = direction == Direction::input;
     if (!wanted.count != !item.counted_array) {
         report(item.value.at,
                wanted.count
                    ? "the protocol has a counted array here: " + name_of(*wanted.count) + "::" + name_of(*wanted.type)
                    : "the protocol has no counted array here, but " + name_of(*wanted.type),
-               wanted.count ? hint : "");
+               !wanted.count ? ""
+               : inputs      ? "write the variable of the count, :: and the array"
+                             : "write the count, :: and the array");
         return false;
     }
     if (!item.counted_array) {
-        agrees(item.value, wanted.type, "this item of the protocol");
+        agrees(item.value, wanted.type, "this item of the protocol",
+               inputs ? "input to a variable of type " + name_of(*wanted.type) : "");
         return true;
     }
     agrees(item.value, wanted.count, "the count");
@@ -103,7 +107,7 @@ void Checker::input_item(Item& item, const ProtocolItem* wanted) {
             report(item.value.at, "the count of an array must be an integer, not " + name_of(*type), "");
         return;
     }
-    has_form(item, *wanted, "write the variable of the count, :: and the array");
+    has_form(item, *wanted, Direction::input);
 }
 
 void Checker::input_items(const Place& place, std::vector<Item>& items, const std::vector<ProtocolItem>& wanted,
@@ -202,7 +206,7 @@ void Checker::output_item(Item& item, const ProtocolItem* wanted) {
         value(*item.counted_array);
     if (!wanted)
         return;
-    if (!has_form(item, *wanted, "write the count, :: and the array") || !item.counted_array)
+    if (!has_form(item, *wanted, Direction::output) || !item.counted_array)
         return;
     const Type& array = plain(*item.counted_array->type);
     if (item.value.constant && array.count &&

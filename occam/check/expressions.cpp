@@ -89,7 +89,7 @@ void Checker::constant_of_type(Expression& expression, const Type* wanted, const
         report(expression.at, role + " must be a constant", "");
 }
 
-bool Checker::agrees(Expression& expression, const Type* wanted, const std::string& role) {
+bool Checker::agrees(Expression& expression, const Type* wanted, const std::string& role, std::string hint) {
     if (fits(*wanted, *expression.type))
         return true;
     if (adapt(expression, *wanted) && fits(*wanted, *expression.type))
@@ -97,7 +97,7 @@ bool Checker::agrees(Expression& expression, const Type* wanted, const std::stri
     const auto* use = std::get_if<NameUse>(&expression.form);
     if (!use || is_first(use->meaning, name_of(*wanted)))
         report(expression.at, role + " must be " + name_of(*wanted) + ", not " + name_of(*expression.type),
-               conversion_hint(expression, *wanted));
+               hint.empty() ? conversion_hint(expression, *wanted) : std::move(hint));
     expression.type = mistaken();
     return false;
 }

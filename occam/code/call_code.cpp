@@ -36,6 +36,7 @@ void Generator::generate_routine(const Declaration& d, Routine& routine) {
     const auto* function = std::get_if<Function>(&d.form);
     const Kept path(path_, routine.path);
     const Kept is_main(is_main_, &d == main_);
+    const Kept is_library(is_library_, !routine.errors.empty());
     generate_level(level, routine.entry, routine.path + d.name, [&] {
         emitter_.line(d.at);
         bind_parameters(procedure ? procedure->parameters : function->parameters, level);
@@ -240,7 +241,7 @@ void Generator::call_with(Routine& routine, Arguments words) {
     settle();
     if (moved == 0)
         frame_->need_low(low); // also against temporaries of the words that were loaded last
-    call_moved(routine.entry, moved);
+    call_moved(routine.entry, moved, routine.errors);
     stack_ = 0;
     frame_->need_below(level.need() + moved);
     if (level.main.starters() > 0 && std::ranges::find(frame_->calls, &level) == frame_->calls.end())
@@ -251,10 +252,13 @@ void Generator::call_with(Routine& routine, Arguments words) {
 /// altend the words below it hold the state of the alternation, over which a call would write.
 int Generator::words_moved(int low) const { return guards_are_enabled_ ? words_of_alternation + low : 0; }
 
-void Generator::call_moved(Label entry, int moved) {
+/// `errors`: what errors of the routine mean, if they are reported at its call.
+void Generator::call_moved(Label entry, int moved, const std::string& errors) {
     if (moved > 0)
         op(Operation::ajw, -moved);
     emitter_.branch(Operation::call, entry);
+    if (!errors.empty())
+        fails(errors);
     if (moved > 0)
         op(Operation::ajw, moved);
 }

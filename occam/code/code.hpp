@@ -42,15 +42,20 @@ struct CodeError {
     std::string text;
 };
 
-/// Where the workspace pointer of a process that is a component of a PAR can be, also in what it calls. The words count
-/// from the first workspace pointer, and are below it.
+/// Where the workspace pointer of a process can be, also in what it calls. The words count from the first workspace
+/// pointer, and are below it.
 struct CodeWorkspace {
+    /// The number of the process that starts the outermost components.
+    static constexpr std::size_t first_process = static_cast<std::size_t>(-1);
+
     std::int64_t from = 0, until = 0;
-    std::string name; ///< such as "phil[2]", or its place; with its place if several processes have this name
-    std::string
-        inner; ///< its name within the outermost component, "" for that itself: "fork[1]" if `name` is "ring/fork[1]"
+    /// Such as "phil[2]", or its place; with its place if several processes have this name. Processes that use the same
+    /// words one after the other have a name together: "reader or writer".
+    std::string name;
+    std::string inner =
+        {}; ///< its name within the outermost component, "" for that itself: "fork[1]" if `name` is "ring/fork[1]"
     std::size_t outermost = 0; ///< number of the outermost component, in the order of the text
-    std::string entry;         ///< name of the code of the process, among Code::names; "" of a replicated one
+    std::string entry = {};    ///< name of the code of the process, among Code::names; "" of a replicated one
     bool carries = false;      ///< it carries messages of other processes; the compiler does not know
 };
 
@@ -73,7 +78,6 @@ struct Code {
     std::vector<CodeLine> lines;             ///< in order of offsets
     std::vector<CodeName> names;
     std::vector<CodeError> errors; ///< in order of offsets
-    /// Leaves out processes whose words are used by several constructs of a procedure, one after the other.
     std::vector<CodeWorkspace> workspaces;
     std::vector<CodeChannel> channels;
 };

@@ -37,8 +37,7 @@ void Generator::declare_outermost(const Declaration& d) {
 
 /// Calls the main procedure with the channels of link 0 and with free memory behind the vector space.
 Code Generator::generate(const Declaration& main) {
-    for (const DeclarationBox& each : program_.routines)
-        declare(*each);
+    declare_library();
     for (const std::unique_ptr<Unit>& unit : program_.units)
         for (const DeclarationBox& each : unit->declarations)
             declare_outermost(*each);
@@ -72,7 +71,7 @@ Code Generator::generate(const Declaration& main) {
     code.end = std::ranges::find(code.names, end_of_program, &CodeName::name)->offset;
     code.workspace_words = static_cast<std::uint64_t>(level.main.words() + level.main.below);
     code.first_workspace_words = static_cast<std::uint64_t>(level.main.words());
-    code.workspaces = workspaces_of(level.main);
+    code.workspaces = workspaces_of(level.main, main.name);
     code.channels = channels_of_main(main, -words_of_call - routine.level->main.words());
     code.vector_space_bytes = static_cast<std::uint64_t>(memory * 4);
     if (4 * code.workspace_words + code.bytes.size() + code.vector_space_bytes > most_bytes_of_program)

@@ -111,7 +111,7 @@ std::int64_t coordinate_of(const Cell& cell) {
     case Cell::Area::local: return cell.frame->coordinate + cell.frame->position[static_cast<std::size_t>(cell.index)];
     case Cell::Area::low: return cell.frame->coordinate + cell.index;
     case Cell::Area::parameter: return parameters + level.uses_link + cell.index;
-    case Cell::Area::link: return parameters;
+    case Cell::Area::link: return parameters + cell.index;
     case Cell::Area::vector: return parameters + level.uses_link + level.parameters;
     case Cell::Area::base: break;
     }

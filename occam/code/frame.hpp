@@ -21,7 +21,7 @@ struct Cell {
         local,     ///< a variable or temporary of the frame
         low,       ///< one of the lowest words, which instructions and calls use
         parameter, ///< of the procedure of the frame
-        link,      ///< the hidden parameter: the frame of the enclosing procedure
+        link,      ///< the hidden parameter: the frame of the enclosing procedure; behind the return address
         vector,    ///< the hidden parameter: free vector space
         base       ///< where the workspace pointer of the frame points
     };

@@ -135,6 +135,8 @@ void Generator::clear_error() {
 }
 
 void Generator::fails(std::string meaning, std::vector<Cell> cells) {
+    if (is_library_)
+        return emitter_.error("called from {w}", {level_->link.after(-1)}, *frame_);
     emitter_.error(std::move(meaning), std::move(cells), *frame_);
 }
 

@@ -66,6 +66,7 @@ private:
         std::string path;       ///< of its declaration, with a slash
         Level* level = nullptr;
         Label entry = 0;
+        std::string errors = {}; ///< of a routine of predef.lib: what its errors mean, which are reported at its call
     };
     /// Sets a variable back at the end of a scope.
     template <typename T>
@@ -237,6 +238,7 @@ private:
         std::optional<int> mode = {}; ///< of rounding, the last parameter of a conversion
         bool negated = false;         ///< its result is the opposite of what is wanted
     };
+    void declare_library();
     const Declaration& library_routine(const Place&, const std::string& name) const;
     std::optional<RealRoutine> real_routine(const Expression&) const;
     void call_real_routine(const Expression&, const RealRoutine&, const std::vector<Storage>& results);
@@ -360,7 +362,7 @@ private:
     void add_pointer(Arguments&, Storage, const Type& parameter);
     void call_with(Routine&, Arguments);
     int words_moved(int low) const;
-    void call_moved(Label entry, int moved);
+    void call_moved(Label entry, int moved, const std::string& errors = {});
     bool returns_in_register(const Function&) const;
     void call_function(const Expression&, const std::vector<Storage>& results);
 
@@ -382,7 +384,8 @@ private:
     std::list<Level> levels_;
     std::unordered_map<const Declaration*, Storage> bindings_; ///< looked up only
     const Declaration* main_ = nullptr;
-    bool is_main_ = false; ///< the code is that of the main procedure itself
+    bool is_main_ = false;    ///< the code is that of the main procedure itself
+    bool is_library_ = false; ///< the code is that of a routine of predef.lib
     std::unordered_map<const Declaration*, Range> ranges_;
     std::unordered_map<const Declaration*, std::unique_ptr<Routine>> routines_;
     std::deque<Type> arrays_; ///< types of segments and of words for channels

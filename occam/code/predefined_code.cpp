@@ -215,7 +215,7 @@ void Generator::predefined_instance(const Process& p, const Instance& i) {
         settle();
         op(Operation::eqc, 0);
         jump_if_false(holds);
-        stop_here("ASSERT of what is FALSE");
+        stop_here("the condition of ASSERT is FALSE");
         return mark(holds);
     }
     if (i.name == "CAUSEERROR") {

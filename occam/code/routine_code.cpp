@@ -1,6 +1,7 @@
 #include "occam/code/generator.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace placedpar::occam {
 
@@ -8,6 +9,40 @@ using transputer::Operation;
 
 // Routines of the library predef.lib do what has no instructions: predefined routines, and the arithmetic of reals
 // without a floating-point unit. A REAL32 is a word there, and a REAL64 is two words, as an INT64 is.
+
+namespace {
+
+/// Says what errors of a routine mean. Its name is that of a predefined routine, "TYPE.operation", or "FROM.TO".
+std::string errors_of(const std::string& routine) {
+    struct Errors {
+        std::string_view name, meaning;
+    };
+    constexpr std::array<Errors, 11> by_end = {{{".add", " +: overflow, an infinity or a NaN"},
+                                                {".subtract", " -: overflow, an infinity or a NaN"},
+                                                {".multiply", " *: overflow, an infinity or a NaN"},
+                                                {".divide", " /: overflow, division by zero, an infinity or a NaN"},
+                                                {"REM", " \\: division by zero, an infinity or a NaN"},
+                                                {".negate", " -: an infinity or a NaN"},
+                                                {".equal", ": a comparison with an infinity or a NaN"},
+                                                {".greater", ": a comparison with an infinity or a NaN"},
+                                                {".INT", ": the real does not fit in INT"},
+                                                {".INT64", ": the real does not fit in INT64"},
+                                                {".REAL32", ": the real does not fit in REAL32"}}};
+    for (const Errors& each : by_end)
+        if (routine.ends_with(each.name))
+            return routine.substr(0, routine.size() - each.name.size()) + std::string(each.meaning);
+    return routine + (routine.ends_with("2D") ? ": bytes outside of an array" : ": the result is not a finite number");
+}
+
+} // namespace
+
+void Generator::declare_library() {
+    for (const DeclarationBox& each : program_.routines) {
+        declare(*each);
+        if (const auto routine = routines_.find(each.get()); routine != routines_.end())
+            routine->second->errors = errors_of(each->name);
+    }
+}
 
 const Declaration& Generator::library_routine(const Place& at, const std::string& name) const {
     const auto found = std::ranges::find(program_.routines, name, [](const auto& each) { return each->name; });

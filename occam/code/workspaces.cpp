@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -35,11 +36,24 @@ void count_names(const Frame& frame, NameCounts& counts) {
         count_names(each->main, counts);
 }
 
+/// Adds a name to others: "reader or writer".
+void add_name(std::string& names, const std::string& name) {
+    constexpr std::size_t longest = 60;
+    constexpr const char* others = " or others";
+    if (names.empty() || names == name)
+        names = name;
+    else if (!names.ends_with(others))
+        names += names.size() + name.size() > longest ? others : " or " + name;
+}
+
 /// Collects the workspaces of the processes that a frame starts, from the outermost on. A frame that starts processes
-/// at several places uses the same words for all of them, so these get no names.
+/// at several places, one after the other, uses the same words for all of them: such a word gets the names of all.
 class Workspaces {
 public:
-    explicit Workspaces(const Frame& first) { add_within(first, 0, {}); }
+    Workspaces(const Frame& first, const std::string& name) {
+        add_within(first, 0, {});
+        add_rest({-first.below, 1, name, {}, CodeWorkspace::first_process}, 0);
+    }
     std::vector<CodeWorkspace> take() { return std::move(found_); }
 
 private:
@@ -59,8 +73,7 @@ private:
     }
 
     void add_started(const Frame& frame, std::int64_t base, const Naming& naming) {
-        if (frame.starters() != 1)
-            return;
+        const std::size_t first = found_.size();
         const std::int64_t at = base + frame.coordinate;
         for (const std::vector<Frame*>& components : frame.parallels)
             for (const Frame* each : components)
@@ -69,6 +82,44 @@ private:
             add_replicated(each, at, naming);
         for (const Level* called : frame.calls)
             add_started(called->main, at - words_of_call - called->main.words(), naming);
+        if (frame.starters() > 1)
+            join_from(first);
+    }
+
+    /// Joins workspaces that have words in common, of those that were found from `first` on.
+    void join_from(std::size_t first) {
+        const std::vector<CodeWorkspace> all(found_.begin() + static_cast<std::ptrdiff_t>(first), found_.end());
+        found_.resize(first);
+        std::map<std::int64_t, std::vector<std::size_t>> bounds; // at each one: those that begin or end there
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            bounds[all[i].from].push_back(i);
+            bounds[all[i].until].push_back(i);
+        }
+        std::set<std::size_t> now;
+        std::int64_t from = 0;
+        for (const auto& [at, changes] : bounds) {
+            add_joined(all, now, from, at);
+            for (const std::size_t each : changes)
+                if (!now.insert(each).second)
+                    now.erase(each);
+            from = at;
+        }
+    }
+
+    void add_joined(const std::vector<CodeWorkspace>& all, const std::set<std::size_t>& which, std::int64_t from,
+                    std::int64_t until) {
+        if (which.empty())
+            return;
+        CodeWorkspace joined = all[*which.begin()];
+        joined.from = from;
+        joined.until = until;
+        if (which.size() > 1)
+            joined.entry = joined.name = joined.inner = "";
+        for (const std::size_t each : which) {
+            add_name(joined.name, all[each].name);
+            add_name(joined.inner, all[each].inner);
+        }
+        found_.push_back(joined);
     }
 
     void add_replicated(const Frame::Replication& replication, std::int64_t at, const Naming& naming) {
@@ -131,6 +182,8 @@ private:
 
 } // namespace
 
-std::vector<CodeWorkspace> workspaces_of(const Frame& first) { return Workspaces(first).take(); }
+std::vector<CodeWorkspace> workspaces_of(const Frame& first, const std::string& name) {
+    return Workspaces(first, name).take();
+}
 
 } // namespace placedpar::occam

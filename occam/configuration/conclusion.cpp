@@ -7,7 +7,7 @@
 namespace placedpar::occam {
 
 /// Checks what can be known only when all parts have been executed.
-void Configurer::conclude() {
+void Configurer::check_whole() {
     check_nodes();
     if (!reporter_.failed())
         find_processors();

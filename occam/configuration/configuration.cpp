@@ -8,6 +8,7 @@
 #include "text/nearest.hpp"
 
 #include <algorithm>
+#include <regex>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -35,6 +36,12 @@ void pass_on(std::vector<Diagnostic> diagnostics, const Program& program, Report
             reporter.warning(each.location, std::move(each.message), std::move(each.hint));
 }
 
+/// Writes the connections of a hint as a configuration does: CONNECT a[link][0] TO b[link][1].
+std::string hint_of_configuration(const std::string& hint) {
+    static const std::regex connection(R"(connect (\S+) to ([^\s;]+);?)"), link(R"(\.link\[)");
+    return std::regex_replace(std::regex_replace(hint, connection, "CONNECT $1 TO $2"), link, "[link][");
+}
+
 MadeNetlist made_of(const std::shared_ptr<const SourceFile>& file, const std::vector<std::filesystem::path>& folders,
                     Reporter& reporter) {
     ParseOptions options;
@@ -49,6 +56,7 @@ MadeNetlist made_of(const std::shared_ptr<const SourceFile>& file, const std::ve
         const Configured configured = Configurer(program, own).run();
         if (!own.failed())
             made = NetlistWriter(program, configured, own).write();
+        made.translate_hint = hint_of_configuration;
     }
     for (std::size_t i = 1; i < program.files.size(); ++i)
         if (!program.files[i]->path().starts_with('<'))

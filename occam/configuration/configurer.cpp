@@ -27,7 +27,7 @@ Configurer::Configurer(Program& program, Reporter& reporter)
 /// Makes the names HOST, HIGH and LOW visible; a configuration may declare them anew.
 void Configurer::add_predefined() {
     const auto add = [&](const std::string& name, const Type* type) -> Declaration& {
-        Declaration& declaration = *own_.emplace_back(std::make_unique<Declaration>());
+        Declaration& declaration = *predefined_.emplace_back(std::make_unique<Declaration>());
         declaration.name = name;
         declaration.form = ReplicatorIndex{};
         declaration.type = type;
@@ -50,7 +50,7 @@ Configured Configurer::run() {
             reporter_.error({program_.files.front(), 0, 0}, "the configuration has no CONFIG, so no process is on it",
                             "write CONFIG, and below it PROCESSOR with an instance of a PROC");
         if (!reporter_.failed())
-            conclude();
+            check_whole();
     } catch (const GiveUp&) { // the last diagnostic has the reason
     }
     return std::move(configured_);
@@ -141,7 +141,7 @@ void Configurer::form_of(Process& process, Parallel& parallel) {
         return reporter_.error(at(process.at),
                                "a PRI PAR of a configuration has two processes, and stands once below a PROCESSOR",
                                "the first process gets the high priority");
-    const std::optional<Here> outer = here_;
+    const std::optional<CurrentProcessor> outer = here_;
     repeat(parallel.replicator, [&] {
         for (Process& each : parallel.processes) {
             if (is_priority) {
@@ -217,7 +217,7 @@ void Configurer::repeat(std::optional<Replicator>& replicator, const std::functi
     }
 }
 
-/// Returns the value of an INT; nothing after reporting that it is none, or not constant.
+/// Returns the value of an INT; nothing after reporting that it is of another type, or not constant.
 std::optional<std::int64_t> Configurer::constant(Expression& expression, const std::string& role) {
     checker_.constant_of_type(expression, program_.types.basic(Basic::integer), role);
     if (!expression.constant || !expression.type->is(Basic::integer))
@@ -234,7 +234,7 @@ void Configurer::form_of(Process& process, Processor& processor) {
     const std::optional<Element> node = node_of(processor);
     if (!node)
         return;
-    here_ = Here{.node = *node, .at = processor.number.at};
+    here_ = CurrentProcessor{.node = *node, .at = processor.number.at};
     execute(*processor.process);
     here_.reset();
 }

@@ -29,7 +29,7 @@ private:
     using Selection = std::vector<Range>;
     enum class Part { network, mapping, software };
     /// The processor whose PROCESSOR is being executed.
-    struct Here {
+    struct CurrentProcessor {
         Element node;
         Place at;
         bool high_priority = false;
@@ -93,7 +93,7 @@ private:
     std::optional<std::string> value_text(const Expression&) const;
 
     // What is known at the end (conclusion.cpp)
-    void conclude();
+    void check_whole();
     void visit_channels(void (Configurer::*)(const Element&, ChannelState&));
     void check_nodes();
     void check_node(const Element&, const NodeState&, const Place& declared);
@@ -114,13 +114,13 @@ private:
     Reporter& reporter_;
     Checker checker_;
     Configured configured_;
-    std::vector<DeclarationBox> own_; ///< HOST, HIGH and LOW
+    std::vector<DeclarationBox> predefined_; ///< HOST, HIGH and LOW
     std::map<const Declaration*, Selection> selections_;
     std::map<Element, std::size_t> wire_of_arc_;
     std::map<std::int64_t, Element> numbered_;
     std::map<Element, std::vector<WireEnd>> links_used_; ///< by node: where the link of each wire leads
     Part part_ = Part::software;
-    std::optional<Here> here_;
+    std::optional<CurrentProcessor> here_;
     bool has_config_ = false;
     std::size_t steps_ = 0;
 };

@@ -141,7 +141,7 @@ void Configurer::add_end(const Element& channel, const PortDescription& port, co
     known = end;
 }
 
-/// Returns the constant as a netlist writes it; nothing if it is none.
+/// Returns the constant as a netlist writes it; nothing if it is not a constant.
 std::optional<std::string> Configurer::value_text(const Expression& expression) const {
     if (!expression.constant)
         return std::nullopt;

@@ -24,7 +24,7 @@ std::string without_folders(const std::string& name) {
 /// Returns the names under which the text of a file may be stored. A compiled file, such as x.tco, is read from its
 /// source; so is x.module, which KRoC makes from x.occ.
 std::vector<std::string> file_names(const std::string& name, FileUse use) {
-    static constexpr std::array<std::string_view, 3> sources = {".occ", ".inc", ".module"};
+    static constexpr std::array<std::string_view, 4> sources = {".occ", ".inc", ".module", ".pgm"};
     std::string forward = name;
     std::ranges::replace(forward, '\\', '/');
     const std::string extension = lower_case(Path(forward).extension().string());

@@ -2,16 +2,26 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace placedpar::occam {
 
 If Parser::parse_if() {
     const Word head = take();
+    const bool has_condition = peek().kind != WordKind::end &&
+                               std::ranges::none_of(line_.words, [](const Word& each) { return each.is_word("FOR"); });
     If process;
     parse_header([&] {
+        if (has_condition)
+            refuse(peek(), "a condition of IF stands in a line of its own",
+                   "write IF alone in its line, the condition in the next one, and its process below the condition");
         process.replicator = parse_replicator();
         end_line("IF");
     });
-    parse_block(head, [&] { process.choices.push_back(parse_choice()); });
+    if (has_condition)
+        parse_block(head, [&] { parse_process(); });
+    else
+        parse_block(head, [&] { process.choices.push_back(parse_choice()); });
     return process;
 }
 

@@ -182,6 +182,18 @@ Process Parser::parse_instance() {
     return {name.at, std::move(instance)};
 }
 
+namespace {
+
+/// Says what stands for `x += 1` of other languages; "" if this is something else.
+std::string hint_for_change(const Word& variable, const Word& operation, const Word& next) {
+    const bool changes = operation.is("+") || operation.is("-") || operation.is("*") || operation.is("/");
+    return changes && (next.is("=") || next.is(operation.text))
+               ? fmt::format("write {0} := {0} {1} ...", variable.text, operation.text)
+               : "";
+}
+
+} // namespace
+
 Process Parser::parse_assignment_or_communication() {
     const Word first = peek();
     const bool stands_alone = peek(1).kind == WordKind::name || peek(1).kind == WordKind::end ||
@@ -199,7 +211,7 @@ Process Parser::parse_assignment_or_communication() {
         assignment.targets.push_back(parse_element("a variable"));
     if (!accept(":="))
         refuse(peek(), fmt::format("\":=\", \"?\" or \"!\" is expected: found {}", describe(peek())),
-               peek().is("=") ? "an assignment is written \":=\"" : "");
+               peek().is("=") ? "an assignment is written \":=\"" : hint_for_change(first, peek(), peek(1)));
     assignment.values = parse_expressions();
     end_line("an assignment");
     return {first.at, std::move(assignment)};

@@ -124,7 +124,8 @@ void report_no_procedure(const Program& program, const std::string& name, const 
                          Reporter& reporter) {
     const std::string path = program.files.front()->path();
     if (name.empty())
-        reporter.error(named_at, fmt::format("the file \"{}\" has no PROC", path));
+        reporter.error(named_at, fmt::format("the file \"{}\" has no PROC", path),
+                       program.is_configuration ? "a configuration uses kinds of other files; name one of these" : "");
     else
         reporter.error(named_at, fmt::format("the file \"{}\" has no PROC {}", path, name),
                        did_you_mean(name, procedures_of(program)));
@@ -263,6 +264,8 @@ private:
     /// "table/phil[2]". What is not of the netlist has the name of the node in front.
     static void name_components(Code& code, const TextOfImage& text, const std::string& node) {
         const std::vector<Component>& all = text.components;
+        std::erase_if(code.workspaces,
+                      [](const CodeWorkspace& each) { return each.outermost == CodeWorkspace::first_process; });
         std::size_t outermost = 0;
         for (const CodeWorkspace& each : code.workspaces)
             outermost = std::max(outermost, each.outermost + 1);

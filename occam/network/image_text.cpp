@@ -78,7 +78,7 @@ public:
             pass_on(each);
         for (const auto& [connection, wire] : ways_.shared)
             add_carriers(text_of_shared_wire(wire));
-        for (const WaysOverNode::Relay& each : ways_.relays)
+        for (const NodeRoutes::Relay& each : ways_.relays)
             add_relay(each);
         if (!ends_.empty())
             low_.add({"", fmt::format("SEQ\n{}", ends_), true}, indentation);
@@ -149,7 +149,7 @@ private:
         declare(channel.number, "CHAN OF " + protocol_name(*channel.protocol));
     }
 
-    void add_relay(const WaysOverNode::Relay& relay) {
+    void add_relay(const NodeRoutes::Relay& relay) {
         const std::string in = name_of_channel(relay.channel.number), out = in + ".on";
         declarations_ += fmt::format("  CHAN OF {} {}:\n", protocol_name(*relay.channel.protocol), out);
         place(out, relay.out);
@@ -287,7 +287,7 @@ private:
     const Network& n_;
     std::size_t node_;
     const ProgramOf& program_of_;
-    WaysOverNode ways_;
+    NodeRoutes ways_;
     bool carries_; ///< processes of high priority carry messages of others
     TextOfImage image_;
     Components high_, low_;

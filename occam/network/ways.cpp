@@ -16,7 +16,7 @@ namespace placedpar::occam {
 namespace {
 
 /// The links over which a channel arrives at a node, and leaves it.
-struct Passage {
+struct LinksOfChannel {
     std::optional<std::size_t> arrives_over, leaves_over; ///< connections
     int in = 0, out = 0;                                  ///< links
 };
@@ -31,7 +31,7 @@ public:
                     ++loads_[2 * hop.connection + (hop.from_a_to_b ? 1 : 0)];
     }
 
-    WaysOverNode find() {
+    NodeRoutes find() {
         for (std::size_t i = 0; i < n_.channels.size(); ++i)
             if (n_.channels[i].placement.kind == ChannelPlacement::Kind::link)
                 add(i);
@@ -45,8 +45,8 @@ private:
         return connection && std::max(loads_[2 * *connection], loads_[2 * *connection + 1]) > 1;
     }
 
-    Passage passage(const NetworkChannel& channel) const {
-        Passage result;
+    LinksOfChannel passage(const NetworkChannel& channel) const {
+        LinksOfChannel result;
         for (const RouteHop& hop : channel.placement.route) {
             const LinkEnd &begin = begin_of(hop, n_.connections), &end = end_of(hop, n_.connections);
             if (begin.node == node_) {
@@ -62,7 +62,7 @@ private:
 
     void add(std::size_t number) {
         const NetworkChannel& channel = n_.channels[number];
-        const Passage way = passage(channel);
+        const LinksOfChannel way = passage(channel);
         if (!way.arrives_over && !way.leaves_over)
             return;
         const bool arrives_alone = way.arrives_over && !is_shared(way.arrives_over);
@@ -126,12 +126,12 @@ private:
     std::size_t node_;
     const ProgramOf& program_of_;
     std::vector<std::size_t> loads_; ///< channels of code on each connection: 2 i from b to a, 2 i + 1 from a to b
-    WaysOverNode ways_;
+    NodeRoutes ways_;
 };
 
 } // namespace
 
-WaysOverNode ways_over(const Network& network, std::size_t node, const ProgramOf& program_of) {
+NodeRoutes ways_over(const Network& network, std::size_t node, const ProgramOf& program_of) {
     return WaySearch(network, node, program_of).find();
 }
 

@@ -23,7 +23,7 @@ struct ProgramOfProcess {
 using ProgramOf = std::function<ProgramOfProcess(const ProcessInstance&)>;
 
 /// The channels of code that lead over wires of a node.
-struct WaysOverNode {
+struct NodeRoutes {
     /// A channel that passes from a wire to another one, which both carry nothing else in its direction.
     struct Relay {
         CarriedChannel channel;
@@ -36,6 +36,6 @@ struct WaysOverNode {
 };
 
 /// Returns the ways over a node. Throws UserError if a wire cannot carry its channels.
-WaysOverNode ways_over(const Network&, std::size_t node, const ProgramOf&);
+NodeRoutes ways_over(const Network&, std::size_t node, const ProgramOf&);
 
 } // namespace placedpar::occam

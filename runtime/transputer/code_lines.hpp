@@ -23,7 +23,7 @@ struct CodeLinesError : std::runtime_error {
 ///     entry ADDRESS NAME                 a procedure begins here
 ///     process FROM UNTIL NAME            a process whose workspace is in [FROM, UNTIL); no two rows overlap
 ///     error ADDRESS TEXT                 what it means if the instruction in front of ADDRESS sets Error, or is a
-///                                        `stopp`; see print_error()
+///                                        `stopp`; see print_error() and error_to_name()
 ///     carrier FROM UNTIL NAME            the same, of a process that carries messages of other processes
 ///     channel ADDRESS NAME               the word of a channel
 ///     node NAME                          the rows that follow are for the node of this name

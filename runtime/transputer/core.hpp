@@ -167,6 +167,11 @@ public:
     bool has_error(int priority) const { return priority == priority_ ? registers_.error : other_error_; }
     Fpu& fpu() { return fpu_; }
     const Fpu& fpu() const { return fpu_; }
+    /// Returns whether the byte before an address belongs to code that was executed, or was decoded with such code.
+    bool has_executed_before(Word address) const {
+        const Word offset = NodeMemory::offset_of(address) - 1;
+        return offset < memory_.size() && code_.was_decoded(offset);
+    }
     /// Returns the front of a queue of ready processes: an address of a workspace, or not_a_process.
     Word front(int priority) const { return front_[static_cast<std::size_t>(priority)]; }
     Word back(int priority) const { return back_[static_cast<std::size_t>(priority)]; }

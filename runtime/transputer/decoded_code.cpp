@@ -30,8 +30,8 @@ void join_pairs(std::span<Entry> entries) {
 } // namespace
 
 DecodedCode::DecodedCode(NodeMemory& memory, const CodeTiming& timing)
-    : memory_(memory), timing_(timing), pages_(memory.size() / NodeMemory::page_bytes), scratch_(longest_block + 1),
-      scratch_bounds_(longest_block) {
+    : memory_(memory), timing_(timing), pages_(memory.size() / NodeMemory::page_bytes), decoded_(pages_.size()),
+      scratch_(longest_block + 1), scratch_bounds_(longest_block) {
     front_.entries = std::make_unique<Entry[]>(longest_block + 1);
 }
 
@@ -41,6 +41,8 @@ DecodedCode::Page& DecodedCode::page(Word offset) {
         result = std::make_unique<Page>();
         bytes_used_ += sizeof(Page);
     }
+    if (auto& decoded = decoded_[offset / NodeMemory::page_bytes]; !decoded)
+        decoded = std::make_unique<std::bitset<NodeMemory::page_bytes>>();
     memory_.note_code(offset / NodeMemory::page_bytes, true);
     return *result;
 }
@@ -166,7 +168,7 @@ std::unique_ptr<Block> DecodedCode::spare_block() {
 /// REQUIRES: the pages of the bytes exist.
 void DecodedCode::mark_decoded(Word offset, Word bytes) {
     for (Word at = offset; at < offset + bytes; ++at)
-        pages_[at / NodeMemory::page_bytes]->decoded.set(at % NodeMemory::page_bytes);
+        decoded_[at / NodeMemory::page_bytes]->set(at % NodeMemory::page_bytes);
 }
 
 void DecodedCode::sweep() {
@@ -177,7 +179,7 @@ void DecodedCode::sweep() {
     }
 }
 
-/// Forgets everything, and frees the pages.
+/// Forgets all blocks, and frees the pages.
 void DecodedCode::forget_all() {
     for (Word index = 0; index < pages_.size(); ++index) {
         std::unique_ptr<Page>& page = pages_[index];
@@ -213,10 +215,11 @@ void DecodedCode::forget_in_page(Word index, Word offset, Word bytes) {
     Page* const page = pages_[index].get();
     if (!page)
         return;
+    std::bitset<NodeMemory::page_bytes>& decoded = *decoded_[index];
     bool is_decoded = false;
     for (Word at = offset % NodeMemory::page_bytes, left = bytes; left > 0; ++at, --left) {
-        is_decoded = is_decoded || page->decoded[at];
-        page->decoded.reset(at);
+        is_decoded = is_decoded || decoded[at];
+        decoded.reset(at);
     }
     if (!is_decoded)
         return;
@@ -224,8 +227,7 @@ void DecodedCode::forget_in_page(Word index, Word offset, Word bytes) {
     for (Word before = index; page->reached_from_before && before-- > 0 && index - before <= longest_reach;)
         forget_blocks(before, offset, bytes);
     forget_blocks(index, offset, bytes);
-    if (page->starting.empty() && (!page->reached_from_before || page->decoded.none())) {
-        page->decoded.reset();
+    if (page->starting.empty() && (!page->reached_from_before || decoded.none())) {
         page->reached_from_before = false;
         memory_.note_code(index, false);
     }

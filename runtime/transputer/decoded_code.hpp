@@ -72,12 +72,17 @@ public:
     /// Frees forgotten blocks, or uses them again. Call it when none is being executed.
     void sweep();
     bool must_sweep() const { return !forgotten_.empty(); }
+    /// Returns whether a byte belongs to instructions that were decoded, and was not written to since. It may have been
+    /// written to if no other byte of its page belonged to decoded instructions then.
+    bool was_decoded(Word offset) const {
+        const auto& decoded = decoded_[offset / NodeMemory::page_bytes];
+        return decoded && (*decoded)[offset % NodeMemory::page_bytes];
+    }
 
 private:
     struct Page {
         Block* blocks[NodeMemory::page_bytes] = {};
         std::vector<std::unique_ptr<Block>> starting; ///< the blocks that start in this page
-        std::bitset<NodeMemory::page_bytes> decoded;  ///< the bytes of blocks, and some of blocks that are forgotten
         bool reached_from_before = false;             ///< a block of the page before may end in this page
     };
     Block* decode(Word address);
@@ -91,9 +96,8 @@ private:
     Page& page(Word offset);
     bool is_decoded(Word offset, Word bytes) const {
         for (const Word end = offset + bytes; offset < end; ++offset)
-            if (const Page* const page = pages_[offset / NodeMemory::page_bytes].get())
-                if (page->decoded[offset % NodeMemory::page_bytes])
-                    return true;
+            if (was_decoded(offset))
+                return true;
         return false;
     }
     void forget_decoded(Word offset, Word bytes);
@@ -106,6 +110,8 @@ private:
     NodeMemory& memory_;
     CodeTiming timing_;
     std::vector<std::unique_ptr<Page>> pages_;
+    /// The bytes of blocks, and some of blocks that are forgotten; by page, null if it never had a block.
+    std::vector<std::unique_ptr<std::bitset<NodeMemory::page_bytes>>> decoded_;
     std::vector<std::unique_ptr<Block>> forgotten_;
     std::vector<std::unique_ptr<Block>> spare_; ///< forgotten blocks, with their entries and bounds
     std::uint64_t bytes_used_ = 0;

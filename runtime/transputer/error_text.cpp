@@ -23,6 +23,14 @@ std::int64_t double_word(std::int64_t upper, std::int64_t lower) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(upper) << 32 | static_cast<Word>(lower));
 }
 
+/// Returns a number with its sign; nothing if the text is something else.
+std::optional<int> signed_number(std::string_view text) {
+    const std::string_view digits = text.substr(text.starts_with('+') ? 1 : 0);
+    int number = 0;
+    const auto [end, wrong] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    return wrong == std::errc{} && end == digits.data() + digits.size() ? std::optional(number) : std::nullopt;
+}
+
 /// Returns the number that stands for the text between two braces; nothing if it has no meaning.
 std::optional<std::int64_t> number_for(std::string_view text, const Core& core, const ErrorNote& error) {
     if (text == "ba")
@@ -30,13 +38,10 @@ std::optional<std::int64_t> number_for(std::string_view text, const Core& core, 
     if (text.empty())
         return std::nullopt;
     const char name = text.front();
-    int more = 0;
-    if (text.size() > 1) {
-        const std::string_view digits = text.substr(text[1] == '+' ? 2 : 1);
-        const auto [end, wrong] = std::from_chars(digits.data(), digits.data() + digits.size(), more);
-        if (wrong != std::errc{} || end != digits.data() + digits.size())
-            return std::nullopt;
-    }
+    const std::optional<int> number = text.size() > 1 ? signed_number(text.substr(1)) : std::optional(0);
+    if (!number)
+        return std::nullopt;
+    const int more = *number;
     const Word address = error.workspace + 4 * static_cast<Word>(more);
     const std::optional<std::int64_t> word = word_at(core, address), above = word_at(core, address + 4);
     if (name == 'w')
@@ -85,10 +90,31 @@ std::string_view usual_text(const CodedInstruction& instruction, const ErrorNote
     }
 }
 
-} // namespace
+constexpr Word bytes_of_call = 16;
 
-ErrorNote error_to_name(const Core& core, const ErrorNote& error, const CodeLines& lines) {
-    constexpr Word most_words = 32, words_of_call = 4;
+/// Returns the call of the routine whose return address is in a word above the workspace, if a text says so.
+std::optional<ErrorNote> call_named_by(std::string_view text, const Core& core, const ErrorNote& error) {
+    constexpr std::string_view begin = "called from {w";
+    if (!text.starts_with(begin) || !text.ends_with('}'))
+        return std::nullopt;
+    const auto words = signed_number(text.substr(begin.size(), text.size() - begin.size() - 1));
+    const Word at = error.workspace + 4 * static_cast<Word>(words.value_or(0));
+    const auto returns_to = words ? word_at(core, at) : std::nullopt;
+    return returns_to ? std::optional<ErrorNote>({static_cast<Word>(*returns_to), at + bytes_of_call}) : std::nullopt;
+}
+
+/// Follows the calls that texts name. A program may write a circle into its memory.
+ErrorNote follow_calls(const Core& core, ErrorNote error, const CodeLines& lines) {
+    constexpr int most_calls = 16;
+    for (int i = 0; i < most_calls; ++i)
+        if (const auto call = call_named_by(lines.error(error.after), core, error))
+            error = *call;
+    return error;
+}
+
+/// Searches the words above the workspace for the return address of a call for whose errors there is a text.
+ErrorNote find_call(const Core& core, const ErrorNote& error, const CodeLines& lines) {
+    constexpr Word most_words = 32;
     if (!lines.error(error.after).empty() || !lines.file_place(error.after - 1).empty())
         return error;
     for (Word i = 0; i < most_words; ++i) {
@@ -96,9 +122,15 @@ ErrorNote error_to_name(const Core& core, const ErrorNote& error, const CodeLine
         const auto returns_to = static_cast<Word>(word_at(core, at).value_or(0));
         if (!lines.error(returns_to).empty() &&
             instruction_before(core, returns_to).instruction.operation == Operation::call)
-            return {returns_to, at + 4 * words_of_call};
+            return {returns_to, at + bytes_of_call};
     }
     return error;
+}
+
+} // namespace
+
+ErrorNote error_to_name(const Core& core, const ErrorNote& error, const CodeLines& lines) {
+    return follow_calls(core, find_call(core, error, lines), lines);
 }
 
 std::string print_error(const Core& core, const ErrorNote& error, const CodeLines& lines) {

@@ -14,8 +14,10 @@ namespace placedpar::transputer {
 /// word and the double word that begin two words above its workspace. {a-1} is 1 less. Other braces stay as they are.
 std::string print_error(const Core&, const ErrorNote&, const CodeLines&);
 
-/// Returns the call of the routine in which an error has happened, as the instruction to name, if the table has a text
-/// for errors of this call, but nothing about the code of the routine. Returns the error itself otherwise.
+/// Returns the call of the routine in which an error has happened, as the instruction to name. It does so if the text
+/// of the error is "called from {w+12}": the call's return address is 12 words above the workspace. It also does if the
+/// table has a text for errors of this call, but nothing about the code of the routine. Returns the error itself
+/// otherwise.
 ErrorNote error_to_name(const Core&, const ErrorNote&, const CodeLines&);
 
 } // namespace placedpar::transputer

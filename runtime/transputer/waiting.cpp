@@ -148,10 +148,11 @@ std::optional<std::vector<Word>> channels_before(const Core& core, Word workspac
 constexpr std::array waits{Operation::in,    Operation::out,    Operation::outbyte, Operation::outword,
                            Operation::altwt, Operation::taltwt, Operation::tin};
 
-/// The instruction at which a process waits; `unknown` if its saved Iptr follows no instruction that waits.
+/// The instruction at which a process waits; `unknown` if its saved Iptr follows no instruction that waits, or follows
+/// data that looks like one.
 Operation waits_at(const Core& core, Word workspace) {
     const auto instruction = word_of_node(core, workspace - below::instruction);
-    if (!instruction)
+    if (!instruction || !core.has_executed_before(*instruction))
         return Operation::unknown;
     const Operation operation = instruction_before(core, *instruction).instruction.operation;
     return std::ranges::count(waits, operation) > 0 ? operation : Operation::unknown;

@@ -28,10 +28,10 @@ struct WaitingProcess {
 ///
 /// The timer queues and the channel words of links tell theirs. For the others, the memory is searched for words that
 /// hold a descriptor. Its workspace must lie in the memory, and its process must neither run nor be ready. Its saved
-/// Iptr must follow an instruction that waits, and the word W-3 must be what this instruction leaves there. The address
-/// of the channel is computed from the code before the instruction where that only loads, computes addresses, and
-/// enables the guards of an ALT; the word there must hold the descriptor, and no other word is taken. Otherwise, as in
-/// an ALT with a loop, a copy of a descriptor may be taken for a channel.
+/// Iptr must follow an instruction that waits, in code that was executed; the word W-3 must be what this instruction
+/// leaves there. The address of the channel is computed from the code before the instruction where that only loads,
+/// computes addresses, and enables the guards of an ALT; the word there must hold the descriptor, and no other word is
+/// taken. Otherwise, as in an ALT with a loop, a copy of a descriptor may be taken for a channel.
 /// A process in an ALT without a true guard is found by the state of the ALT, which it keeps in words of its own. A
 /// process that waits for nothing, as after stopp, is not found: no word refers to it.
 std::vector<WaitingProcess> waiting_processes(const Core&);

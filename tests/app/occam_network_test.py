@@ -70,6 +70,42 @@ PROC sum (CHAN OF INT a, b)
         self.assertEqual(run.returncode, 1)
         self.assertIn("--mode: no process of ", run.stderr)
 
+    def test_a_halted_processor_of_a_configuration_is_the_first_that_is_told(self):
+        configuration = self.folder / "two.pgm"
+        configuration.write_text("""NODE a, b:
+ARC l:
+NETWORK
+  DO
+    SET a (type, memsize := "T800", 1024 * 1024)
+    SET b (type, memsize := "T800", 1024 * 1024)
+    CONNECT a[link][1] TO b[link][0] WITH l
+:
+PROC p (CHAN OF INT c)
+  INT x:
+  SEQ
+    x := 0
+    c ! 5 / x
+:
+PROC q (CHAN OF INT c)
+  INT x:
+  c ? x
+:
+CONFIG
+  CHAN OF INT c:
+  PLACE c ON l:
+  PAR
+    PROCESSOR a
+      p (c)
+    PROCESSOR b
+      q (c)
+:
+""", encoding="ascii")
+        halted = placedpar("run", configuration)
+        self.assertEqual(halted.returncode, 2, halted.stdout + halted.stderr)
+        self.assertRegex(halted.stdout, r"\A\S*two\.pgm: halted by an error at \d+\.\d+ us\nfingerprint: \w+\n\n"
+                                        r"a stopped at \S*two\.pgm:13:5: division by zero: 5 / 0, in p, at .*\n\n")
+        self.assertRegex(halted.stdout, r"\nq +inputs +p\.c -> q\.c +\S*two\.pgm:17:3\n")
+
     def test_a_printed_network_runs_the_same(self):
         printed = self.folder / "printed.cfs"
         absolute = NETWORKS.resolve() / "spread.cfs"

@@ -175,7 +175,7 @@ PROC hello (CHAN OF SP fs, ts)
     def test_an_error_halts_the_processor(self):
         done = self.run_text("PROC main ()\n  INT x, y:\n  SEQ\n    x := 0\n    y := 1 / x\n:\n")
         self.assertEqual(done.returncode, 1)
-        self.assertRegex(done.stdout, r"stopped at \S*test\.occ:5:5: division by zero: 1 / 0, at \d+\.\d+ us\n")
+        self.assertRegex(done.stdout, r"stopped at \S*test\.occ:5:5: division by zero: 1 / 0, in main, at \d+\.\d+ us\n")
 
     STOPPING = """PROC main ()
   PROC share (VAL INT of)

@@ -11,6 +11,7 @@ import re
 BELOW = {
     "text": [],
     "store": ["text"],
+    "ranks": ["text"],
     "runtime": [],
     "runtime/hardware": ["runtime"],
     "runtime/transputer": ["runtime/hardware"],
@@ -22,7 +23,7 @@ BELOW = {
     "netlist/complete": ["netlist/elaborate"],
     "netlist/print": ["netlist/kinds"],
     "netlist": ["netlist/complete", "netlist/print"],
-    "native": ["netlist"],
+    "native": ["netlist", "ranks"],
     "occam/language": ["text"],
     "occam/check": ["occam/language"],
     "occam/code": ["occam/check", "runtime/transputer"],
@@ -57,7 +58,7 @@ BELOW = {
     "explore": ["classics", "identification", "occam", "problems", "report"],
     "explore/prediction": ["explore", "native"],
     "explore/explain": ["explore", "observe/critical_path"],
-    "explore/study": ["explore", "store"],
+    "explore/study": ["explore", "ranks", "store"],
     "explore/optimise": ["explore/explain", "explore/study"],
     "experiments/kit": ["explore/study"],
     "experiments/chapter_2": ["experiments/kit"],
@@ -77,7 +78,7 @@ BELOW = {
     "app/options": ["app", "explore/prediction"],
     "app/exercise": ["app"],
     "app/identify": ["app/options", "identification/report"],
-    "app/mpi": ["explore/study"],
+    "app/mpi": ["ranks"],
     "app/commands": ["app/exercise", "app/generation", "app/identify", "app/record", "experiments/kit", "explore/generate", "explore/optimise", "explore/prediction", "monitor/service"],
 }
 ROOMS = sorted({folder.split("/")[0] for folder in BELOW})

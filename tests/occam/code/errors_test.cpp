@@ -69,7 +69,7 @@ constexpr RunTimeError run_time_errors[] = {
     {"CASE x\n  1\n    SKIP", "no option of CASE for 10"},
     {"STOP", "STOP"},
     {"CAUSEERROR ()", "CAUSEERROR"},
-    {"ASSERT (x = zero)", "ASSERT of what is FALSE"},
+    {"ASSERT (x = zero)", "the condition of ASSERT is FALSE"},
     {"w := (MOSTPOS INT64) + (INT64 x)", "overflow: 9223372036854775807 + 10"},
     {"w := ((MOSTNEG INT64) + w) - (INT64 x)", "overflow: -9223372036854775808 - 10"},
     {"w := ((MOSTPOS INT64) - w) * (INT64 x)", "overflow: 9223372036854775807 * 10"},
@@ -96,6 +96,31 @@ TEST_CASE("an error halts the processor in mode halt and in mode universal") {
             CHECK(done.halted);
             REQUIRE(done.errors.size() == 1);
             CHECK(without_place(done.errors[0]) == error.said);
+            CHECK(done.results[0] == 1);
+            CHECK(done.results[1] == 0);
+        }
+}
+
+TEST_CASE("without a floating-point unit, an error of reals names the operation and its place in the program") {
+    constexpr RunTimeError errors[] = {
+        {"r := r / (REAL32 ROUND zero)", "15:5 REAL32 /: overflow, division by zero, an infinity or a NaN"},
+        {"r := (r * r) + r", "15:5 REAL32 *: overflow, an infinity or a NaN"},
+        {"r := (r * 3.0E+8(REAL32)) + (r * 3.0E+8(REAL32))", "15:5 REAL32 +: overflow, an infinity or a NaN"},
+        {"r := r \\ (REAL32 ROUND zero)", "15:5 REAL32 \\: division by zero, an infinity or a NaN"},
+        {"x := INT ROUND r", "15:5 REAL32: the real does not fit in INT"},
+        {"w := INT64 TRUNC (REAL64 r)", "15:5 REAL64: the real does not fit in INT64"},
+        {"r := REAL32 ROUND ((REAL64 r) * (REAL64 r))", "15:5 REAL64: the real does not fit in REAL32"},
+        {"r := SQRT (-r)", "15:5 SQRT: the result is not a finite number"},
+        {"IF\n  (MULBY2 (r)) > (r * r)\n    SKIP", "16:7 REAL32 *: overflow, an infinity or a NaN"},
+        {"r := SCALEB (r, 1000)", "15:5 SCALEB: the result is not a finite number"},
+    };
+    for (const RunTimeError& error : errors)
+        for (const occam::ErrorMode mode : {occam::ErrorMode::halt, occam::ErrorMode::stop}) {
+            CAPTURE(error.text);
+            const Executed done = execute(with_values + indented(error.text, 2) + "  memory[1] := 1\n",
+                                          {.model = transputer::Model::t414, .mode = mode});
+            CHECK(done.trouble == "");
+            CHECK(joined(done.errors) == std::string(error.said));
             CHECK(done.results[0] == 1);
             CHECK(done.results[1] == 0);
         }
@@ -207,6 +232,13 @@ TEST_CASE("processes that a procedure starts are named behind its name") {
                          row) ==
         "row 14:5/reader[0], row 14:5/reader[1], row[0] 16:7/reader[0], row[0] 16:7/reader[1], row[1] 16:7/reader[0], "
         "row[1] 16:7/reader[1]");
-    // The words of PARs that follow one another are the same, so they get no names.
-    CHECK(names_of_waiting("[2]CHAN OF INT c, d:\nSEQ\n  PAR\n    SKIP\n    SKIP\n  row (c)\n", row) == ", ");
+    CHECK(names_of_waiting("[2]CHAN OF INT c, d:\nSEQ\n  PAR\n    SKIP\n    SKIP\n  row (c)\n", row) ==
+          "reader[0], reader[1]");
+}
+
+TEST_CASE("the first process has the name of the procedure, and others of the same words have a name together") {
+    CHECK(names_of_waiting("CHAN OF INT c:\nreader (c)\n") == "main");
+    constexpr const char* after = "CHAN OF INT c, d, e:\nSEQ\n  PAR\n    SKIP\n    SEQ\n      SKIP\n  PAR\n    "
+                                  "reader (c)\n    INT x:\n    d ? x\n";
+    CHECK(names_of_waiting(after) == "11:7 or reader, 16:7");
 }

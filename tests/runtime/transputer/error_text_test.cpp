@@ -82,3 +82,29 @@ other:  testerr; ldc 9; ldc 8; csub0; stoperr; stopp
     CHECK_EQ(node.core().count_stopped(), 2);
     CHECK(node.core().stopped_processes()[0].at < node.core().stopped_processes()[1].at);
 }
+
+TEST_CASE("an error of a routine is told of its call, along the return addresses that texts name") {
+    NodeWorld world;
+    transputer::Node& node = world.node("t", {});
+    world.run_at_boot(node, R"(
+        sethalterr; ldc 7; call outer; stopp
+outer:  ajw -3; ldc 0; stl 1; call inner; ajw 3; ret
+inner:  ajw -5; seterr; ajw 5; ret
+    )");
+    world.run();
+    const transputer::ErrorNote& error = node.core().error();
+    const auto return_address = [&](transputer::Word words) {
+        return node.core().memory().word(transputer::NodeMemory::offset_of(error.workspace) + 4 * words);
+    };
+    const CodeLines lines(fmt::format("error #{:X} called from {{w+5}}\nerror #{:X} called from {{w+3}}\n"
+                                      "error #{:X} outer has failed\nend",
+                                      error.after, return_address(5), return_address(12)),
+                          "", from_start(0x70));
+    const transputer::ErrorNote named = error_to_name(node.core(), error, lines);
+    CHECK_EQ(named.after, return_address(12));
+    CHECK_EQ(named.workspace, error.workspace + 4 * 16);
+    CHECK_EQ(print_error(node.core(), named, lines), "outer has failed");
+    const CodeLines circle(fmt::format("error #{:X} called from {{w-2000000}}\nend", error.after), "",
+                           from_start(0x70));
+    CHECK_EQ(error_to_name(node.core(), error, circle).after, error.after);
+}

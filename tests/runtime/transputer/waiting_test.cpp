@@ -173,6 +173,23 @@ other:  ldlp 0; ldlp 21; ldc 4; out; stopp
     CHECK_EQ(run.seen.waiting("t"), found(run.node));
 }
 
+TEST_CASE("data that imitates a waiting process is not taken for one") {
+    const RunToItsEnd run(R"(
+        ldc imitation - here; ldpi
+here:   ldlp -20; stnl -1                                -- a saved Iptr in the data
+        ldlp -20; ldlp -20; stnl -3                      -- the pointer that outword leaves
+        ldlp -20; adc 1; stl 2                           -- a word like a channel's
+        mint; stl 1; ldlp 1; ldc 77; outword; stopp
+        ldlp 22; ldc 77; outword
+imitation: stopp
+    )");
+    const Word imitated = from_start(0x7B0), at = run.node.core().memory().word(0x7B0 - 4);
+    CHECK_EQ(transputer::instruction_before(run.node.core(), at).instruction.operation, transputer::Operation::outword);
+    CHECK_EQ(run.node.core().memory().word(0x7B0 - 12), imitated);
+    CHECK_EQ(found(run.node), std::vector<std::string>{"t.#80000800 outputs t.#80000804"});
+    CHECK_EQ(run.seen.waiting("t"), found(run.node));
+}
+
 TEST_CASE("old descriptors in the channel words of links, as analyse leaves them, are not taken for waits") {
     const RunToItsEnd run(R"(
         ldc waits - after; ldlp -20; startp
