@@ -12,9 +12,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The time for which a kernel looks for messages before its thread sleeps. To wake a thread takes about as long.
-constexpr Time most_patience = std::chrono::microseconds(20);
-
 } // namespace
 
 Member& Group::add(Simulation& simulation) {

@@ -22,6 +22,9 @@ namespace placedpar::native {
 
 class Group;
 
+/// The time for which a kernel looks for messages before its thread sleeps. To wake a thread takes about as long.
+inline constexpr Time most_patience = std::chrono::microseconds(20);
+
 /// A kernel of a native run on threads, as the other kernels see it: messages can be posted to it.
 class Member final : public Surroundings {
 public:

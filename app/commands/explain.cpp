@@ -1,17 +1,20 @@
 #include "app/command.hpp"
 #include "app/options/common_options.hpp"
+#include "app/options/native_options.hpp"
 #include "app/options/netlist_options.hpp"
 #include "app/recorders.hpp"
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
 #include "explore/explain/explanation.hpp"
 #include "explore/load.hpp"
+#include "explore/prediction/native_netlist.hpp"
 #include "explore/problems.hpp"
 #include "ranks/ranks.hpp"
 #include "report/manifest.hpp"
 #include "report/search_log.hpp"
 #include "text/nearest.hpp"
 #include "text/output_file.hpp"
+#include "text/paint.hpp"
 #include "text/user_error.hpp"
 
 #include <boost/json.hpp>
@@ -48,24 +51,24 @@ void require_path_format(const std::filesystem::path& path) {
 }
 
 /// Adds the settings of --set to the changes, except settings that a change replaces.
-Overrides with_set(const NetlistOptions& options, Overrides changes) {
-    changes.merge(overrides_of(options.set));
+Overrides with_set(const TypedNetlist& netlist, Overrides changes) {
+    changes.merge(Overrides(netlist.set));
     return changes;
 }
 
 /// Reads changed netlists silently, since their warnings have been shown.
-ChangedNetlist reading_with(const NetlistOptions& options, const ParsedNetlist& netlist) {
-    return [options, netlist](const Overrides& changes) {
-        return load_network(netlist, with_set(options, changes), known_kinds(known_problems(0)),
+ChangedNetlist reading_with(const TypedNetlist& netlist) {
+    return [netlist](const Overrides& changes) {
+        return load_network(netlist.parsed, with_set(netlist, changes), known_kinds(known_problems(0)),
                             [](const std::string&) {});
     };
 }
 
-DeclaredWith declaring_with(const NetlistOptions& options, const ParsedNetlist& netlist) {
+DeclaredWith declaring_with(const TypedNetlist& netlist) {
     auto problems = std::make_shared<const ProblemRegistry>(known_problems(0)); // the kinds refer to it
     auto kinds = std::make_shared<const Catalogue>(known_kinds(*problems));
-    return [options, netlist, problems, kinds](const Overrides& changes) {
-        return netlist.read(*kinds, with_set(options, changes)).declared;
+    return [netlist, problems, kinds](const Overrides& changes) {
+        return netlist.parsed.read(*kinds, with_set(netlist, changes)).declared;
     };
 }
 
@@ -127,11 +130,10 @@ void add_answers(Explanation& explanation, const Network& network, const Explain
     auto progress = [&](std::size_t done, std::size_t all) {
         line.show(fmt::format("what if: {} of {} runs", done, all));
     };
-    const ParsedNetlist netlist(options.netlist.file, read_options_of(options.netlist.read));
-    std::vector<Change> changes = changes_of(network, explanation.report, declaring_with(options.netlist, netlist));
-    explanation.answers =
-        try_out(changes, explanation.path,
-                {reading_with(options.netlist, netlist), options.seed, options.until, interruption, progress});
+    const TypedNetlist netlist = parse_netlist(options.netlist, [](const std::string&) {});
+    std::vector<Change> changes = changes_of(network, explanation.report, declaring_with(netlist));
+    explanation.answers = try_out(changes, explanation.path,
+                                  {reading_with(netlist), options.seed, options.until, interruption, progress});
     explanation.left_out = changes.size() - explanation.answers.size();
 }
 
@@ -139,6 +141,19 @@ void add_answers(Explanation& explanation, const Network& network, const Explain
 ExitCode exit_code_of(const Explanation& explanation) {
     return explanation.left_out > 0 ? exit_code_of(Ending::interrupted)
                                     : exit_code_of(explanation.report.result.ending);
+}
+
+/// Returns the predicted times of native runs on other numbers of threads, as a table.
+std::string print_threads(const ExplainOptions& options, const Interruption& interruption) {
+    NetlistOptions stated = options.netlist;
+    stated.calibration.clear();
+    const Network network =
+        load_network(parse_netlist(stated, [](const std::string&) {}).parsed, overrides_of(stated.set),
+                     known_kinds(known_problems(0)), [](const std::string&) {});
+    std::string text = painted(Paint::heading, "\nthreads  predicted time\n");
+    for (const ThreadsTime& each : predict_threads(network, options.netlist.calibration, options.seed, interruption))
+        text += fmt::format("{:>7}  {:>14}\n", each.threads, to_string(each.time));
+    return text;
 }
 
 ExitCode explain(const ExplainOptions& options, const std::string& typed) {
@@ -154,6 +169,8 @@ ExitCode explain(const ExplainOptions& options, const std::string& typed) {
     if (!options.no_what_if)
         add_answers(explanation, network, options, interruption);
     print_out(print_explanation(explanation, network));
+    if (!options.netlist.calibration.empty())
+        print_out(print_threads(options, interruption));
     write_output(explanation, network, options);
     listeners.recorders.finish({network, explanation.report, options.manifest(typed), listeners.searches},
                                explanation.path);
@@ -163,6 +180,8 @@ ExitCode explain(const ExplainOptions& options, const std::string& typed) {
 Action declare_explain(Options& command, const std::string& typed) {
     auto options = std::make_shared<ExplainOptions>();
     add_netlist(command, options->netlist);
+    add_predict(command, options->netlist);
+    add_threads(command, options->netlist.threads);
     add_seed(command, options->seed);
     command.add("--until", options->until, "stops the run at this simulated time");
     add_file(command, "--json", options->json, "writes the explanation as JSON");

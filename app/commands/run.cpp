@@ -55,8 +55,8 @@ struct RunOptions {
     std::size_t seeds = 1; ///< number of seeds, from the first on
     bool watch = false, yes = false;
     bool listing = false, step = false, analyse = false; ///< of transputers that execute their own code
-    std::string offer;            ///< where the host's link is offered to another program; "": nowhere
-    std::shared_ptr<Ranks> ranks; ///< of a native run; null: without mpirun
+    std::string offer;                           ///< where the host's link is offered to another program; "": nowhere
+    std::shared_ptr<Ranks> ranks;                ///< of a native run; null: without mpirun
     std::shared_ptr<CheckpointFile> checkpoints; ///< null without the option
 
     std::array<std::filesystem::path, 6> outputs() const {
@@ -100,12 +100,13 @@ void require_outputs(const RunOptions& options) {
 
 /// Throws UserError for an option that only simulated runs have.
 void require_native(const RunOptions& options) {
-    refuse_with_native(options.native, {{options.until != Time::max(), "--until"},
-                                        {options.seeds > 1, "--seeds"},
-                                        {options.shuffle.has_value(), "--shuffle"},
-                                        {!options.recorded.trace.empty(), "--trace"},
-                                        {!options.recorded.page.empty(), "--page"},
-                                        {!options.offer.empty(), "--offer"}});
+    refuse_with_native(options.native, !options.netlist.calibration.empty(),
+                       {{options.until != Time::max(), "--until"},
+                        {options.seeds > 1, "--seeds"},
+                        {options.shuffle.has_value(), "--shuffle"},
+                        {!options.recorded.trace.empty(), "--trace"},
+                        {!options.recorded.page.empty(), "--page"},
+                        {!options.offer.empty(), "--offer"}});
 }
 
 /// Throws UserError if an option cannot be used with this network.
@@ -274,7 +275,8 @@ std::optional<Network> load(RunOptions& options, const Options& command) {
         if (!options.ranks || options.ranks->own() == 0)
             require_outputs(options);
         require_native(options);
-        network = load_network(command, options.netlist, options.booted);
+        network = options.netlist.calibration.empty() ? load_network(command, options.netlist, options.booted)
+                                                      : load_network(options.netlist);
         require_fit(*network, options);
         options.checkpoints = checkpoints_of(*network, options);
         return {*network, options.checkpoints ? options.checkpoints->begin() : 0};
@@ -379,6 +381,7 @@ Action declare_run(Options& command, const std::string& typed) {
     add_file(command, "--page", options->recorded.page, "writes one self-contained HTML page that shows the run");
     add_trace(command, *options);
     add_native(command, options->native);
+    add_predict(command, options->netlist);
     add_booted(command, options->booted);
     command.add_flag("--listing", options->listing,
                      "prints the code that booted transputers executed, with its cycles");
@@ -393,7 +396,10 @@ Action declare_run(Options& command, const std::string& typed) {
              "tcp:PORT, tcp:ADDRESS:PORT, or pty for a pseudo terminal")
         .type("WHERE")
         .check(not_a_name);
-    return [options, command, typed] { return run(*options, command, typed); };
+    return [options, command, typed] {
+        options->netlist.threads = options->native.threads;
+        return run(*options, command, typed);
+    };
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "app/command.hpp"
 #include "app/options/common_options.hpp"
+#include "app/options/native_options.hpp"
 #include "app/options/netlist_options.hpp"
 #include "explore/problems.hpp"
 #include "netlist/print/print.hpp"
@@ -59,6 +60,8 @@ ExitCode show(const ShowOptions& options) {
 Action declare_show(Options& command, const std::string&) {
     auto options = std::make_shared<ShowOptions>();
     add_netlist(command, options->netlist);
+    add_predict(command, options->netlist);
+    add_threads(command, options->netlist.threads);
     command
         .add("--format", options->format, "output format: netlist language, drawing, Graphviz, JSON, or model for Spin")
         .one_of({"cfs", "svg", "dot", "json", "promela"})

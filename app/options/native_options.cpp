@@ -64,8 +64,7 @@ std::vector<Time> simulated_loads(const Network& network, std::uint64_t seed, In
 void add_native(Options& command, NativeOptions& options) {
     command.add_flag("--native", options.is_native,
                      "runs the processes on threads of this computer, and measures their times by its clock");
-    add_number(command, "--threads", options.threads, 1, most_threads,
-               "number of threads of a native run; by default one for each core");
+    add_threads(command, options.threads);
     command
         .add("--map", options.map,
              "distributes processors over the threads of a native run: in turn, or by the loads of a simulated run, "
@@ -79,9 +78,18 @@ void add_native(Options& command, NativeOptions& options) {
         .check(not_a_pace);
 }
 
-void refuse_with_native(const NativeOptions& options, const std::vector<std::pair<bool, const char*>>& typed) {
-    const std::pair<bool, const char*> of_native_runs[] = {
-        {options.threads != 0, "--threads"}, {!options.map.empty(), "--map"}, {options.pace != 0, "--pace"}};
+void add_threads(Options& command, std::size_t& threads) {
+    add_number(command, "--threads", threads, 1, most_threads,
+               "number of threads of a native run; by default one for each core");
+}
+
+void refuse_with_native(const NativeOptions& options, bool predicts,
+                        const std::vector<std::pair<bool, const char*>>& typed) {
+    if (options.is_native && predicts)
+        throw UserError("--predict simulates a native run: leave out --native, or --predict");
+    const std::pair<bool, const char*> of_native_runs[] = {{options.threads != 0 && !predicts, "--threads"},
+                                                           {!options.map.empty(), "--map"},
+                                                           {options.pace != 0, "--pace"}};
     if (!options.is_native)
         for (const auto& [is_typed, name] : of_native_runs)
             if (is_typed)

@@ -27,9 +27,12 @@ struct NativeOptions {
 
 void add_native(Options&, NativeOptions&);
 
+/// Declares --threads.
+void add_threads(Options&, std::size_t& threads);
+
 /// Throws UserError for an option that was typed although only simulated runs have it, and for an option of native runs
-/// without --native.
-void refuse_with_native(const NativeOptions&, const std::vector<std::pair<bool, const char*>>& typed);
+/// if the run is neither native nor, for --threads, the prediction of a native run.
+void refuse_with_native(const NativeOptions&, bool predicts, const std::vector<std::pair<bool, const char*>>& typed);
 
 /// Runs the network natively, with the seed, observer, checkpoints and interruption of the settings. Throws as
 /// run_netlist does. REQUIRES: there is an interruption.

@@ -2,8 +2,9 @@
 
 #include "app/options/common_options.hpp"
 #include "app/standard_error.hpp"
-#include "explore/load.hpp"
+#include "explore/prediction/native_netlist.hpp"
 #include "explore/problems.hpp"
+#include "explore/workers.hpp"
 #include "occam/configuration/configuration.hpp"
 #include "text/user_error.hpp"
 
@@ -76,9 +77,26 @@ void add_netlist(Options& command, NetlistOptions& options) {
     add_read_options(command, options.read);
 }
 
+void add_predict(Options& command, NetlistOptions& options) {
+    add_file(command, "--predict", options.calibration,
+             "simulates a native run on the computer that FILE describes: placedpar calibrate writes it");
+}
+
+TypedNetlist parse_netlist(const NetlistOptions& options, const WarningSink& warn) {
+    const ReadOptions read = read_options_of(options.read);
+    TypedNetlist stated{ParsedNetlist(options.file, read), overrides_of(options.set)};
+    if (options.calibration.empty())
+        return stated;
+    const ProblemRegistry problems = known_problems(0);
+    const Network network = load_network(stated.parsed, stated.set, known_kinds(problems), warn);
+    const std::size_t threads = options.threads > 0 ? options.threads : count_cores();
+    return {ParsedNetlist::of_text(native_netlist(network, threads, options.calibration), options.file, {}), {}};
+}
+
 Network load_network(const NetlistOptions& options) {
-    return load_network(options.file, overrides_of(options.set), known_problems(0), print_warnings,
-                        read_options_of(options.read));
+    const TypedNetlist netlist = parse_netlist(options, print_warnings);
+    const ProblemRegistry problems = known_problems(0);
+    return load_network(netlist.parsed, netlist.set, known_kinds(problems), print_warnings);
 }
 
 } // namespace placedpar

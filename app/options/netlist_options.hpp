@@ -1,8 +1,9 @@
 #pragma once
 
 #include "app/options.hpp"
-#include "netlist/read.hpp"
+#include "explore/load.hpp"
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,8 +33,21 @@ struct NetlistOptions {
     std::string file;
     std::vector<std::string> set;
     ReadOptionsTyped read;
+    std::string calibration = ""; ///< of --predict; "": the netlist's own machine is meant
+    std::size_t threads = 0;      ///< of the predicted run; 0: one for each core of this computer
 };
 void add_netlist(Options&, NetlistOptions&);
+/// Declares --predict; the command declares --threads.
+void add_predict(Options&, NetlistOptions&);
+
+/// A netlist with the settings of --set.
+struct TypedNetlist {
+    ParsedNetlist parsed;
+    Overrides set;
+};
+/// Parses the netlist, or with --predict the netlist of its native run (explore/prediction/native_netlist.hpp), which
+/// has no settings. Throws as load_network().
+TypedNetlist parse_netlist(const NetlistOptions&, const WarningSink&);
 
 /// Reads the netlist. Prints warnings to standard error. Throws RefusedInput.
 Network load_network(const NetlistOptions&);

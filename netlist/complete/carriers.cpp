@@ -103,7 +103,14 @@ private:
     std::size_t& load(const RouteHop& hop) { return load_[hop.connection * 2 + (hop.from_a_to_b ? 1 : 0)]; }
 
     bool travels_in_packets(const std::vector<RouteHop>& route) {
-        return route.size() > 1 || std::any_of(route.begin(), route.end(), [&](auto& hop) { return load(hop) > 1; });
+        return route.size() > 1 || std::any_of(route.begin(), route.end(),
+                                               [&](auto& hop) { return load(hop) > 1 && !is_shared(hop.connection); });
+    }
+
+    /// Returns whether the connection is a way that carries any number of channels without packets.
+    bool is_shared(std::size_t connection) const {
+        const auto& way = wires_[connection].over_bus;
+        return way && c_.network.nodes[c_.network.attachments[way->master].bus].kind->medium->shares_ways;
     }
 
     std::string node_name(std::size_t node) const { return c_.network.nodes[node].name; }

@@ -87,8 +87,9 @@ struct Attached {
 
 /// Describes a device with slots, such as a bus or a ring. It carries channels between the devices in its slots.
 struct Medium {
-    int slots = 1;           ///< slot[1] to slot[slots]
-    bool broadcasts = false; ///< channels placed on the device reach link adapters as broadcasts
+    int slots = 1;            ///< slot[1] to slot[slots]
+    bool broadcasts = false;  ///< channels placed on the device reach link adapters as broadcasts
+    bool shares_ways = false; ///< a way carries any number of channels, without packets
     /// Returns whether the device can be attached in addition to the devices that are already attached. If not, reports
     /// why. An empty function accepts every device.
     std::function<bool(const Attached&, const BusAttachment&)> takes = {};

@@ -21,9 +21,13 @@ DeviceKind vme();
 DeviceKind link_adapter();
 /// Describes a transputer on a bus, such as the BBK-V2.
 DeviceKind bus_master();
+/// Describes a core of this computer, which runs a thread of a native run.
+DeviceKind core();
+/// Describes the memory through which cores communicate.
+DeviceKind shared_memory();
 
 /// Lists all devices above.
-inline constexpr DeviceKind (*known_devices[])() = {transputers, workstation,  crossbar,  edge,
-                                                    vme,         link_adapter, bus_master};
+inline constexpr DeviceKind (*known_devices[])() = {transputers,  workstation, crossbar, edge,         vme,
+                                                    link_adapter, bus_master,  core,     shared_memory};
 
 } // namespace placedpar

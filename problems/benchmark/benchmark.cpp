@@ -11,7 +11,7 @@ void add_benchmark_problems(ProblemRegistry& problems) {
          {minimised<Sphere>(), minimised<Rosenbrock>(), minimised<StepFunction>(), minimised<Quartic>(),
           minimised<Foxholes>(), minimised<Rastrigin>(), minimised<Schwefel>(), minimised<Griewank>(),
           maximised<OneMax>(), maximised<Trap>(), maximised<NkLandscape>(), minimised<CircleTour>(),
-          minimised<LatticeTour>(), minimised<RandomTour>()})
+          minimised<LatticeTour>(), minimised<RandomTour>(), minimised<Costly>()})
         problems.add(family);
 }
 

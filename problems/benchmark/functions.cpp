@@ -37,6 +37,14 @@ double normal_deviate(RandomStream random) {
     return radius * std::cos(2 * std::numbers::pi * random.uniform());
 }
 
+/// Returns Rastrigin's function at x, with `shift` added to each number.
+double rastrigin(std::span<const double> x, double shift) {
+    return sum_of(x, [shift](double each) {
+        const double number = each + shift;
+        return 10 + number * number - 10 * std::cos(2 * std::numbers::pi * number);
+    });
+}
+
 } // namespace
 
 double Sphere::objective(std::span<const double> x) const { return sum_of(x, square); }
@@ -70,8 +78,16 @@ double Foxholes::objective(std::span<const double> x) const {
     return 1 / sum;
 }
 
-double Rastrigin::objective(std::span<const double> x) const {
-    return sum_of(x, [](double each) { return 10 + each * each - 10 * std::cos(2 * std::numbers::pi * each); });
+double Rastrigin::objective(std::span<const double> x) const { return rastrigin(x, 0); }
+
+/// Each computation needs the result of the one before, so that the compiler keeps them all: its share is too small to
+/// change a number.
+double Costly::objective(std::span<const double> x) const {
+    constexpr double share = 1e-300;
+    double value = 0;
+    for (std::size_t i = 0; i < work; ++i)
+        value = rastrigin(x, share * value);
+    return value;
 }
 
 double Schwefel::objective(std::span<const double> x) const {

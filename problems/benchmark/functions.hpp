@@ -121,4 +121,19 @@ struct Griewank : OverBox<Griewank> {
     double objective(std::span<const double> x) const;
 };
 
+/// Rastrigin's function, computed over and over, so that an evaluation takes as long as is wanted.
+struct Costly : OverBox<Costly> {
+    static constexpr std::string_view name = "costly",
+                                      about = "Rastrigin's function computed `work` times, to make an evaluation as "
+                                              "long as is wanted";
+    static constexpr std::size_t usual_dimensions = 2, usual_bits = 16;
+    static constexpr double low = -5.12, high = 5.12;
+    std::size_t work = 1; ///< computations in each evaluation
+    static constexpr auto numbers() {
+        return std::tuple_cat(OverBox::numbers(),
+                              std::tuple(PolicyNumber{"work", &Costly::work, 1, 1e9, "computations of the function"}));
+    }
+    double objective(std::span<const double> x) const;
+};
+
 } // namespace placedpar

@@ -141,6 +141,7 @@ class Kinds(unittest.TestCase):
     def test_what_problems_are_about_stands_in_one_column(self):
         lines = said("problems").splitlines()[1:]
         alone = ["  coefficients(form = 2, bias = 10, samples = 30, noise = 0, record = 1)",
+                 "  costly(dimensions = 2, bits = 16, work = 1)",
                  "  plant(a1 = 0.5, from = 200, lasts = 200, noise = 0, c1 = 0, c2 = 0, generations = 601, per_sample = 3, simulated = 0)",
                  "  quartic(dimensions = 30, bits = 8, noise = 1, seed = 1)"]
         self.assertEqual([line.rstrip() for line in lines if line.rstrip() in alone], alone)

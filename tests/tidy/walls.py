@@ -56,6 +56,7 @@ BELOW = {
     "observe/page": ["observe/trace", "report"],
     "explore/generate": ["netlist"],
     "explore": ["classics", "identification", "occam", "problems", "report"],
+    "explore/prediction": ["explore", "native"],
     "explore/explain": ["explore", "observe/critical_path"],
     "explore/study": ["explore", "ranks", "store"],
     "explore/optimise": ["explore/explain", "explore/study"],
@@ -74,11 +75,11 @@ BELOW = {
     "app": ["explore", "observe/page"],
     "app/generation": ["gaprocs", "picture"],
     "app/record": ["explore/study", "hydraulics/plant"],
-    "app/options": ["app", "native"],
+    "app/options": ["app", "explore/prediction"],
     "app/exercise": ["app"],
     "app/identify": ["app/options", "identification/report"],
     "app/mpi": ["ranks"],
-    "app/commands": ["app/exercise", "app/generation", "app/identify", "app/record", "experiments/kit", "explore/generate", "explore/optimise", "monitor/service"],
+    "app/commands": ["app/exercise", "app/generation", "app/identify", "app/record", "experiments/kit", "explore/generate", "explore/optimise", "explore/prediction", "monitor/service"],
 }
 ROOMS = sorted({folder.split("/")[0] for folder in BELOW})
 

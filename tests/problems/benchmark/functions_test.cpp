@@ -121,3 +121,15 @@ TEST_CASE("the noise of the quartic is normal, and equal for equal strings") {
     CHECK(std::abs(sum / 10000) < 0.05);
     CHECK(std::abs(squares / 10000 - 1) < 0.08);
 }
+
+TEST_CASE("a costly function is Rastrigin's, however often it is computed") {
+    RandomStream random(1, "points");
+    for (int i = 0; i < 100; ++i) {
+        const std::vector<double> x{10 * random.uniform() - 5, 10 * random.uniform() - 5};
+        for (const std::size_t work : {1, 2, 1000}) {
+            Costly costly;
+            costly.work = work;
+            CHECK(costly.objective(x) == Rastrigin{}.objective(x));
+        }
+    }
+}

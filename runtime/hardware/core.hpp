@@ -1,0 +1,97 @@
+#pragma once
+
+#include "runtime/carrier.hpp"
+#include "runtime/event.hpp"
+#include "runtime/executive.hpp"
+#include "runtime/process.hpp"
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace placedpar {
+class Kernel;
+} // namespace placedpar
+
+namespace placedpar::hardware {
+
+/// The costs of a thread of a native run, in cycles of the core's clock. `placedpar calibrate` measures them.
+struct CoreCosts {
+    std::int64_t clock_hz = usual_clock;
+    Cycles communication{}; ///< an input or output between processes of the core
+    Cycles crossing{};      ///< an input or output between processes of two cores
+    Cycles switching{};     ///< a switch to the next process
+    Cycles patience{};      ///< time without work after which the thread sleeps
+    Cycles waking{};        ///< time until a thread that sleeps has woken
+
+    static constexpr std::int64_t usual_clock = 1'000'000'000; ///< a cycle is a nanosecond
+};
+
+/// A core of a computer that runs one thread of a native run (native/group.hpp), by the rules of the threads:
+///
+/// 1. A process runs until it waits or ends. Then the process that has been ready longest runs, whatever its priority.
+/// 2. If the core has had nothing to do for longer than its patience, the thread sleeps, and takes time to wake.
+class Core final : public Executive {
+public:
+    /// Throws std::logic_error unless the clock is positive and no cost is negative.
+    Core(Kernel&, std::string name, const CoreCosts&);
+
+    std::int64_t clock_hz() const { return core_.clock_hz; }
+    /// Returns how long the core has computed, without switches and waking.
+    Time time_busy() const;
+
+    Time tick(Priority) const override { return std::chrono::microseconds{1}; }
+    bool begin_computing(Process&, Cycles, const CodeShape&) override;
+    void make_ready(Process&) override;
+    void leave(Process&, Process* successor) override;
+
+private:
+    struct Turn final : Event {
+        explicit Turn(Core& c) : core(c) {}
+        void happen() noexcept override { core.end_turn(); }
+        Core& core;
+    };
+    Time duration(Cycles cycles) const { return duration_of(static_cast<std::int64_t>(cycles), core_.clock_hz); }
+    Time time_to_start() const;
+    void take_next();
+    void end_work();
+    void end_turn();
+
+    Kernel& kernel_;
+    CoreCosts core_;
+    ProcessQueue ready_;
+    Process* current_ = nullptr; ///< the process that has the core
+    bool works_ = false;         ///< the process computes; else it has not started yet
+    Time idle_since_{}, began_{}, busy_{};
+    Turn turn_{*this};
+};
+
+/// One direction between two cores, for any number of channels. The outputter waits until the inputter has taken the
+/// message from the memory, as in a native run. The inputter pays for the bytes.
+class CoreLane final : public Carrier {
+public:
+    /// `to`: the core of the inputters. REQUIRES: bytes_per_second > 0.
+    CoreLane(Kernel& kernel, const Core& to, std::int64_t bytes_per_second)
+        : kernel_(kernel), to_(to), bytes_per_second_(bytes_per_second) {}
+
+    void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
+    void input(AnyChannel&, const SourceLocation&) override;
+    bool message_waits(const AnyChannel&) const override;
+
+private:
+    /// What is under way on a channel.
+    struct Transfer {
+        std::int64_t bytes = 0;     ///< length of the message
+        bool is_full = false;       ///< a message waits
+        Process* waiting = nullptr; ///< the process that waits for its partner
+    };
+    void wait_until(bool full, Transfer&, const AnyChannel&, const SourceLocation&);
+    void turn(bool full, Transfer&);
+
+    Kernel& kernel_;
+    const Core& to_;
+    std::int64_t bytes_per_second_;
+    std::map<const AnyChannel*, Transfer> transfers_;
+};
+
+} // namespace placedpar::hardware

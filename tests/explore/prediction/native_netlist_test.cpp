@@ -1,0 +1,145 @@
+// Tests the description of native runs as netlists.
+
+#include "explore/prediction/calibration.hpp"
+#include "explore/prediction/native_netlist.hpp"
+
+#include "explore/load.hpp"
+#include "explore/problems.hpp"
+#include "text/user_error.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+using namespace placedpar;
+
+namespace {
+
+/// A calibration with known costs, in a file.
+class KnownCalibration {
+public:
+    KnownCalibration() {
+        Calibration known;
+        known.processor = "known";
+        known.date = "2026-11-29";
+        known.repetitions = 15;
+        known.switching.median = 40;
+        known.there_and_back.median = 120;
+        known.across.median = 680;
+        known.across_asleep.median = 680 + 2 * 50'000;
+        known.kilobyte.median = 1024;
+        known.string.median = 60;
+        known.problems.push_back({"sphere", {1000, 1000, 1000}, {500, 500, 500}});
+        std::ofstream(path_) << print_calibration(known);
+    }
+    ~KnownCalibration() { std::filesystem::remove(path_); }
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_ =
+        std::filesystem::temp_directory_path() / ("calibration_" + std::to_string(getpid()) + ".inc");
+};
+
+Network network_of_text(const std::string& text) {
+    const ProblemRegistry problems = known_problems(1);
+    return load_network(ParsedNetlist::of_text(text), {}, known_kinds(problems), [](const std::string&) {});
+}
+
+/// Returns islands without exchange, each on a transputer of its own.
+std::string islands_apart(int number, const std::string& problem = "sphere") {
+    return "val n " + std::to_string(number) +
+           ";\nworkstation w[n]; rep i = 0 for n - 1 connect w[0].link[i] to w[i + 1].link[0];\n"
+           "process host, thread[n]; use \"ga.host\" for host; host (problem = \"" +
+           problem +
+           "\", generations = 10);\n"
+           "rep i = 0 for n { use \"ga.master\" for thread[i]; place thread[i] on w[i];\n"
+           "thread[i] (problem = \"" +
+           problem +
+           "\", population = 20, rehearsals = 0);\n"
+           "connect host.to_masters[i] to thread[i].from_host; }\nplace host on w[0];\n";
+}
+
+RunReport run_predicted(const Network& network) { return run_netlist(network, known_problems(1), {}); }
+
+} // namespace
+
+TEST_CASE("the interval of a median comes from order statistics") {
+    std::vector<double> values(15);
+    std::iota(values.begin(), values.end(), 1.0);
+    std::ranges::reverse(values);
+    const MeasuredCost cost = cost_of(values);
+    CHECK(cost.median == 8);
+    CHECK(cost.low == 4); // the probability that 3 or fewer of 15 are less than the median is 0.018
+    CHECK(cost.high == 12);
+    CHECK(cost_of({6, 1, 5, 2, 4, 3}).median == 3.5);
+    CHECK(cost_of({6, 1, 5, 2, 4, 3}).low == 1);
+    CHECK(cost_of({6, 1, 5, 2, 4, 3}).high == 6);
+}
+
+TEST_CASE("each problem has its own val") {
+    CHECK(val_of_problem("error", "boom-by-voltage") == "error_boom_by_voltage");
+    CHECK(val_of_problem("error", "costly(work = 100)") == "error_costly_work_100");
+    CHECK(val_of_problem("error", "quartic(noise = 0.5)") == "error_quartic_noise_0_point_5");
+}
+
+TEST_CASE("a search costs what the calibration says") {
+    const KnownCalibration calibration;
+    const RunReport report =
+        run_predicted(network_of_text(native_netlist(network_of_text(islands_apart(1)), 1, calibration.path())));
+    CHECK(report.measured("thread[0]", "P_time2") == doctest::Approx(20 * 1000e-6)); // ms
+    CHECK(report.measured("thread[0]", "S_time2") == doctest::Approx(20 * 500e-6));
+}
+
+TEST_CASE("the prediction makes the generations of the netlist, on as many cores as there are threads") {
+    const KnownCalibration calibration;
+    const Network stated = network_of_text(islands_apart(4));
+    const RunReport expected = run_predicted(stated);
+    constexpr Time work = std::chrono::microseconds(4 * 10 * 20) * 3 / 2; // evaluating and breeding
+    Time last = Time::max();
+    for (std::size_t threads = 1; threads <= 4; ++threads) {
+        const Network native = network_of_text(native_netlist(stated, threads, calibration.path()));
+        const RunReport report = run_predicted(native);
+        CHECK(report.processors.size() == threads);
+        for (const char* island : {"thread[0]", "thread[3]"})
+            CHECK(report.measured_text(island, "populations") == expected.measured_text(island, "populations"));
+        if (threads != 3) { // with three, one of them still has two islands
+            CHECK(report.result.time < last);
+            CHECK(report.result.time >= work / static_cast<std::int64_t>(threads));
+            last = report.result.time;
+        }
+    }
+}
+
+TEST_CASE("predictions for many numbers of threads are those for each") {
+    const KnownCalibration calibration;
+    const Network stated = network_of_text(islands_apart(4));
+    const Interruption none;
+    const std::vector<ThreadsTime> times = predict_threads(stated, calibration.path(), 1, none);
+    REQUIRE(times.size() == 4);
+    for (const ThreadsTime& each : times)
+        CHECK(each.time ==
+              run_predicted(network_of_text(native_netlist(stated, each.threads, calibration.path()))).result.time);
+}
+
+TEST_CASE("a calibration that does not fit is refused") {
+    const KnownCalibration calibration;
+    CHECK_THROWS_WITH_AS(native_netlist(network_of_text(islands_apart(2, "step")), 2, calibration.path()),
+                         (calibration.path().string() +
+                          ": it has no cost of the problem \"step\": write it by "
+                          "placedpar calibrate NETLIST -o " +
+                          calibration.path().string())
+                             .c_str(),
+                         UserError);
+    CHECK_THROWS_AS(native_netlist(network_of_text(islands_apart(2)), 2, "no such file.inc"), UserError);
+}
+
+TEST_CASE("the problems of a netlist are listed once") {
+    CHECK(problems_of(network_of_text(islands_apart(3))) == std::vector<std::string>{"sphere"});
+}

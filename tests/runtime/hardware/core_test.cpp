@@ -1,0 +1,118 @@
+// Tests the cores of a native run in cases computed by hand.
+
+#include "runtime/hardware/core.hpp"
+
+#include "runtime/channel.hpp"
+#include "runtime/simulation.hpp"
+#include "runtime/timer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace placedpar;
+using namespace placedpar::hardware;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr CoreCosts costs_of_core{.communication = Cycles{10},
+                                  .crossing = Cycles{300},
+                                  .switching = Cycles{40},
+                                  .patience = Cycles{20'000},
+                                  .waking = Cycles{50'000}};
+
+/// Two processes on two cores, or on one, with a channel there and back.
+struct CorePair {
+    explicit CorePair(bool on_two, std::int64_t bytes_per_second = 1'000'000'000)
+        : a(simulation.add<Core>("a", costs_of_core)), b(on_two ? simulation.add<Core>("b", costs_of_core) : a),
+          forth(simulation.add<CoreLane>(b, bytes_per_second)),
+          back_lane(simulation.add<CoreLane>(a, bytes_per_second)) {
+        if (on_two) {
+            there.put_on(forth);
+            back.put_on(back_lane);
+        }
+    }
+    /// Returns the time of the last of these rounds.
+    Time last_round(int rounds, Time pause = {}) {
+        Time took{};
+        simulation.process(
+            "ping",
+            [&, rounds, pause] {
+                for (int i = 0; i < rounds; ++i) {
+                    if (pause > Time{})
+                        wait_for(pause);
+                    const Time begun = now();
+                    there.out().output(std::vector<char>(bytes));
+                    back.in().input();
+                    took = now() - begun;
+                }
+            },
+            &a);
+        simulation.process(
+            "pong",
+            [&, rounds] {
+                for (int i = 0; i < rounds; ++i)
+                    back.out().output(there.in().input());
+            },
+            &b);
+        simulation.run();
+        return took;
+    }
+
+    Simulation simulation;
+    Core &a, &b;
+    CoreLane &forth, &back_lane;
+    Channel<std::vector<char>> there{"there"}, back{"back"};
+    std::size_t bytes = 0;
+};
+
+} // namespace
+
+TEST_CASE("a message there and back on a core is four inputs or outputs, and two switches") {
+    CHECK(CorePair(false).last_round(10) == 4 * 10ns + 2 * 40ns);
+}
+
+TEST_CASE("a message there and back between cores is two crossings one after the other, and two switches") {
+    CorePair pair(true, 1'000'000'000'000);
+    CHECK(pair.last_round(10) == 2 * 300ns + 2 * 40ns);
+}
+
+TEST_CASE("the inputter pays for the bytes of a message between cores") {
+    CorePair small(true), large(true);
+    large.bytes = 5000;
+    CHECK(large.last_round(10) - small.last_round(10) == 2 * 5000ns);
+}
+
+TEST_CASE("a core that has had nothing to do for longer than its patience takes time to wake") {
+    CorePair awake(true, 1'000'000'000'000), asleep(true, 1'000'000'000'000);
+    const Time near = awake.last_round(10, 15us), far = asleep.last_round(10, 200us);
+    CHECK(far - near == 2 * 50us); // pong wakes, and ping has fallen asleep meanwhile
+}
+
+TEST_CASE("no process of a core interrupts another, whatever their priorities and however long they compute") {
+    Simulation simulation;
+    Core& core = simulation.add<Core>("c", CoreCosts{});
+    Channel<int> begin("begin");
+    std::vector<std::string> order;
+    const auto computing = [&](const char* name) {
+        return [&order, name] {
+            compute(Cycles{100'000'000}); // a hundred times a transputer's timeslice
+            order.emplace_back(name);
+        };
+    };
+    simulation.process("first", computing("first"), &core);
+    simulation.process("second", computing("second"), &core);
+    simulation.process("urgent", computing("urgent"), &core, Priority::high);
+    CHECK(simulation.run().time == 300ms);
+    CHECK(order == std::vector<std::string>{"first", "second", "urgent"});
+    CHECK(core.time_busy() == 300ms);
+}
+
+TEST_CASE("a core refuses costs without sense") {
+    Simulation simulation;
+    CHECK_THROWS_AS(simulation.add<Core>("c", CoreCosts{.clock_hz = 0}), std::logic_error);
+    CHECK_THROWS_AS(simulation.add<Core>("c", CoreCosts{.waking = Cycles{-1}}), std::logic_error);
+}
