@@ -76,11 +76,12 @@ std::string labelled(const std::string& label, const std::string& row) {
     return fmt::format("{:>{}} |{}", label, label_columns - 2, row);
 }
 
-std::string axis_row(std::size_t columns, std::size_t generations) {
-    std::string last = fmt::format("{}", generations);
-    std::string axis(columns, ' ');
-    axis.front() = '1';
-    if (columns > last.size() + 1)
+std::string axis_row(std::size_t columns, std::uint64_t first_generation, std::size_t generations) {
+    const std::string first = fmt::format("{}", first_generation),
+                      last = fmt::format("{}", first_generation + generations - 1);
+    std::string axis(std::max(columns, first.size()), ' ');
+    axis.replace(0, first.size(), first);
+    if (columns > first.size() + last.size())
         axis.replace(columns - last.size(), last.size(), last);
     return std::string(label_columns, ' ') + axis;
 }
@@ -92,8 +93,8 @@ std::string state_of(const GenerationLog& log) {
     if (generations.empty())
         return "";
     const LoggedGeneration& last = generations.back();
-    std::string state = fmt::format("generation {}: best {:.6g}, mean {:.6g}, diversity {:.4f}", generations.size(),
-                                    last.best, last.mean, last.diversity);
+    std::string state = fmt::format("generation {}: best {:.6g}, mean {:.6g}, diversity {:.4f}",
+                                    log.first() + generations.size() - 1, last.best, last.mean, last.diversity);
     return log.compares() ? fmt::format("{}, between {:.4f}", state, last.between) : state;
 }
 
@@ -109,7 +110,7 @@ std::vector<std::string> live_curve(const GenerationLog& log, std::size_t column
             lines.push_back(labelled(end ? fmt::format("{:.6g}", value) : "", curve[row]));
         }
         lines.push_back(labelled("diversity", diversity_row(drawn)));
-        lines.push_back(axis_row(drawn.size(), shown_of(log).size()));
+        lines.push_back(axis_row(drawn.size(), log.first(), shown_of(log).size()));
     }
     lines.resize(rows + 3);
     return lines;

@@ -53,7 +53,7 @@ install(FILES ${PROJECT_BINARY_DIR}/PlacedParConfig.cmake ${PROJECT_BINARY_DIR}/
         DESTINATION ${package_folder} COMPONENT dev)
 
 if(TARGET placedpar_mpi)
-    install(TARGETS placedpar_mpi LIBRARY DESTINATION lib/placedpar COMPONENT mpi) # explore/study/ranks.cpp looks there
+    install(TARGETS placedpar_mpi LIBRARY DESTINATION lib/placedpar COMPONENT mpi) # ranks/ranks.cpp looks there
 endif()
 
 # What is linked or embedded, as Debian names it in packages.txt, with the licence that Debian's package has.

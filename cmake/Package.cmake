@@ -33,8 +33,8 @@ install(FILES ${PROJECT_BINARY_DIR}/copyright DESTINATION ${doc}/libplacedpar-de
 
 if(TARGET placedpar_mpi)
     list(APPEND CPACK_COMPONENTS_ALL mpi)
-    set(CPACK_DEBIAN_MPI_DESCRIPTION "simulator of transputer networks, studies by MPI
- The module with which placedpar sweep spreads over the ranks of mpirun.")
+    set(CPACK_DEBIAN_MPI_DESCRIPTION "simulator of transputer networks, runs by MPI
+ The module with which placedpar sweep and native runs spread over the ranks of mpirun.")
     set(CPACK_DEBIAN_MPI_PACKAGE_NAME placedpar-mpi)
     set(CPACK_DEBIAN_MPI_PACKAGE_SECTION science)
     set(CPACK_DEBIAN_MPI_PACKAGE_SHLIBDEPS ON)

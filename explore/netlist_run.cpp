@@ -34,7 +34,7 @@ void Interruption::request() noexcept {
 }
 
 RunReport run_netlist(const Network& network, const ProblemRegistry& problems, const RunSettings& settings) {
-    return run_netlist(network, known_kinds(problems, settings.observer), settings);
+    return run_netlist(network, known_kinds(problems, settings.observer, settings.checkpoints), settings);
 }
 
 RunReport run_netlist(const Network& network, const Catalogue& catalogue, const RunSettings& settings) {

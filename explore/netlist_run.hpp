@@ -11,6 +11,7 @@ namespace placedpar {
 
 class ProblemRegistry; // gaprocs/problem_registry.hpp
 class SearchObserver;  // gaprocs/search_observer.hpp
+class Checkpoints;     // gaprocs/checkpoints.hpp
 
 /// Asks runs to end early.
 class Interruption {
@@ -32,6 +33,7 @@ struct RunSettings {
     std::optional<std::uint64_t> shuffle = {}; ///< if set, ready processes run in an order drawn from this seed
     TraceSink* trace = nullptr;                ///< null: no trace
     SearchObserver* observer = nullptr;        ///< null: the searches are not observed
+    Checkpoints* checkpoints = nullptr;        ///< null: the searches begin anew, and their states are not kept
     Interruption* interruption =
         nullptr;                   ///< null: nothing ends the run early. An interruption serves one run at a time
     RecordedRun* record = nullptr; ///< null: the run is not recorded. REQUIRES: the record is empty
@@ -39,8 +41,8 @@ struct RunSettings {
 
 /// Runs the network. Throws what the processes throw.
 RunReport run_netlist(const Network&, const ProblemRegistry&, const RunSettings&);
-/// Runs the network with the kinds of a catalogue. The kinds already have an observer, so the observer in the settings
-/// is ignored.
+/// Runs the network with the kinds of a catalogue. The kinds already have an observer and checkpoints, so those in the
+/// settings are ignored.
 RunReport run_netlist(const Network&, const Catalogue&, const RunSettings&);
 /// Repeats a recorded run with another seed, without simulating the machine; this is several times faster. Returns
 /// nothing if a process behaves differently with this seed, or if the run would not complete. If the run is

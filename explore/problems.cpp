@@ -145,13 +145,13 @@ ProblemRegistry known_problems(std::uint64_t seed, const std::function<ProblemFa
     return problems;
 }
 
-Catalogue known_kinds(const ProblemRegistry& problems, SearchObserver* observer) {
+Catalogue known_kinds(const ProblemRegistry& problems, SearchObserver* observer, Checkpoints* checkpoints) {
     static const std::shared_ptr<FileKinds> files = occam::make_file_kinds();
     Catalogue catalogue;
     catalogue.make_from_files(files);
     add_csp_kinds(catalogue);
     add_classical_kinds(catalogue);
-    add_genetic_algorithm_kinds(catalogue, problems, observer);
+    add_genetic_algorithm_kinds(catalogue, problems, observer, checkpoints);
     for (const ProcessKind& kind : own_kinds())
         add_own_kind(catalogue, kind);
     for (const DeviceKind& kind : own_devices())

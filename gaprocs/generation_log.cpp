@@ -68,6 +68,8 @@ std::size_t GenerationLog::number_of(std::string_view search) const {
 void GenerationLog::observe(const ObservedGeneration& generation) {
     std::size_t search = number_of(generation.search);
     goals_[search] = generation.goal;
+    if (generations_[search].empty())
+        first_ = generation.number;
     Spread spread = spread_of(generation.population, generation.representation);
     LoggedGeneration found = found_in(generation, search, spread);
     generations_[search].push_back(found);
@@ -161,15 +163,16 @@ std::vector<LogRow> GenerationLog::rows() const {
     for (const auto& each : generations_)
         last = std::max(last, each.size());
     for (std::size_t g = 0; g < last; ++g) {
+        const std::uint64_t number = first_ + g;
         for (std::size_t i = 0; i < searches_.size(); ++i) {
-            while (came_to(searches_[i], g + 1))
+            while (came_to(searches_[i], number))
                 rows.push_back(*migration++);
             if (g < generations_[i].size())
-                add_rows(rows, g + 1, searches_[i], generations_[i][g]);
+                add_rows(rows, number, searches_[i], generations_[i][g]);
         }
         if (g < all_.size())
-            add_rows_of_all(rows, g + 1, all_[g]);
-        for (; answer != answers.end() && answer->generation == g + 1; ++answer)
+            add_rows_of_all(rows, number, all_[g]);
+        for (; answer != answers.end() && answer->generation == number; ++answer)
             rows.push_back(*answer);
     }
     rows.insert(rows.end(), migration, migrations.end()); // migrations in a generation that no search has logged

@@ -72,7 +72,9 @@ public:
     std::span<const std::string> searches() const { return searches_; }
     /// Returns whether there are several searches that solve the same problem.
     bool compares() const { return compared_; }
-    /// Returns the generations of a search, generation 1 first.
+    /// Returns the number of the first logged generation: 1 unless the searches go on from a checkpoint.
+    std::uint64_t first() const { return first_; }
+    /// Returns the generations of a search, generation first() first.
     std::span<const LoggedGeneration> of(std::size_t search) const { return generations_.at(search); }
     /// Returns the generations that all searches have completed, taken together; empty unless compares().
     std::span<const LoggedGeneration> of_all() const { return all_; }
@@ -109,6 +111,7 @@ private:
 
     std::vector<std::string> searches_;
     bool compared_;
+    std::uint64_t first_ = 1;
     std::vector<std::optional<Goal>> goals_; ///< by search
     std::vector<std::vector<LoggedGeneration>> generations_;
     std::vector<LoggedGeneration> all_;

@@ -57,6 +57,23 @@ Search::Search(std::vector<Genome> population, const SearchSettings& settings, R
                             representation_.bits(), counted(genome.size(), "bit")));
 }
 
+bool Search::is_valid(const Individual& individual) const {
+    return representation_.holds({&individual.genome, 1}) && std::isfinite(individual.fitness);
+}
+
+void Search::go_on_from(SearchState state) {
+    const bool fits = state.population.size() == population_.size() && representation_.holds(state.population) &&
+                      (!state.best || is_valid(*state.best));
+    if (!fits)
+        throw UserError(
+            fmt::format("the checkpoint does not hold {} of this search", counted(population_.size(), "string")));
+    generation_ = state.generation;
+    redraws_ = state.redraws;
+    random_.go_to(state.drawn);
+    population_ = std::move(state.population);
+    best_ = std::move(state.best);
+}
+
 void Search::next_generation(std::span<const double> fitness) {
     require_fitness(fitness);
     if (listener_)

@@ -20,7 +20,18 @@
 
 namespace placedpar {
 
-/// The state of a traditional genetic algorithm. A search breeds one generation at a time, but does not evaluate
+/// What a search needs to go on between two generations, besides its settings and its random stream.
+struct SearchState {
+    std::uint64_t generation = 0; ///< number of generations evaluated
+    std::uint64_t redraws = 0;
+    std::uint64_t drawn = 0; ///< numbers drawn from the random stream
+    std::vector<Genome> population;
+    std::optional<Individual> best; ///< of the last evaluated generation; nothing before the first
+
+    friend bool operator==(const SearchState&, const SearchState&) = default;
+};
+
+/// A traditional genetic algorithm. A search breeds one generation at a time, but does not evaluate
 /// individuals. The caller (a plain loop, a master with slaves, an island) computes the fitness of population() and
 /// passes it to next_generation(). The next generation depends only on the settings, the random stream and the fitness.
 /// So algorithm A, whose slaves compute the fitness, gives exactly the generations of the traditional algorithm.
@@ -52,6 +63,15 @@ public:
     /// Returns how often the population, except the elite, was drawn anew because Reproduction found no parents. The
     /// thesis does not mention this case: no fitness is positive, so the roulette wheel has no sectors.
     std::uint64_t redraws() const { return redraws_; }
+
+    /// Returns the state before the next evaluation.
+    SearchState state() const { return {generation_, redraws_, random_.drawn(), population_, best_}; }
+    /// Goes on from the state of a search with the same representation, settings and random stream. Throws
+    /// UserError for another number of individuals, for strings of another representation and for a best fitness that
+    /// is not finite.
+    void go_on_from(SearchState);
+    /// Returns whether the string is of this search's representation and the fitness finite.
+    bool is_valid(const Individual&) const;
 
     /// A function that next_generation() calls before it breeds. At that time the population includes the immigrants of
     /// accept().

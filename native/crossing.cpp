@@ -36,7 +36,7 @@ void Crossing::take() {
 }
 
 void Crossing::Taker::input(AnyChannel& channel, const SourceLocation& where) {
-    if (c.claim())
+    if (std::exchange(c.is_kept_, false) || c.claim())
         return c.take();
     Process& self = Kernel::here().running();
     c.inputter_ = &self;
@@ -44,7 +44,12 @@ void Crossing::Taker::input(AnyChannel& channel, const SourceLocation& where) {
     c.inputter_ = nullptr;
 }
 
-bool Crossing::Taker::message_waits(const AnyChannel&) const { return c.offer_ == Offer::made; }
+bool Crossing::Taker::message_waits(const AnyChannel&) const { return c.is_kept_ || c.offer_ == Offer::made; }
+
+bool Crossing::Taker::keep_message(const AnyChannel&) {
+    c.is_kept_ = c.is_kept_ || c.claim();
+    return c.is_kept_;
+}
 
 bool Crossing::Taker::give_up_input(AnyChannel&) {
     Process* const waiting = std::exchange(c.inputter_, nullptr);

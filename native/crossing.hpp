@@ -50,6 +50,7 @@ private:
         void output(AnyChannel&, const WireForm&, const SourceLocation&) override {}
         void input(AnyChannel&, const SourceLocation&) override;
         bool message_waits(const AnyChannel&) const override;
+        bool keep_message(const AnyChannel&) override;
         std::string why_not_given_up() const override { return ""; }
         bool give_up_input(AnyChannel&) override;
         Crossing& c;
@@ -75,6 +76,7 @@ private:
     Taken taken_{*this};
     std::atomic<Offer> offer_{Offer::none};
     std::atomic<bool> is_posted_{false}; ///< `offered_` is in the inbox
+    bool is_kept_ = false;               ///< an ALT has claimed the message; of the inputter's kernel
     Process* outputter_ = nullptr;       ///< who waits; of the outputter's kernel
     Process* inputter_ = nullptr;        ///< who waits; of the inputter's kernel
 };

@@ -2,6 +2,9 @@
 
 #include "native/crossing.hpp"
 #include "native/group.hpp"
+#include "native/pace.hpp"
+#include "native/placement.hpp"
+#include "native/run_parts.hpp"
 #include "netlist/failed_process.hpp"
 #include "netlist/software.hpp"
 #include "text/user_error.hpp"
@@ -15,6 +18,7 @@
 #include <exception>
 #include <list>
 #include <optional>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -25,37 +29,8 @@ namespace {
 
 using namespace native;
 
-std::vector<bool> nodes_with_processes(const Network& network) {
-    std::vector<bool> has_process(network.nodes.size());
-    for (const ProcessInstance& process : network.processes)
-        has_process[process.node] = true;
-    return has_process;
-}
-
-/// Returns the thread of each node.
-std::vector<std::size_t> threads_of_nodes(const Network& network, std::size_t threads) {
-    const std::vector<bool> has_process = nodes_with_processes(network);
-    std::vector<std::size_t> result(network.nodes.size());
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < result.size(); ++i)
-        if (has_process[i])
-            result[i] = next++ % threads;
-    return result;
-}
-
-void require_native(const Network& network) {
-    for (const Node& node : network.nodes)
-        if (node.runs_own_code)
-            throw UserError(fmt::format("{}: \"{}\" executes the code of a transputer, which cannot run natively",
-                                        node.declared.text(), node.name));
-    for (const LinkConnection& wire : network.connections)
-        if (wire.at_run_time)
-            throw UserError(fmt::format("{}: a switch makes this connection during the run, and a native run has no "
-                                        "switches",
-                                        wire.connected.text()));
-    if (!network.faults.empty())
-        throw UserError(fmt::format("{}: a native run has no faults, for it has no machine that could fail",
-                                    network.faults.front().stated.text()));
+std::vector<std::size_t> threads_of_nodes(const Network& network, const NativeSettings& settings) {
+    return place_nodes(network, {settings.threads}, settings.loads ? settings.loads() : std::vector<Time>{});
 }
 
 /// The part of a run that one thread executes.
@@ -63,6 +38,8 @@ struct Strand {
     std::shared_ptr<const Catalogue> catalogue;
     std::unique_ptr<Software> software;
     Simulation simulation;
+    Pace* pace = nullptr;            ///< null: computations take the time that they take
+    std::vector<Time> waited = {};   ///< for how long each process waited, at the end of the work
     std::optional<RunResult> result; ///< empty if the run has thrown
     std::exception_ptr thrown;
 };
@@ -70,11 +47,13 @@ struct Strand {
 class NativeRun {
 public:
     NativeRun(const Network& network, const NativeSettings& settings)
-        : network_(network), thread_of_node_(threads_of_nodes(network, settings.threads)), strands_(settings.threads) {
+        : network_(network), thread_of_node_(threads_of_nodes(network, settings)), strands_(settings.threads) {
         for (Strand& strand : strands_) {
             strand.catalogue = settings.make_catalogue();
             strand.software = std::make_unique<Software>(network, *strand.catalogue, settings.seed);
             group_.add(strand.simulation);
+            if (settings.pace > 0)
+                strand.pace = &strand.simulation.add<Pace>(network, settings.pace);
         }
         for (std::size_t i = 0; i < network.channels.size(); ++i)
             cross(i);
@@ -111,7 +90,7 @@ private:
             std::vector<bool> nodes(network_.nodes.size());
             for (std::size_t i = 0; i < nodes.size(); ++i)
                 nodes[i] = thread_of_node_[i] == thread;
-            strands_[thread].software->start_natively(strands_[thread].simulation, nodes);
+            strands_[thread].software->start_natively(strands_[thread].simulation, nodes, strands_[thread].pace);
             for (std::size_t i = 0; i < all.size(); ++i)
                 if (Process* const made = strands_[thread].software->processes()[i])
                     all[i] = made;
@@ -132,6 +111,10 @@ private:
         try {
             for (Strand& strand : strands_)
                 threads.emplace_back([&] { execute(strand); });
+        } catch (const std::system_error& refused) {
+            set_gate(Gate::cancelled);
+            throw UserError(fmt::format("thread {} of {} cannot be started: {}: give a smaller number of --threads",
+                                        threads.size() + 1, strands_.size(), refused.code().message()));
         } catch (...) {
             set_gate(Gate::cancelled);
             throw;
@@ -146,7 +129,7 @@ private:
         if (gate_ == Gate::cancelled)
             return;
         try {
-            strand.result = strand.simulation.run();
+            strand.result = strand.simulation.run(Time::max(), [&] { strand.waited = times_waited(*strand.software); });
         } catch (...) {
             strand.thrown = std::current_exception();
         }
@@ -179,54 +162,12 @@ private:
         }
     }
 
-    /// A run is stuck if a thread is, and interrupted if another thread is. Else it is completed.
-    Ending ending() const {
-        const auto ends = [&](Ending how) {
-            return std::ranges::any_of(strands_, [how](const Strand& each) { return each.result->ending == how; });
-        };
-        return ends(Ending::interrupted) ? Ending::interrupted
-               : ends(Ending::stuck)     ? Ending::stuck
-                                         : Ending::completed;
-    }
-
-    /// Puts the processes of a deadlock into the order of the netlist.
-    void sort_by_netlist(std::vector<StuckProcess>& stuck) const {
-        const auto place = [&](const StuckProcess& each) {
-            const std::string name = each.path.substr(0, each.path.find('/'));
-            return std::ranges::find(network_.processes, name, &ProcessInstance::name) - network_.processes.begin();
-        };
-        std::ranges::stable_sort(stuck, {}, place);
-    }
-
     RunReport report() {
-        RunReport report;
-        report.is_native = true;
-        report.result.ending = ending();
-        std::vector<Measurement> measurements;
-        for (std::size_t i = 0; i < strands_.size(); ++i) {
-            Strand& strand = strands_[i];
-            report.result.time = std::max(report.result.time, strand.result->time);
-            if (strand.result->deadlock)
-                report.result.deadlock = std::move(strand.result->deadlock);
-            std::ranges::copy(strand.software->measurements(), std::back_inserter(measurements));
-            std::ranges::copy(strand.result->never_ran, std::back_inserter(report.result.never_ran));
-            const Time busy = std::max(strand.result->time - group_.member(i).rested(), Time{});
-            report.processors.push_back({fmt::format("thread {}", i), "thread", busy, Time{}});
-        }
-        report.measurements = in_order_of_netlist(std::move(measurements), network_);
-        for (std::size_t i = 0; i < network_.processes.size(); ++i)
-            report.processes.push_back(use_of(i));
-        if (report.result.deadlock) {
-            sort_by_netlist(report.result.deadlock->processes);
-            add_places(*report.result.deadlock, network_);
-        }
-        return report;
-    }
-
-    ProcessUse use_of(std::size_t process) const {
-        const std::size_t thread = thread_of(process);
-        const Process& made = *strands_[thread].software->processes()[process];
-        return {network_.processes[process].name, fmt::format("thread {}", thread), made.time_waited(), std::nullopt};
+        std::vector<RunPart> parts;
+        for (std::size_t i = 0; i < strands_.size(); ++i)
+            parts.push_back({std::move(*strands_[i].result), strands_[i].software->measurements(),
+                             std::move(strands_[i].waited), group_.member(i).rested()});
+        return join_parts(network_, thread_of_node_, "thread", std::move(parts));
     }
 
     const Network& network_;
@@ -242,8 +183,19 @@ private:
 
 } // namespace
 
-std::size_t count_native_nodes(const Network& network) {
-    return static_cast<std::size_t>(std::ranges::count(nodes_with_processes(network), true));
+void require_native(const Network& network) {
+    for (const Node& node : network.nodes)
+        if (node.runs_own_code)
+            throw UserError(fmt::format("{}: \"{}\" executes the code of a transputer, which cannot run natively",
+                                        node.declared.text(), node.name));
+    for (const LinkConnection& wire : network.connections)
+        if (wire.at_run_time)
+            throw UserError(fmt::format("{}: a switch makes this connection during the run, and a native run has no "
+                                        "switches",
+                                        wire.connected.text()));
+    if (!network.faults.empty())
+        throw UserError(fmt::format("{}: a native run has no faults, for it has no machine that could fail",
+                                    network.faults.front().stated.text()));
 }
 
 RunReport run_natively(const Network& network, const NativeSettings& settings) {

@@ -35,16 +35,16 @@ void Software::start(Simulation& simulation, const std::vector<Executive*>& exec
     expect_partners(processes_);
 }
 
-void Software::start_natively(Simulation& simulation, const std::vector<bool>& nodes) {
+void Software::start_natively(Simulation& simulation, const std::vector<bool>& nodes, Executive* executive) {
     for (std::size_t i = 0; i < network_.processes.size(); ++i)
-        processes_.push_back(nodes[network_.processes[i].node] ? &start(simulation, i, nullptr) : nullptr);
+        processes_.push_back(nodes[network_.processes[i].node] ? &start(simulation, i, executive) : nullptr);
 }
 
 void Software::expect_partners(const std::vector<Process*>& all) {
     for (std::size_t i = 0; i < channels_.size(); ++i) {
-        if (const ChannelEnd& from = network_.channels[i].from; !from.at_edge())
+        if (const ChannelEnd& from = network_.channels[i].from; !from.at_edge() && all[from.process])
             channels_[i]->expect_outputter(*all[from.process]);
-        if (const ChannelEnd& to = network_.channels[i].to; !to.at_edge())
+        if (const ChannelEnd& to = network_.channels[i].to; !to.at_edge() && all[to.process])
             channels_[i]->expect_inputter(*all[to.process]);
     }
 }

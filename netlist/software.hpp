@@ -28,10 +28,10 @@ public:
     /// Makes all processes. `executives` holds an executive for each node, or null if processes there take no time.
     /// REQUIRES: called once, and this object outlives the simulation's run.
     void start(Simulation&, const std::vector<Executive*>& executives);
-    /// Makes the processes of some nodes, which take no time. REQUIRES: as start().
-    void start_natively(Simulation&, const std::vector<bool>& nodes);
+    /// Makes the processes of some nodes, on the executive, or on none if it is null. REQUIRES: as start().
+    void start_natively(Simulation&, const std::vector<bool>& nodes, Executive* executive = nullptr);
     /// Declares the ends of all channels. `all` holds the processes by their index in Network::processes, wherever they
-    /// were made.
+    /// were made; null for those that are in another program.
     void expect_partners(const std::vector<Process*>& all);
     /// Returns the processes by their index in Network::processes; null for those that this object has not made.
     const std::vector<Process*>& processes() const { return processes_; }

@@ -45,7 +45,7 @@ void draw_curve(const ConvergenceCurve& curve, Panel& panel) {
     Series middle{curve.name, {}, curve.stroke, curve.colour};
     Band around{"", {}, curve.colour};
     for (std::size_t g : drawn(generations_of_all(curve))) {
-        auto x = static_cast<double>(g + 1);
+        auto x = static_cast<double>(curve.first + g);
         auto values = at_generation(curve, g);
         double half = median(values);
         double low = quantile(values, 0.25), high = quantile(values, 0.75);
@@ -83,6 +83,7 @@ std::vector<DrawnSearch> drawn_searches(const GenerationLog& log) {
 ConvergenceCurve curve_of(std::string name, std::span<const SeededLog> logs, const DrawnSearch& searches,
                           double LoggedGeneration::*quantity, int colour) {
     ConvergenceCurve curve{std::move(name), {}, colour};
+    curve.first = logs.front().log.first(); // the same with each seed
     for (const SeededLog& each : logs) {
         auto& run = curve.runs.emplace_back();
         for (const LoggedGeneration& generation : searches.of(each.log))

@@ -3,6 +3,7 @@
 #include "picture/plot.hpp"
 #include "report/search_log.hpp"
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,9 +13,10 @@ namespace placedpar {
 /// Describes a quantity over the generations of each run.
 struct ConvergenceCurve {
     std::string name;                      ///< name in the legend
-    std::vector<std::vector<double>> runs; ///< values of each run from generation 1 on
+    std::vector<std::vector<double>> runs; ///< values of each run from generation `first` on
     int colour;                            ///< one of a plot's eight colours
     Stroke stroke = Stroke::line;          ///< points have no quartiles
+    std::uint64_t first = 1;
 };
 
 /// Draws the median of the runs of each curve, over the generations that all runs made. With two or more runs, the

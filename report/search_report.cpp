@@ -21,26 +21,28 @@ struct SearchSummary {
     std::string process;
     std::size_t generations;
     LoggedGeneration first, last;
-    std::size_t nearly_there; ///< first generation in which the best so far had made 99 % of its progress in the run
+    std::uint64_t nearly_there; ///< first generation in which the best so far had made 99 % of its progress in the run
     std::size_t accepted = 0, turned_away = 0;
     bool of_all = false;
 };
 
 bool is_finite(const LoggedGeneration& generation) { return std::isfinite(generation.best_so_far); }
 
-std::size_t generation_nearly_there(std::span<const LoggedGeneration> generations) {
+std::uint64_t generation_nearly_there(std::span<const LoggedGeneration> generations, std::uint64_t first_number) {
     auto begin = std::ranges::find_if(generations, &is_finite);
     if (begin == generations.end())
-        return 1;
+        return first_number;
     double first = begin->best_so_far, last = generations.back().best_so_far;
     auto there = std::find_if(begin, generations.end(), [&](const LoggedGeneration& each) {
         return std::abs(last - each.best_so_far) <= 0.01 * std::abs(last - first);
     });
-    return static_cast<std::size_t>(there - generations.begin()) + 1;
+    return first_number + static_cast<std::uint64_t>(there - generations.begin());
 }
 
-SearchSummary summary_of(const std::string& name, std::span<const LoggedGeneration> generations) {
-    return {name, generations.size(), generations.front(), generations.back(), generation_nearly_there(generations)};
+SearchSummary summary_of(const std::string& name, std::span<const LoggedGeneration> generations,
+                         std::uint64_t first_number) {
+    return {name, generations.size(), generations.front(), generations.back(),
+            generation_nearly_there(generations, first_number)};
 }
 
 void count_immigrants(const GenerationLog& log, std::optional<std::size_t> search, SearchSummary& summary) {
@@ -53,11 +55,11 @@ std::vector<SearchSummary> summaries_of(const GenerationLog& log) {
     std::vector<SearchSummary> summaries;
     for (std::size_t i = 0; i < log.searches().size(); ++i)
         if (!log.of(i).empty()) {
-            summaries.push_back(summary_of(log.searches()[i], log.of(i)));
+            summaries.push_back(summary_of(log.searches()[i], log.of(i), log.first()));
             count_immigrants(log, i, summaries.back());
         }
     if (!log.of_all().empty()) {
-        summaries.push_back(summary_of("all", log.of_all()));
+        summaries.push_back(summary_of("all", log.of_all(), log.first()));
         count_immigrants(log, std::nullopt, summaries.back());
         summaries.back().of_all = true;
     }

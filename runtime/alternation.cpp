@@ -29,6 +29,16 @@ std::optional<std::size_t> first_ready(std::span<const Guard> guards) {
     return found - guards.begin();
 }
 
+/// Chooses a guard, whose message cannot be given up from then on.
+std::optional<std::size_t> first_kept(std::span<const Guard> guards) {
+    auto found = std::ranges::find_if(guards, [](const Guard& guard) {
+        return is_ready(guard) && (guard.kind != Guard::input || guard.channel->keep_message());
+    });
+    if (found == guards.end())
+        return std::nullopt;
+    return found - guards.begin();
+}
+
 std::optional<Time> earliest_timeout(std::span<const Guard> guards) {
     std::optional<Time> earliest;
     for (const Guard& guard : guards)
@@ -142,9 +152,9 @@ std::size_t choose(Process& self, std::span<const Guard> guards, const SourceLoc
     AtGuards at_guards(self, guards);
     charge_enabling(self, guards);
     charge(self, first_ready(guards) ? &OperationCosts::alternation_wait_ready : &OperationCosts::alternation_wait);
-    std::optional<std::size_t> ready = first_ready(guards);
+    std::optional<std::size_t> ready = first_kept(guards);
     const bool has_to_sleep = !ready;
-    for (; !ready; ready = first_ready(guards)) // the message that woke the process may have been given up since
+    for (; !ready; ready = first_kept(guards)) // the message that woke the process may have been given up since
         sleep(self, guards, where);
     const std::size_t chosen = *ready;
     charge_disabling(self, guards);

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -188,5 +189,21 @@ struct AnyByteForm {
     std::uint32_t (*next_part)(std::span<const std::uint8_t> so_far);
     void (*read)(std::span<const std::uint8_t>, void* slot);
 };
+
+/// Returns null if messages of the type have no byte form.
+template <class T>
+const AnyByteForm* byte_form_of() {
+    if constexpr (HasByteForm<T>) {
+        static constexpr AnyByteForm form{
+            [](const void* message, MessageBytes& to) { ByteForm<T>::write(*static_cast<const T*>(message), to); },
+            &ByteForm<T>::next_part,
+            [](std::span<const std::uint8_t> bytes, void* slot) {
+                static_cast<std::optional<T>*>(slot)->emplace(ByteForm<T>::read(bytes));
+            }};
+        return &form;
+    } else {
+        return nullptr;
+    }
+}
 
 } // namespace placedpar

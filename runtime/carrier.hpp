@@ -26,6 +26,9 @@ public:
     virtual void input(AnyChannel&, const SourceLocation&) = 0;
     /// Returns whether a message has begun to arrive and no process has asked for it.
     virtual bool message_waits(const AnyChannel&) const = 0;
+    /// Keeps the message that waits until the next input, because an alternation has chosen it. Returns false if the
+    /// message has been given up meanwhile, which only a carrier between threads can find.
+    virtual bool keep_message(const AnyChannel&) { return true; }
 
     // The next functions are for reports.
     /// Return whether the process that outputs (inputs) waits for ever, whatever its partner does. This is so if part

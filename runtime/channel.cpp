@@ -173,4 +173,10 @@ void AnyChannel::hand_over(std::span<const std::uint8_t> bytes) {
     slot_ = nullptr;
 }
 
+void AnyChannel::hand_over_packed(std::span<const std::uint8_t> bytes) {
+    packed_form()->read(bytes, slot_);
+    note_communication(inputter_.process->kernel());
+    slot_ = nullptr;
+}
+
 } // namespace placedpar

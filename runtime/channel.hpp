@@ -4,6 +4,7 @@
 #include "runtime/carrier.hpp"
 #include "runtime/executive.hpp"
 #include "runtime/kernel.hpp"
+#include "runtime/packed_form.hpp"
 #include "runtime/process.hpp"
 #include "runtime/protocol.hpp"
 #include "runtime/same_message.hpp"
@@ -98,6 +99,8 @@ public:
     // The next functions are for alternations.
     /// Returns whether an input would find a message.
     bool message_waits() const { return carrier_ ? carrier_->message_waits(*this) : message_ != nullptr; }
+    /// Keeps the message that waits until the next input. Returns false if it does not wait any more.
+    bool keep_message() { return !carrier_ || carrier_->keep_message(*this); }
     /// Records that the process has a guard on the channel. Throws std::logic_error if the process does not own the
     /// input end.
     void own_input(const Process& process) {
@@ -170,6 +173,15 @@ public:
     /// Hands a device's message to the inputter. Throws NoMessage. REQUIRES: the parts of the bytes are complete
     /// (ByteForm::next_part); a process is in input.
     void hand_over(std::span<const std::uint8_t> bytes);
+    /// Returns how messages of the protocol travel to another copy of the program; null if they cannot.
+    virtual const AnyPackedForm* packed_form() const = 0;
+    /// Appends the outputter's message. REQUIRES: packed_form() is not null; a process is in output.
+    void pack_message(MessageBytes& to) const { packed_form()->write(message_, to); }
+    /// Hands a packed message to the inputter. Throws NoMessage. REQUIRES: packed_form() is not null; a process is in
+    /// input.
+    void hand_over_packed(std::span<const std::uint8_t> bytes);
+    /// Returns whether the next input may be given up.
+    bool is_attempted_input() const { return input_attempt_ != nullptr; }
     /// Returns whether the messages that wait in both channels are equal. Returns nothing if messages of this protocol
     /// cannot be compared (SameMessage). REQUIRES: a process is outputting on each of the two channels.
     std::optional<bool> has_message_of(const AnyChannel& other) const {
@@ -472,19 +484,8 @@ private:
         static_cast<std::optional<T>*>(slot)->emplace(std::move(*static_cast<T*>(message)));
     }
     void move_message(void* from, void* to) override { copy(from, to); }
-    const AnyByteForm* byte_form() const override {
-        if constexpr (HasByteForm<T>) {
-            static constexpr AnyByteForm form{
-                [](const void* message, MessageBytes& to) { ByteForm<T>::write(*static_cast<const T*>(message), to); },
-                &ByteForm<T>::next_part,
-                [](std::span<const std::uint8_t> bytes, void* slot) {
-                    static_cast<std::optional<T>*>(slot)->emplace(ByteForm<T>::read(bytes));
-                }};
-            return &form;
-        } else {
-            return nullptr;
-        }
-    }
+    const AnyByteForm* byte_form() const override { return byte_form_of<T>(); }
+    const AnyPackedForm* packed_form() const override { return packed_form_of<T>(); }
     std::optional<bool> are_same(const void* message, const void* other) const override {
         return SameMessage<T>::of(*static_cast<const T*>(message), *static_cast<const T*>(other));
     }

@@ -3,6 +3,7 @@
 #include "runtime/channel.hpp"
 #include "runtime/executive.hpp"
 #include "runtime/kernel.hpp"
+#include "runtime/wait_cycle.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,7 +13,6 @@
 #include <cstdint>
 #include <iterator>
 #include <string_view>
-#include <unordered_map>
 #include <unordered_set>
 
 namespace placedpar {
@@ -74,66 +74,9 @@ Processes awaited_by(const Process& process, const Processes& living) {
         for (const Process* other : living)
             if (other->parent() == &process)
                 partners.push_back(other);
-    std::erase(partners, nullptr);
+    std::erase_if(partners, [](const Process* partner) { return !partner || partner->ended(); });
     return partners;
 }
-
-/// Follows waits from process to process, depth first, until the search returns to a process on its path.
-class CycleSearch {
-public:
-    /// The search starts from each of the `stuck` processes in turn.
-    CycleSearch(const Processes& stuck, const Processes& living) : stuck_(stuck), living_(living) {}
-
-    Processes find() {
-        for (const Process* process : stuck_)
-            if (visit(process))
-                return cycle_;
-        return {};
-    }
-
-private:
-    /// Returns whether a cycle can be reached from `start`. The search is not recursive: its path can contain all
-    /// processes, and the stack of a fiber is small.
-    bool visit(const Process* start) {
-        step_to(start);
-        while (!way_.empty()) {
-            Step& step = way_.back();
-            if (step.next_partner == step.partners.size()) {
-                place_on_way_[step.process] = been_there;
-                way_.pop_back();
-            } else if (step_to(step.partners[step.next_partner++])) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /// Visits the process. Returns whether this closes a cycle.
-    bool step_to(const Process* process) {
-        if (process->ended())
-            return false;
-        auto [place, is_new] = place_on_way_.try_emplace(process, way_.size());
-        if (is_new)
-            way_.push_back({process, awaited_by(*process, living_), 0});
-        else if (place->second != been_there)
-            for (std::size_t i = place->second; i < way_.size(); ++i)
-                cycle_.push_back(way_[i].process);
-        return !cycle_.empty();
-    }
-
-    struct Step {
-        const Process* process;
-        Processes partners;
-        std::size_t next_partner;
-    };
-    static constexpr std::size_t been_there = static_cast<std::size_t>(-1);
-
-    const Processes& stuck_;
-    const Processes& living_;
-    std::vector<Step> way_;
-    std::unordered_map<const Process*, std::size_t> place_on_way_; ///< never iterated over
-    Processes cycle_;
-};
 
 /// Returns the channels on which a process waits. Empty if the process is ready and only its executive has halted.
 std::span<const AnyChannel* const> channels_of_wait(const Process& process) {
@@ -148,6 +91,11 @@ StuckProcess describe(const Process& process) {
     return stuck;
 }
 
+StuckChannel describe(const AnyChannel& channel, const Processes& living, std::string waiting) {
+    return {channel.name(), path_of(channel, channel.last_outputter(), living),
+            path_of(channel, channel.last_inputter(), living), std::move(waiting)};
+}
+
 /// Describes the channels in the order of the processes that wait on them.
 std::vector<StuckChannel> describe_channels(const Processes& stuck, const Processes& living) {
     std::vector<StuckChannel> result;
@@ -155,9 +103,8 @@ std::vector<StuckChannel> describe_channels(const Processes& stuck, const Proces
     for (const Process* process : stuck)
         for (const AnyChannel* channel : channels_of_wait(*process))
             if (known.insert(channel->name()).second)
-                result.push_back({channel->name(), path_of(*channel, channel->last_outputter(), living),
-                                  path_of(*channel, channel->last_inputter(), living),
-                                  process->activity() == Activity::outputting ? "outputter" : "inputter"});
+                result.push_back(
+                    describe(*channel, living, process->activity() == Activity::outputting ? "outputter" : "inputter"));
     return result;
 }
 
@@ -238,7 +185,8 @@ namespace {
 /// Describes the deadlock of the `stuck` processes. `living`: all processes that have not ended.
 Deadlock deadlock_of(const Processes& stuck, const Processes& living) {
     Deadlock deadlock;
-    for (const Process* process : CycleSearch(stuck, living).find())
+    const auto awaited = [&living](const Process* process) { return awaited_by(*process, living); };
+    for (const Process* process : CycleSearch<const Process*, decltype(awaited)>(awaited).find(stuck))
         deadlock.cycle.push_back(process->path());
     deadlock.held_up = describe_held_up(stuck);
     std::ranges::move(describe_unreset(stuck, living), std::back_inserter(deadlock.held_up));
@@ -302,6 +250,14 @@ Deadlock find_deadlock(std::span<const Kernel* const> kernels) {
     return deadlock_of(living, living);
 }
 
+std::vector<StuckChannel> users_of(std::span<const AnyChannel* const> channels, const Kernel& kernel) {
+    const Processes living = kernel.living();
+    std::vector<StuckChannel> users;
+    for (const AnyChannel* channel : channels)
+        users.push_back(describe(*channel, living, ""));
+    return users;
+}
+
 /// Finds the largest set of waiting processes in which no process waits for a living process outside the set.
 std::optional<Deadlock> find_partial_deadlock(const Kernel& kernel) {
     auto living = kernel.living();
@@ -309,7 +265,7 @@ std::optional<Deadlock> find_partial_deadlock(const Kernel& kernel) {
     std::ranges::copy_if(living, std::back_inserter(stuck), needs_partner);
     auto can_go_on = [&](const Process* process) {
         return !is_lost(*process) && std::ranges::any_of(awaited_by(*process, living), [&](const Process* partner) {
-            return !partner->ended() && !std::ranges::binary_search(stuck, partner->ordinal(), {}, &Process::ordinal);
+            return !std::ranges::binary_search(stuck, partner->ordinal(), {}, &Process::ordinal);
         });
     };
     for (std::size_t before = 0; before != stuck.size();) {

@@ -9,6 +9,7 @@
 
 namespace placedpar {
 
+class AnyChannel;
 class Kernel;
 
 /// A process that no event and no process will ever wake.
@@ -24,7 +25,7 @@ struct StuckProcess {
 struct StuckChannel {
     std::string name;
     std::string outputter, inputter; ///< paths of the processes, or a placeholder for an end that was never used
-    std::string waiting;             ///< the end that waits: "outputter" or "inputter"
+    std::string waiting;             ///< the end that waits: "outputter" or "inputter"; "" if none does
     std::string netlist = "";        ///< place of its connection: "farm.cfs:20"; "" without a netlist
 };
 
@@ -45,13 +46,15 @@ struct Deadlock {
     std::string text() const;
 };
 
-// REQUIRES of both functions: called at the end of a run, before the processes are unwound.
+// REQUIRES of these functions: called at the end of a run, before the processes are unwound.
 
 /// Reports all processes that have not ended.
 Deadlock find_deadlock(const Kernel&);
 /// Does the same for a run with several kernels, which are in the order of their numbers. REQUIRES: the ends of their
 /// channels have been declared (AnyChannel::expect_outputter).
 Deadlock find_deadlock(std::span<const Kernel* const>);
+/// Returns the users of channels under the names that they have in a report.
+std::vector<StuckChannel> users_of(std::span<const AnyChannel* const>, const Kernel&);
 /// Reports the processes that wait only for each other or for processes that have ended, while other processes could
 /// still continue. Returns nothing if there are no such processes. A process is not counted if it waits on a channel
 /// whose other end has not been used: some process may still use that end.

@@ -8,6 +8,10 @@ namespace placedpar {
 /// other, at the same virtual times and in the same order.
 class Fingerprint {
 public:
+    Fingerprint() = default;
+    /// Goes on from a value() of another fingerprint.
+    explicit Fingerprint(std::uint64_t value) : hash_(value) {}
+
     void mix(std::uint64_t word) {
         hash_ = (hash_ ^ word) * 0x9e3779b97f4a7c15u; // 2^64 / golden ratio, an odd number without a pattern
         hash_ ^= hash_ >> 32;

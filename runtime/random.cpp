@@ -166,6 +166,19 @@ void RandomStream::fill(std::span<result_type> numbers) {
     }
 }
 
+std::uint64_t RandomStream::drawn() const {
+    const std::uint64_t blocks = std::uint64_t{counter_[1]} << 32 | counter_[0];
+    return 4 * blocks - (ahead - drawn_);
+}
+
+void RandomStream::go_to(std::uint64_t drawn) {
+    const std::uint64_t block = drawn / 4;
+    counter_[0] = static_cast<std::uint32_t>(block);
+    counter_[1] = static_cast<std::uint32_t>(block >> 32);
+    compute_ahead();
+    drawn_ = drawn % 4;
+}
+
 void RandomStream::reject(std::uint64_t& product, std::uint32_t n) {
     std::uint32_t threshold = (0u - n) % n;
     while (static_cast<std::uint32_t>(product) < threshold)

@@ -35,6 +35,11 @@ public:
     /// Draws the next numbers. They are the same numbers that single calls would draw.
     void fill(std::span<result_type> numbers);
 
+    /// Returns how many numbers have been drawn so far.
+    std::uint64_t drawn() const;
+    /// Goes to the number that follows the first `drawn` numbers of the stream.
+    void go_to(std::uint64_t drawn);
+
     /// Returns a number uniform in [0, 1), a multiple of 2^-32.
     double uniform() { return (*this)() * 0x1p-32; }
     /// Returns a number uniform in 0 ... n - 1 without bias. REQUIRES: n > 0.

@@ -4,27 +4,30 @@
 
 namespace placedpar {
 
-/// Reports every switch from one fiber's stack to another to AddressSanitizer. Without this the sanitizer would report
-/// an exception as a jump out of the stack. The class tests at run time whether the sanitizer is present: a program
-/// compiled with the sanitizer may link libraries compiled without it. Without the sanitizer, the class does nothing.
+/// Reports every switch from one fiber's stack to another to AddressSanitizer or ThreadSanitizer. Without this the one
+/// would report an exception as a jump out of the stack, and the other would lose the calls of each fiber. The class
+/// tests at run time whether a sanitizer is present: a program compiled with the sanitizer may link libraries compiled
+/// without it. Without a sanitizer, the class does nothing.
 ///
-/// 1. Call lies_at() once the stack's memory is known.
+/// 1. Call lies_at() once the stack's memory is known, and gone() when the stack is not used any more.
 /// 2. To switch, call leave_for(the other stack), then switch.
 /// 3. On arrival, call arrive(); the first time, call arrive_from(the stack that was left).
 class SwitchedStack {
 public:
-    /// Returns whether this program has AddressSanitizer.
+    /// Returns whether this program has one of these sanitizers.
     static bool is_watched();
-    void leave_for(const SwitchedStack& to);
+    void leave_for(SwitchedStack& to);
     void arrive();
     /// Handles the first arrival on this stack. Records the memory of the stack that was left.
     void arrive_from(SwitchedStack& from);
     void lies_at(const void* bottom, std::size_t bytes) { bottom_ = bottom, bytes_ = bytes; }
+    void gone();
 
 private:
     const void* bottom_ = nullptr;
     std::size_t bytes_ = 0;
-    void* fake_stack_ = nullptr;
+    void* fake_stack_ = nullptr; ///< of AddressSanitizer
+    void* fiber_ = nullptr;      ///< of ThreadSanitizer
 };
 
 } // namespace placedpar

@@ -32,7 +32,10 @@ struct InArena {
 
 } // namespace
 
-void EndWorker::operator()(Worker* worker) const { worker->~Worker(); }
+void EndWorker::operator()(Worker* worker) const {
+    worker->stack.gone();
+    worker->~Worker();
+}
 
 std::unique_ptr<Worker, EndWorker> Worker::make(Kernel& kernel, const Stack& stack) {
     return std::unique_ptr<Worker, EndWorker>(new (stack.bottom + Stack::bytes() - bytes_of_worker)

@@ -7,7 +7,7 @@
 #include "explore/explain/explanation.hpp"
 #include "explore/load.hpp"
 #include "explore/problems.hpp"
-#include "explore/study/ranks.hpp"
+#include "ranks/ranks.hpp"
 #include "report/manifest.hpp"
 #include "report/search_log.hpp"
 #include "text/nearest.hpp"

@@ -8,9 +8,11 @@
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
 #include "app/watch.hpp"
+#include "explore/checkpoint_file.hpp"
 #include "explore/problems.hpp"
 #include "iserver/offered_board.hpp"
 #include "picture/gnuplot.hpp"
+#include "ranks/ranks.hpp"
 #include "report/convergence.hpp"
 #include "report/manifest.hpp"
 #include "report/run_report.hpp"
@@ -44,7 +46,8 @@ struct RunOptions {
     NetlistOptions netlist;
     BootedOptions booted;
     NativeOptions native;
-    std::string json, log, convergence; ///< files; "": not written
+    std::string json, log, convergence, checkpoint; ///< files; "": not written
+    std::uint64_t checkpoint_every = 10;            ///< generations
     RecordedFiles recorded;
     Time until = Time::max();
     std::uint64_t seed = 1;
@@ -52,10 +55,12 @@ struct RunOptions {
     std::size_t seeds = 1; ///< number of seeds, from the first on
     bool watch = false, yes = false;
     bool listing = false, step = false, analyse = false; ///< of transputers that execute their own code
-    std::string offer; ///< where the host's link is offered to another program; "": nowhere
+    std::string offer;            ///< where the host's link is offered to another program; "": nowhere
+    std::shared_ptr<Ranks> ranks; ///< of a native run; null: without mpirun
+    std::shared_ptr<CheckpointFile> checkpoints; ///< null without the option
 
-    std::array<std::filesystem::path, 5> outputs() const {
-        return {json, recorded.trace, recorded.page, log, convergence};
+    std::array<std::filesystem::path, 6> outputs() const {
+        return {json, recorded.trace, recorded.page, log, convergence, checkpoint};
     }
     bool wants_generations() const { return watch || !log.empty() || !convergence.empty(); }
     Manifest manifest(const std::string& typed) const {
@@ -75,6 +80,9 @@ void require_outputs(const RunOptions& options) {
         throw UserError(fmt::format("--trace: a timeline shows one run, but --seeds asks for {} runs", options.seeds));
     if (options.seeds > 1 && !options.recorded.page.empty())
         throw UserError(fmt::format("--page: a page shows one run, but --seeds asks for {} runs", options.seeds));
+    if (options.seeds > 1 && !options.checkpoint.empty())
+        throw UserError(fmt::format("--checkpoint: a file holds the searches of one run, but --seeds asks for {} runs",
+                                    options.seeds));
     if (options.seeds > 1 && !options.offer.empty())
         throw UserError(fmt::format("--offer: another program is the host of one run, but --seeds asks for {} runs",
                                     options.seeds));
@@ -108,17 +116,25 @@ void require_fit(const Network& network, const RunOptions& options) {
         require_searches(network);
 }
 
+std::shared_ptr<CheckpointFile> checkpoints_of(const Network& network, const RunOptions& options) {
+    if (options.checkpoint.empty())
+        return nullptr;
+    return std::make_shared<CheckpointFile>(options.checkpoint, network, options.seed, options.checkpoint_every);
+}
+
 RunReport run_observed(const Network& network, const RunOptions& options, std::uint64_t seed, TraceSink* trace,
                        Interruption& interruption, SearchObserver* observer) {
-    if (options.native.is_native)
-        return run_natively(network, options.native, seed, observer, interruption);
-    return run_netlist(network, known_problems(seed),
-                       {.seed = seed,
-                        .until = options.until,
-                        .shuffle = options.shuffle,
-                        .trace = trace,
-                        .observer = observer,
-                        .interruption = &interruption});
+    const RunSettings settings{.seed = seed,
+                               .until = options.until,
+                               .shuffle = options.shuffle,
+                               .trace = trace,
+                               .observer = observer,
+                               .checkpoints = options.checkpoints.get(),
+                               .interruption = &interruption};
+    if (options.ranks)
+        return *run_on_ranks(network, options.native, settings, *options.ranks);
+    return options.native.is_native ? run_natively(network, options.native, settings)
+                                    : run_netlist(network, known_problems(seed), settings);
 }
 
 FinishedRun run_seed(const Network& network, const RunOptions& options, std::uint64_t seed, TraceSink* trace,
@@ -241,11 +257,51 @@ bool offer_link(Network& network, const RunOptions& options, const Interruption&
     return board->wait_for_program();
 }
 
-ExitCode run(const RunOptions& options, const Options& command, const std::string& typed) {
+/// Makes the part of a native run that runs in a rank above 0, which writes nothing.
+ExitCode help_rank_zero(const Network& network, const RunOptions& options) {
+    InterruptedBySignals interruption;
+    const RunSettings settings{
+        .seed = options.seed, .checkpoints = options.checkpoints.get(), .interruption = &interruption};
+    run_on_ranks(network, options.native, settings, *options.ranks);
+    return ExitCode::success;
+}
+
+/// Checks the options, and loads the network and the checkpoint of an earlier run. Returns nothing in a rank of mpirun
+/// that must end silently.
+std::optional<Network> load(RunOptions& options, const Options& command) {
+    std::optional<Network> network;
+    const auto load_here = [&]() -> LoadedRun {
+        if (!options.ranks || options.ranks->own() == 0)
+            require_outputs(options);
+        require_native(options);
+        network = load_network(command, options.netlist, options.booted);
+        require_fit(*network, options);
+        options.checkpoints = checkpoints_of(*network, options);
+        return {*network, options.checkpoints ? options.checkpoints->begin() : 0};
+    };
+    if (!options.ranks)
+        load_here();
+    else if (!load_in_all(*options.ranks, options.native, options.seed, load_here))
+        network.reset();
+    return network;
+}
+
+void say_begin(const RunOptions& options) {
+    if (options.checkpoints && options.checkpoints->begin() > 0)
+        print_error(fmt::format("placedpar: goes on after generation {} of {}\n", options.checkpoints->begin(),
+                                options.checkpoint));
+}
+
+ExitCode run(RunOptions options, const Options& command, const std::string& typed) {
     Manifest manifest = options.manifest(typed);
-    require_outputs(options);
-    require_native(options);
-    Network network = load_network(command, options.netlist, options.booted);
+    options.ranks = ranks_of(options.native);
+    std::optional<Network> loaded = load(options, command);
+    if (!loaded)
+        return ExitCode::success;
+    if (options.ranks && options.ranks->own() > 0)
+        return help_rank_zero(*loaded, options);
+    say_begin(options);
+    Network& network = *loaded;
     InterruptedBySignals interruption;
     network.host.lists_code = options.listing;
     network.host.analyses = options.analyse;
@@ -258,7 +314,6 @@ ExitCode run(const RunOptions& options, const Options& command, const std::strin
             interruption.request();
         },
         !options.step);
-    require_fit(network, options);
     std::optional<iserver::OfferedBoard> board;
     if (!offer_link(network, options, interruption, board))
         return ExitCode::interrupted;
@@ -289,6 +344,13 @@ void add_searches(Options& command, RunOptions& options) {
              "draws best fitness, mean fitness and diversity over the generations as SVG; with --seeds medians "
              "and quartiles");
     command.add_flag("--yes", options.yes, "starts any number of runs without asking");
+    Option checkpoint = add_file(command, "--checkpoint", options.checkpoint,
+                                 "keeps the populations of all searches in this file, and goes on from it if it is "
+                                 "there");
+    add_count(command, "--checkpoint-every", options.checkpoint_every, "number of generations between two checkpoints")
+        .check(not_at_least_one)
+        .show_default()
+        .needs(checkpoint);
     command.add_flag("--watch", options.watch,
                      "shows best, mean and diversity during the run: a curve on a terminal, else lines of text");
 }

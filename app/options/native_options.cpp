@@ -1,34 +1,62 @@
 #include "app/options/native_options.hpp"
 
 #include "app/options/common_options.hpp"
+#include "app/options/sent_events.hpp"
 #include "explore/problems.hpp"
 #include "explore/workers.hpp"
 #include "native/native_run.hpp"
+#include "native/placement.hpp"
+#include "native/rank_run.hpp"
+#include "netlist/print/print.hpp"
+#include "ranks/ranks.hpp"
+#include "report/manifest.hpp"
+#include "text/number.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
+#include <utility>
 
 namespace placedpar {
 
 namespace {
 
 constexpr std::size_t most_threads = 1024; // our choice, far more than computers have cores
+constexpr double slowest_pace = 1e-6, fastest_pace = 1e6;
 
 /// The kinds of the processes of one thread, with problems of its own, which may keep what they have computed.
 struct KindsOfThread {
-    KindsOfThread(std::uint64_t seed, SearchObserver* observer)
-        : problems(known_problems(seed)), catalogue(known_kinds(problems, observer)) {}
+    KindsOfThread(std::uint64_t seed, SearchObserver* observer, Checkpoints* checkpoints)
+        : problems(known_problems(seed)), catalogue(known_kinds(problems, observer, checkpoints)) {}
     ProblemRegistry problems;
     Catalogue catalogue;
 };
 
+std::string not_a_pace(const std::string& text) {
+    const std::optional<double> number = parse_number<double>(text);
+    return number && *number >= slowest_pace && *number <= fastest_pace
+               ? ""
+               : fmt::format("\"{}\" is not a number from {} to {}", text, slowest_pace, fastest_pace);
+}
+
 std::size_t threads_of(const NativeOptions& options, const Network& network) {
-    const std::size_t useful = std::max<std::size_t>(count_native_nodes(network), 1);
+    const std::size_t useful = std::max<std::size_t>(native::most_places(network), 1);
     return std::min(options.threads == 0 ? count_cores() : options.threads, useful);
+}
+
+/// Returns for how long each node computes in a simulated run.
+std::vector<Time> simulated_loads(const Network& network, std::uint64_t seed, Interruption& interruption) {
+    const RunReport report = run_netlist(network, known_problems(seed), {.seed = seed, .interruption = &interruption});
+    std::vector<Time> loads(network.nodes.size());
+    for (const ProcessorUse& use : report.processors)
+        if (const auto node = std::ranges::find(network.nodes, use.name, &Node::name); node != network.nodes.end())
+            loads[static_cast<std::size_t>(node - network.nodes.begin())] = use.busy;
+    return loads;
 }
 
 } // namespace
@@ -38,31 +66,93 @@ void add_native(Options& command, NativeOptions& options) {
                      "runs the processes on threads of this computer, and measures their times by its clock");
     add_number(command, "--threads", options.threads, 1, most_threads,
                "number of threads of a native run; by default one for each core");
+    command
+        .add("--map", options.map,
+             "distributes processors over the threads of a native run: in turn, or by the loads of a simulated run, "
+             "which comes first")
+        .one_of({"modulo", "balance"});
+    command
+        .add("--pace", options.pace,
+             "slows a native run down: each computation takes its time on the netlist's processor, divided by this "
+             "number")
+        .type("FACTOR")
+        .check(not_a_pace);
 }
 
 void refuse_with_native(const NativeOptions& options, const std::vector<std::pair<bool, const char*>>& typed) {
-    if (!options.is_native && options.threads != 0)
-        throw UserError("--threads is for native runs: give --native, too");
+    const std::pair<bool, const char*> of_native_runs[] = {
+        {options.threads != 0, "--threads"}, {!options.map.empty(), "--map"}, {options.pace != 0, "--pace"}};
+    if (!options.is_native)
+        for (const auto& [is_typed, name] : of_native_runs)
+            if (is_typed)
+                throw UserError(fmt::format("{} is for native runs: give --native, too", name));
     if (options.is_native)
         for (const auto& [is_typed, name] : typed)
             if (is_typed)
                 throw UserError(fmt::format("{}: only simulated runs have this option: leave out --native", name));
 }
 
-RunReport run_natively(const Network& network, const NativeOptions& options, std::uint64_t seed,
-                       SearchObserver* observer, const Interruption& interruption) {
+RunReport run_natively(const Network& network, const NativeOptions& options, const RunSettings& run) {
     std::optional<OneEventAtATime> in_turns;
-    if (observer)
-        in_turns.emplace(*observer);
+    if (run.observer)
+        in_turns.emplace(*run.observer);
     NativeSettings settings;
-    settings.seed = seed;
+    settings.seed = run.seed;
     settings.threads = threads_of(options, network);
+    settings.pace = options.pace;
+    if (options.map == "balance")
+        settings.loads = [&] { return simulated_loads(network, run.seed, *run.interruption); };
     settings.make_catalogue = [&]() -> std::shared_ptr<const Catalogue> {
-        const auto kinds = std::make_shared<KindsOfThread>(seed, in_turns ? &*in_turns : nullptr);
+        const auto kinds = std::make_shared<KindsOfThread>(run.seed, in_turns ? &*in_turns : nullptr, run.checkpoints);
         return {kinds, &kinds->catalogue};
     };
-    settings.is_interrupted = [&interruption] { return interruption.requested(); };
+    settings.is_interrupted = [&run] { return run.interruption->requested(); };
     return run_natively(network, settings);
+}
+
+std::unique_ptr<Ranks> ranks_of(const NativeOptions& options) {
+    std::unique_ptr<Ranks> ranks = options.is_native ? ranks_of_mpirun() : nullptr;
+    return ranks && ranks->count() > 1 ? std::move(ranks) : nullptr;
+}
+
+bool load_in_all(Ranks& ranks, const NativeOptions& options, std::uint64_t seed,
+                 const std::function<LoadedRun()>& load) {
+    return all_prepared(ranks, [&] {
+        const LoadedRun loaded = load();
+        if (options.threads > 1)
+            throw UserError(
+                fmt::format("--threads {}: each rank of mpirun runs its processes on one thread: start more "
+                            "ranks",
+                            options.threads));
+        return fmt::format("{} {} {} {} {} {}", version_text(), hex(network_hash(canonical_form(loaded.network))), seed,
+                           options.map, options.pace, loaded.begin);
+    });
+}
+
+std::optional<RunReport> run_on_ranks(const Network& network, const NativeOptions& options, const RunSettings& run,
+                                      Ranks& ranks) {
+    std::optional<SentEvents> sent;
+    std::optional<SentCheckpoints> sent_checkpoints;
+    RankRunSettings settings;
+    settings.seed = run.seed;
+    settings.pace = options.pace;
+    if (options.map == "balance")
+        settings.loads = [&] { return simulated_loads(network, run.seed, *run.interruption); };
+    settings.make_catalogue = [&](const std::function<void(MessageBytes)>& send) -> std::shared_ptr<const Catalogue> {
+        SearchObserver* observer = run.observer;
+        Checkpoints* checkpoints = run.checkpoints;
+        if (ranks.own() > 0)
+            observer = &sent.emplace(send);
+        if (ranks.own() > 0 && checkpoints)
+            checkpoints = &sent_checkpoints.emplace(*checkpoints, send);
+        const auto kinds = std::make_shared<KindsOfThread>(run.seed, observer, checkpoints);
+        return {kinds, &kinds->catalogue};
+    };
+    settings.receive_note = [&](std::span<const std::uint8_t> event) {
+        tell_event(event, run.observer, run.checkpoints);
+    };
+    settings.is_interrupted = [&run] { return run.interruption->requested(); };
+    return run_on_ranks(network, settings, ranks);
 }
 
 } // namespace placedpar

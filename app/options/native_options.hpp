@@ -6,25 +6,52 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace placedpar {
 
+class Ranks; // ranks/ranks.hpp
+
 /// The options of a command that can run a netlist natively (native/native_run.hpp).
 struct NativeOptions {
     bool is_native = false;
-    std::size_t threads = 0; ///< 0: as many as the computer has cores, but not more than nodes with processes
+    std::size_t threads = 0; ///< 0: as many as the computer has cores, but not more than can have processes
+    double pace = 0;         ///< 0: the processes compute as fast as they can
+    std::string map;         ///< "modulo", "balance", or "", which is "modulo"
 };
 
 void add_native(Options&, NativeOptions&);
 
-/// Throws UserError for an option that was typed although only simulated runs have it, and for --threads without
-/// --native.
+/// Throws UserError for an option that was typed although only simulated runs have it, and for an option of native runs
+/// without --native.
 void refuse_with_native(const NativeOptions&, const std::vector<std::pair<bool, const char*>>& typed);
 
-/// Runs the network natively. `observer` may be null. Throws as run_netlist does.
-RunReport run_natively(const Network&, const NativeOptions&, std::uint64_t seed, SearchObserver* observer,
-                       const Interruption&);
+/// Runs the network natively, with the seed, observer, checkpoints and interruption of the settings. Throws as
+/// run_netlist does. REQUIRES: there is an interruption.
+RunReport run_natively(const Network&, const NativeOptions&, const RunSettings&);
+
+/// Returns the ranks of mpirun on which a native run is made; null if it is made on this computer alone.
+std::unique_ptr<Ranks> ranks_of(const NativeOptions&);
+
+/// What a rank has loaded.
+struct LoadedRun {
+    const Network& network;
+    std::uint64_t begin; ///< generation from which the searches go on; 0 if they begin anew
+};
+
+/// Loads the network in all ranks. Returns false in a rank that must end silently. Throws UserError in rank 0 alone:
+/// what `load` throws, and if a rank has another network, checkpoint, seed or version. REQUIRES: called in all ranks.
+bool load_in_all(Ranks&, const NativeOptions&, std::uint64_t seed, const std::function<LoadedRun()>& load);
+
+/// Runs the network natively on the ranks. The observer and the checkpoints of rank 0 receive the events and the states
+/// of all ranks. Returns nothing in
+/// the other ranks, which must then end silently. Throws in rank 0 alone, as run_netlist does. REQUIRES: called in all
+/// ranks, after load_in_all().
+std::optional<RunReport> run_on_ranks(const Network&, const NativeOptions&, const RunSettings&, Ranks&);
 
 } // namespace placedpar

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "explore/study/rank_messages.hpp"
-#include "explore/study/ranks.hpp"
 #include "explore/study/sweep.hpp"
+#include "ranks/ranks.hpp"
 
 #include <condition_variable>
 #include <cstddef>

@@ -2,8 +2,8 @@
 
 #include "explore/load.hpp"
 #include "explore/problems.hpp"
-#include "explore/study/ranks.hpp"
 #include "explore/workers.hpp"
+#include "ranks/ranks.hpp"
 #include "text/paint.hpp"
 #include "text/user_error.hpp"
 

@@ -76,7 +76,7 @@ ProcessKind with_exchange(ProcessKind searching, const ProblemRegistry& problems
 
 } // namespace
 
-ProcessKind island_kind(const ProblemRegistry& problems, SearchObserver* observer) {
+ProcessKind island_kind(const ProblemRegistry& problems, SearchObserver* observer, Checkpoints* checkpoints) {
     return with_exchange(
         searching({.name = "ga.island",
                    .about = "An island of algorithm B: a genetic algorithm of its own that exchanges individuals with "
@@ -86,7 +86,7 @@ ProcessKind island_kind(const ProblemRegistry& problems, SearchObserver* observe
                    .parameters = search_parameters() + farm_parameters() + exchange_parameters(),
                    .measurements = search_measurements(),
                    .together = {{"to_slaves", "from_slaves"}}},
-                  problems, observer),
+                  problems, observer, checkpoints),
         problems);
 }
 

@@ -5,7 +5,7 @@
 
 namespace placedpar {
 
-ProcessKind master_kind(const ProblemRegistry& problems, SearchObserver* observer) {
+ProcessKind master_kind(const ProblemRegistry& problems, SearchObserver* observer, Checkpoints* checkpoints) {
     using namespace search_description;
     return searching(
         {.name = "ga.master",
@@ -15,7 +15,7 @@ ProcessKind master_kind(const ProblemRegistry& problems, SearchObserver* observe
          .parameters = search_parameters() + farm_parameters(),
          .measurements = search_measurements(),
          .together = {{"to_slaves", "from_slaves"}}},
-        problems, observer);
+        problems, observer, checkpoints);
 }
 
 } // namespace placedpar

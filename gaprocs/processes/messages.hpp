@@ -4,8 +4,10 @@
 #include "gaprocs/search.hpp"
 #include "gaprocs/search_problem.hpp"
 #include "runtime/byte_form.hpp"
+#include "runtime/packed_form.hpp"
 #include "runtime/protocol.hpp"
 #include "runtime/time.hpp"
+#include "text/user_error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +15,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace placedpar {
@@ -32,6 +35,43 @@ struct SizedMessage {
     WireForm wire_form() const { return WireForm(4u, bytes); }
 };
 
+/// A string travels as its length in bits and its words.
+template <>
+struct PackedForm<Genome> {
+    static void write(const Genome& genome, MessageBytes& to) {
+        pack(std::uint64_t{genome.size()}, to);
+        for (const std::uint64_t word : genome.words())
+            pack(word, to);
+    }
+    static Genome read(PackedReader& from) {
+        const auto bits = PackedForm<std::uint64_t>::read(from);
+        if (bits / 8 > from.left())
+            throw NoMessage("a string of " + std::to_string(bits) + " bits");
+        Genome genome(bits);
+        for (std::size_t i = 0; i < bits / 64; ++i)
+            genome.set_word(i, PackedForm<std::uint64_t>::read(from));
+        if (const std::size_t rest = bits % 64)
+            genome.set_field(bits - rest, rest, PackedForm<std::uint64_t>::read(from) >> (64 - rest));
+        return genome;
+    }
+};
+
+template <>
+struct PackedForm<Coding> {
+    static void write(const Coding& coding, MessageBytes& to) { pack(coding.text(), to); }
+    static Coding read(PackedReader& from) {
+        const std::string text = PackedForm<std::string>::read(from);
+        try {
+            return Coding::named(text);
+        } catch (const UserError&) {
+            throw NoMessage("a coding \"" + text + "\"");
+        }
+    }
+};
+
+template <>
+struct PackedForm<Individual> : PackedMembers<Individual, &Individual::genome, &Individual::fitness> {};
+
 /// Carries a sample of the record from the host, or marks the end of the record.
 struct HostMessage : SizedMessage {
     bool end = false;
@@ -40,6 +80,11 @@ struct HostMessage : SizedMessage {
     bool operator==(const HostMessage& other) const {
         return bytes == other.bytes && end == other.end && sample == other.sample;
     }
+};
+
+template <>
+struct PackedForm<HostMessage>
+    : PackedMembers<HostMessage, &HostMessage::bytes, &HostMessage::end, &HostMessage::sample, &HostMessage::read_at> {
 };
 
 /// For programs in a transputer's own code a sample is `INT::[]REAL64`: its values, and zeros up to the length of the
@@ -84,6 +129,11 @@ struct Task : SizedMessage {
     std::size_t tasks_under_way = 1; ///< largest number of unanswered tasks of the addressed slave
 };
 
+template <>
+struct PackedForm<Task> : PackedMembers<Task, &Task::bytes, &Task::kind, &Task::slave, &Task::master, &Task::address,
+                                        &Task::share, &Task::strings, &Task::window, &Task::bias, &Task::coding,
+                                        &Task::results_in_order, &Task::tasks_under_way> {};
+
 /// Answers a task with the result of evaluate_share().
 struct Fitnesses : SizedMessage {
     bool end = false;                  ///< true in the answer to Task::Kind::end
@@ -92,6 +142,11 @@ struct Fitnesses : SizedMessage {
     Share share;
     std::vector<double> terms;
 };
+
+template <>
+struct PackedForm<Fitnesses>
+    : PackedMembers<Fitnesses, &Fitnesses::bytes, &Fitnesses::end, &Fitnesses::slave, &Fitnesses::master,
+                    &Fitnesses::hops, &Fitnesses::share, &Fitnesses::terms> {};
 
 /// A message between two processes of one processor. They share the processor's memory, so only the address of the
 /// message is passed.
@@ -108,6 +163,10 @@ struct Emigrants : SizedMessage {
     std::vector<Individual> individuals;
 };
 
+template <>
+struct PackedForm<Emigrants>
+    : PackedMembers<Emigrants, &Emigrants::bytes, &Emigrants::end, &Emigrants::generation, &Emigrants::individuals> {};
+
 /// Carries the best individual of a search. A search sends it to the host after the generations of each sample, an
 /// island to the analyst at each exchange.
 struct EstimateMessage : SizedMessage {
@@ -116,6 +175,11 @@ struct EstimateMessage : SizedMessage {
     std::size_t samples = 0; ///< number of samples that the search has received so far
     Individual best;
 };
+
+template <>
+struct PackedForm<EstimateMessage>
+    : PackedMembers<EstimateMessage, &EstimateMessage::bytes, &EstimateMessage::end, &EstimateMessage::generation,
+                    &EstimateMessage::samples, &EstimateMessage::best> {};
 
 /// Carries the fittest estimate after a sample, from the host to the alarm.
 struct Finding : SizedMessage {
@@ -126,9 +190,16 @@ struct Finding : SizedMessage {
     std::vector<double> parameters; ///< decoded parameters of the estimate
 };
 
+template <>
+struct PackedForm<Finding> : PackedMembers<Finding, &Finding::bytes, &Finding::end, &Finding::sample, &Finding::read_at,
+                                           &Finding::sent_at, &Finding::parameters> {};
+
 /// Carries the bias point from the coarse search to the fine search, which searches around this point.
 struct BiasPoint : SizedMessage {
     Genome string; ///< a string of the problem, in natural binary
 };
+
+template <>
+struct PackedForm<BiasPoint> : PackedMembers<BiasPoint, &BiasPoint::bytes, &BiasPoint::string> {};
 
 } // namespace placedpar

@@ -12,6 +12,7 @@
 #include "runtime/executive.hpp"
 #include "runtime/fingerprint.hpp"
 #include "runtime/timer.hpp"
+#include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
@@ -33,8 +34,8 @@ class SearchProcess {
 public:
     /// `recoded`: `problem` if the process belongs to a pair; otherwise null.
     SearchProcess(ProcessEnvironment& environment, const SearchProblem& problem, RecodedProblem* recoded,
-                  SearchObserver* observer)
-        : environment_(environment), problem_(problem), observer_(observer),
+                  SearchObserver* observer, Checkpoints* checkpoints)
+        : environment_(environment), problem_(problem), observer_(observer), checkpoints_(checkpoints),
           settings_(read_search_settings(environment, problem)), workload_(read_workload(environment, problem)),
           from_host_(environment.input<HostMessage>("from_host")), to_host_(estimates_to("to_host")),
           to_analyst_(estimates_to("to_analyst")), farm_(make_farm(environment, problem, workload_)),
@@ -47,6 +48,8 @@ public:
             bias_point_.emplace(environment, *recoded, workload_);
         if (observer)
             search_.listen(told_to(*observer, environment.process(), problem, now));
+        if (const SearchCheckpoint* begin = checkpoints ? checkpoints->begin_of(environment.process()) : nullptr)
+            go_on_from(*begin);
     }
 
     void run() {
@@ -71,11 +74,12 @@ private:
                 continue;
             auto samples = window_.samples();
             farm_.measure(std::make_shared<const std::vector<Sample>>(samples.begin(), samples.end()));
-            bool full = samples.size() == settings_.window.length;
-            if (full && !std::exchange(timing_, true))
-                begin_timing();
+            const bool full = samples.size() == settings_.window.length;
             for (std::size_t trial = 0; trial < settings_.window.trials; ++trial)
-                run_generation();
+                if (to_pass_over_ > 0)
+                    --to_pass_over_;
+                else
+                    run_generation(full);
             if (to_host_)
                 to_host_.output(estimate());
         }
@@ -94,7 +98,19 @@ private:
         rate_.start();
     }
 
-    void run_generation() {
+    void go_on_from(const SearchCheckpoint& checkpoint) {
+        to_pass_over_ = checkpoint.search.generation;
+        search_.go_on_from(checkpoint.search);
+        if (!search_.is_valid(checkpoint.best))
+            throw UserError("the best individual of the checkpoint is no string of this search");
+        populations_ = Fingerprint(checkpoint.populations);
+        best_ = checkpoint.best;
+        values_of_best_ = problem_.decode(best_->genome);
+    }
+
+    void run_generation(bool full_window) {
+        if (full_window && !std::exchange(timing_, true))
+            begin_timing();
         execution_.start();
         if (bias_point_)
             bias_point_->before_generation();
@@ -117,6 +133,8 @@ private:
         execution_.stop();
         if (observer_)
             tell_migrations();
+        if (checkpoints_ && checkpoints_->is_due(search_.generation()))
+            checkpoints_->keep(environment_.process(), {search_.state(), populations_.value(), *best_});
     }
 
     /// Keeps the best individual and its decoded parameters. Decoding later would be wrong in a fine search, because
@@ -207,6 +225,7 @@ private:
     ProcessEnvironment& environment_;
     const SearchProblem& problem_;
     SearchObserver* observer_; ///< null: no observer
+    Checkpoints* checkpoints_; ///< null: the search begins anew, and hands over no state
     SearchSettings settings_;
     Workload workload_;
     Input<HostMessage> from_host_;
@@ -217,7 +236,8 @@ private:
     std::optional<IslandExchange> exchange_;
     std::optional<BiasPointEnd> bias_point_; ///< only if the process belongs to a pair
 
-    std::size_t samples_ = 0; ///< number of samples received
+    std::size_t samples_ = 0;        ///< number of samples received
+    std::uint64_t to_pass_over_ = 0; ///< generations that an earlier run has made
     SlidingWindow window_;
     Search search_;
     std::optional<Individual> best_; ///< fittest individual of all generations; used only for an objective
@@ -231,7 +251,8 @@ private:
     Stopwatch execution_, operators_, rehearsal_, rate_;
 };
 
-void run_search(ProcessEnvironment& environment, const ProblemRegistry& problems, SearchObserver* observer) {
+void run_search(ProcessEnvironment& environment, const ProblemRegistry& problems, SearchObserver* observer,
+                Checkpoints* checkpoints) {
     const RecordedProblem& recorded = problems.find(environment.text("problem"));
     const ProcessInstance& process = environment.network().processes[environment.index()];
     std::shared_ptr<RecodedProblem> recoded;
@@ -242,14 +263,15 @@ void run_search(ProcessEnvironment& environment, const ProblemRegistry& problems
         problem = recorded.problem()->coded(read_coding(environment));
     if (!problem->objective())
         read_search_settings(environment, *problem).window.validate_for(recorded.samples());
-    SearchProcess(environment, *problem, recoded.get(), observer).run();
+    SearchProcess(environment, *problem, recoded.get(), observer, checkpoints).run();
 }
 
 } // namespace
 
-ProcessKind searching(ProcessKind described, const ProblemRegistry& problems, SearchObserver* observer) {
-    described.body = [&problems, observer](ProcessEnvironment& environment) {
-        run_search(environment, problems, observer);
+ProcessKind searching(ProcessKind described, const ProblemRegistry& problems, SearchObserver* observer,
+                      Checkpoints* checkpoints) {
+    described.body = [&problems, observer, checkpoints](ProcessEnvironment& environment) {
+        run_search(environment, problems, observer, checkpoints);
     };
     described.is_determinate = always;
     described.check = [&problems](const Network& network, std::size_t process) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gaprocs/checkpoints.hpp"
 #include "gaprocs/problem_registry.hpp"
 #include "gaprocs/search_observer.hpp"
 #include "netlist/kinds/process_kind.hpp"
@@ -9,7 +10,9 @@ namespace placedpar {
 /// Returns `described` with the body and the check of a search. All processes with a population have this body: the
 /// traditional algorithm, the master of algorithm A, the island of algorithm B, and the searches of a pair. The kind
 /// and the connected ports decide what the process does. Reports every generation to the observer, unless it is null.
-/// REQUIRES: `problems` and the observer outlive every run.
-ProcessKind searching(ProcessKind described, const ProblemRegistry& problems, SearchObserver* observer);
+/// Goes on from the checkpoints and hands over new ones, unless they are null. REQUIRES: `problems`, the observer and
+/// the checkpoints outlive every run.
+ProcessKind searching(ProcessKind described, const ProblemRegistry& problems, SearchObserver* observer,
+                      Checkpoints* checkpoints = nullptr);
 
 } // namespace placedpar

@@ -5,14 +5,14 @@
 
 namespace placedpar {
 
-ProcessKind traditional_kind(const ProblemRegistry& problems, SearchObserver* observer) {
+ProcessKind traditional_kind(const ProblemRegistry& problems, SearchObserver* observer, Checkpoints* checkpoints) {
     using namespace search_description;
     return searching({.name = "ga.traditional",
                       .about = "The traditional genetic algorithm: one population, on one processor.",
                       .ports = {from_host(), to_host()},
                       .parameters = search_parameters(),
                       .measurements = search_measurements()},
-                     problems, observer);
+                     problems, observer, checkpoints);
 }
 
 } // namespace placedpar

@@ -134,7 +134,8 @@ struct DraftConnectionPlacement {
 
 struct Draft {
     std::vector<Node> nodes;
-    std::vector<int> links; ///< number of links of each node
+    std::vector<int> links;                ///< number of links of each node
+    std::map<std::size_t, Location> ranks; ///< places of statements such as `t[1] (rank = 0);`, by node
     std::vector<DraftConnection> connections;
     std::vector<DraftEdgeChannel> edge_channels;
     std::vector<DraftProcess> processes;

@@ -1,5 +1,6 @@
 #include "netlist/elaborate/attribute_value.hpp"
 #include "netlist/elaborate/attributes.hpp"
+#include "netlist/kinds/description.hpp"
 #include "text/counted.hpp"
 #include "text/nearest.hpp"
 
@@ -34,6 +35,8 @@ NodeType with_attributes_of(NodeType type, const Node& untyped) {
     type.preset.given.insert(untyped.given.begin(), untyped.given.end());
     for (const auto& [name, value] : untyped.other)
         type.preset.other[name] = value;
+    if (untyped.rank)
+        type.preset.rank = untyped.rank;
     return type;
 }
 
@@ -56,8 +59,18 @@ void check_type(const NodeType& type, const AttributeValue& value) {
         value.illegal(fmt::format("\"{}\"", name), fmt::format("the type is already {}", type.preset.type));
 }
 
+constexpr const char* rank_attribute = "rank";
+
+AttributeDescription rank_description() {
+    return {.value = description::integer(rank_attribute, {.least = 0, .most = 999'999}, "thread or MPI rank")};
+}
+
+bool can_have_rank(const DeviceKind& kind) { return kind.executes != Execution::none; }
+
 std::vector<std::string> attribute_names(const DeviceKind& kind) {
     std::vector<std::string> names{"type"};
+    if (can_have_rank(kind))
+        names.push_back(rank_attribute);
     for (const auto& attribute : kind.attributes)
         names.push_back(attribute.value.name);
     names.insert(names.end(), kind.kept.begin(), kind.kept.end());
@@ -80,7 +93,8 @@ void apply_attribute(NodeType& type, const Setting& setting, Reporter& reporter)
 } // namespace
 
 bool has_node_attribute(const Node& node, const std::string& name) {
-    return node.kind->attribute(name) != nullptr || names_attribute(node.kind->kept, name);
+    return node.kind->attribute(name) != nullptr || names_attribute(node.kind->kept, name) ||
+           (name == rank_attribute && can_have_rank(*node.kind));
 }
 
 void apply_node_attribute(Node& node, const Setting& setting, Reporter& reporter) {
@@ -88,7 +102,9 @@ void apply_node_attribute(Node& node, const Setting& setting, Reporter& reporter
     if (const auto* attribute = node.kind->attribute(setting.name)) {
         node.attributes[setting.name] = value.as(*attribute);
         node.given.insert(setting.name);
-    } else
+    } else if (setting.name == rank_attribute)
+        node.rank = static_cast<std::size_t>(std::get<std::int64_t>(value.as(rank_description())));
+    else
         node.other[setting.name] = value.any();
 }
 

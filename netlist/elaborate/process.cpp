@@ -118,6 +118,22 @@ void Elaborator::set_connections(const Elements& range, const std::vector<Settin
     }
 }
 
+/// Only the rank can be given after a declaration, because it differs among the elements of an array.
+void Elaborator::set_nodes(const Elements& range, const std::vector<Setting>& settings) {
+    for (std::size_t i = range.first; i < range.first + range.count; ++i)
+        for (const Setting& setting : settings) {
+            Node& node = draft_.nodes[i];
+            if (setting.name != "rank" || !has_node_attribute(node, setting.name))
+                refuse(setting.at,
+                       fmt::format("the attribute \"{}\" cannot be given after the declaration of \"{}\"", setting.name,
+                                   node.name),
+                       "only its rank can: write other attributes into the declaration");
+            if (auto [known, is_new] = draft_.ranks.emplace(i, setting.at); !is_new)
+                refuse_given_twice(reporter_, setting, "attribute", node.name, known->second);
+            apply_node_attribute(node, setting, reporter_);
+        }
+}
+
 /// Adds one shared copy of the settings to each process of the range. Parameters::take_once() finds duplicates later.
 void Elaborator::set_processes(const Elements& range, const std::vector<Setting>& settings, const Location& at) {
     auto is_attribute = [](const Setting& setting) { return is_process_attribute(setting.name); };
@@ -141,6 +157,8 @@ void Elaborator::perform(const ParameterSetting& form, const Location&) {
     auto settings = evaluate_attributes(evaluator_, reporter_, form.values);
     if (found.category == Category::connection)
         return set_connections(range, settings);
+    if (found.category == Category::node)
+        return set_nodes(range, settings);
     if (found.category != Category::process)
         refuse(form.process.at,
                fmt::format("\"{}\" is neither a process nor a connection: write its attributes in its declaration",

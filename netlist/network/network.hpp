@@ -60,6 +60,7 @@ struct Node {
     /// The program that is in the memory when the run begins: all processes of the node that are code, in one. Null if
     /// the node has none.
     std::shared_ptr<const transputer::Image> image = nullptr;
+    std::optional<std::size_t> rank = {}; ///< the thread or MPI rank of its processes in a native run; empty: any
 
     /// REQUIRES: the kind has an integer attribute of this name; throws std::logic_error otherwise.
     std::int64_t integer(std::string_view attribute) const;

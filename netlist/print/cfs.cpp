@@ -138,6 +138,9 @@ private:
             auto attributes = print_attributes(node);
             line("{} {}{}{};", node.type, print_list(attributes), attributes.empty() ? "" : " ", range.declarator);
         }
+        for (const Node& node : n_.nodes)
+            if (node.rank)
+                line("{} (rank = {});", node.name, *node.rank);
     }
 
     /// Returns whether the node can stay undeclared as the toolset's predefined edge "host". This edge is declared at

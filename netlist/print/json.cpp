@@ -38,6 +38,8 @@ json::object to_json(const Node& node) {
         object[attribute.json_name] = to_json(node.attributes.at(attribute.value.name));
     if (!node.other.empty())
         object["other"] = to_json(node.other);
+    if (node.rank)
+        object["rank"] = *node.rank;
     if (node.runs_own_code)
         object["executes_own_code"] = true;
     if (!node.boot_file.empty()) {

@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import pathlib
+import resource
 import signal
 import subprocess
 import tempfile
@@ -23,22 +24,22 @@ SEARCHES = {
 THREADS = (1, 2, 3, 5)
 
 
-def generations(netlist, *arguments):
-    """Returns the rows of the log, without their times."""
+def generations(netlist, *arguments, program=placedpar):
+    """Returns the rows of the log, without their times. `program` runs placedpar."""
     with tempfile.TemporaryDirectory() as folder:
         log = pathlib.Path(folder, "log.csv")
-        run = placedpar("run", netlist, "--log", log, *arguments)
+        run = program("run", netlist, "--log", log, *arguments)
         if run.returncode != 0:
             raise AssertionError(run.stdout + run.stderr)
         return [{**row, "time_ms": ""} for row in csv.DictReader(io.StringIO(log.read_text(encoding="utf-8")))]
 
 
-def results(netlist, *arguments):
+def results(netlist, *arguments, program=placedpar):
     """Returns how the run ended, and what its processes measured that does not depend on times. Who gets a task of the
     farm does, and how many packets a buffer holds; so tasks are added up."""
     with tempfile.TemporaryDirectory() as folder:
         report = pathlib.Path(folder, "report.json")
-        placedpar("run", netlist, "--json", report, *arguments)
+        program("run", netlist, "--json", report, *arguments)
         found = json.loads(report.read_text(encoding="utf-8"))
     timed = {"s", "ms", "us", "ns", "Kbyte/s", "1/s", "%"}
     lasting = [each for each in found["measurements"]
@@ -46,6 +47,11 @@ def results(netlist, *arguments):
     last = {each["value"] for each in found["measurements"] if each["name"] == "last_number"}
     return (found["outcome"], lasting, sum(each["value"] for each in found["measurements"] if each["name"] == "tasks"),
             last if netlist.parent.name != "farm" else set())
+
+
+def classics():
+    """Returns the netlists of pure CSP."""
+    return [each for each in sorted(EXAMPLES.glob("csp/*/*.cfs")) if "own-process" not in str(each)]
 
 
 class Generations(unittest.TestCase):
@@ -61,13 +67,55 @@ class Generations(unittest.TestCase):
 
 class Results(unittest.TestCase):
     def test_of_every_classic_are_those_of_the_simulated_run(self):
-        netlists = [each for each in sorted(EXAMPLES.glob("csp/*/*.cfs")) if "own-process" not in str(each)]
+        netlists = classics()
         self.assertGreater(len(netlists), 5)
         for netlist in netlists:
             simulated = results(netlist)
             for threads in THREADS:
                 with self.subTest(netlist=netlist, threads=threads):
                     self.assertEqual(results(netlist, "--native", "--threads", threads), simulated)
+
+
+FARM = EXAMPLES / "genetic/farms/farm.cfs"
+
+
+def threads_of_processes(*arguments):
+    """Returns the thread on which each process of the farm ran."""
+    with tempfile.TemporaryDirectory() as folder:
+        report = pathlib.Path(folder, "report.json")
+        run = placedpar("run", FARM, "--native", "--threads", 2, "--json", report, *arguments)
+        if run.returncode != 0:
+            raise AssertionError(run.stdout + run.stderr)
+        return {each["name"]: each["on"]
+                for each in json.loads(report.read_text(encoding="utf-8"))["processes"]}
+
+
+class Placement(unittest.TestCase):
+    def test_is_in_turn_or_by_the_loads_of_a_simulated_run(self):
+        in_turn = threads_of_processes()
+        self.assertEqual(in_turn, threads_of_processes("--map", "modulo"))
+        self.assertEqual([in_turn[f"slave[{i}]"] for i in range(3)], ["thread 1", "thread 0", "thread 1"])
+        # The simulated master is busy for 98 % of the time, each slave for 58 %: 98 + 58 or 3 * 58 on a thread.
+        by_load = threads_of_processes("--map", "balance", "--set", "slaves=4", "--set", "links=3")
+        self.assertEqual(by_load["master"], "thread 0")
+        self.assertEqual(sorted(by_load[f"slave[{i}]"] for i in range(4)), ["thread 0"] + 3 * ["thread 1"])
+
+    def test_follows_ranks_and_keeps_the_generations(self):
+        by_rank = threads_of_processes("--map", "balance", "--set", "t[1].rank=1", "--set", "t[2].rank=1",
+                                       "--set", "t[3].rank=1")
+        self.assertEqual({by_rank[f"slave[{i}]"] for i in range(3)}, {"thread 1"})
+        self.assertEqual(by_rank["master"], "thread 0")
+        simulated = generations(FARM)
+        self.assertEqual(generations(FARM, "--set", "rank=7"), simulated)
+        self.assertEqual(generations(FARM, "--native", "--threads", 3, "--map", "balance"), simulated)
+
+    def test_refuses_a_rank_without_a_thread(self):
+        run = placedpar("run", FARM, "--native", "--threads", 2, "--set", "t[1].rank=2")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn('farm.cfs:19:', run.stderr)
+        self.assertIn('"t[1]" has rank = 2, but the run has 2 threads', run.stderr)
+        run = placedpar("run", FARM, "--map", "balance")
+        self.assertEqual((run.returncode, "--map is for native runs: give --native" in run.stderr), (1, True))
 
 
 class Endings(unittest.TestCase):
@@ -88,14 +136,28 @@ class Endings(unittest.TestCase):
         self.assertEqual(run.returncode, 130)
         self.assertIn("interrupted", out)
 
+    def test_a_thread_that_cannot_be_started_ends_the_run(self):
+        def few_threads():
+            resource.setrlimit(resource.RLIMIT_AS, (2 << 30, 2 << 30))  # 2 Gbyte have no room for the stacks of 400
+            resource.setrlimit(resource.RLIMIT_STACK, (8 << 20, 8 << 20))
+        run = subprocess.run([PROGRAM, "run", EXAMPLES / "csp/deadlock/ring.cfs", "--native", "--set", "n=400",
+                              "--threads", "400"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                             preexec_fn=few_threads, timeout=60, check=False)
+        self.assertEqual(run.returncode, 1)
+        self.assertRegex(run.stderr, r"thread \d+ of 400 cannot be started: .*: give a smaller number of --threads")
+
     def test_what_only_simulated_runs_have_is_refused(self):
         netlist = EXAMPLES / "csp/deadlock/ring.cfs"
         for option in (["--until", "1ms"], ["--seeds", "2"], ["--shuffle", "1"], ["--trace", "t.json"]):
             run = placedpar("run", netlist, "--native", *option)
             self.assertEqual(run.returncode, 1, option)
             self.assertIn(f"{option[0]}: only simulated runs have this option", run.stderr)
-        run = placedpar("run", netlist, "--threads", 2)
-        self.assertEqual((run.returncode, "give --native" in run.stderr), (1, True))
+        for option in (["--threads", 2], ["--pace", 1]):
+            run = placedpar("run", netlist, *option)
+            self.assertEqual((run.returncode, f"{option[0]} is for native runs: give --native" in run.stderr), (1, True))
+        for pace in ("0", "-1", "nan", "1e9", "fast"):
+            run = placedpar("run", netlist, "--native", "--pace", pace)
+            self.assertEqual((run.returncode, "is not a number from 1e-06 to 1000000" in run.stderr), (1, True), pace)
         run = placedpar("run", EXAMPLES / "occam/network/table.cfs", "--native")
         self.assertEqual((run.returncode, "executes the code of a transputer" in run.stderr), (1, True))
 

@@ -218,3 +218,32 @@ TEST_CASE("a wrong number of fitness values, an infinite fitness and a longer im
     CHECK_THROWS_WITH_AS(search.accept({&longer, 1}, fitness),
                          "an immigrant has 5 bits, but the island's strings have 4 bits", std::invalid_argument);
 }
+
+TEST_CASE("a search goes on from a state as if it had not been interrupted") {
+    for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+        Search whole(40, small(10), RandomStream(seed, "search"));
+        for (std::size_t generation = 0; generation < 7; ++generation)
+            whole.next_generation(fitness_of(texts_of(whole)));
+        Search second(40, small(10), RandomStream(seed, "search"));
+        second.go_on_from(whole.state());
+        CHECK(second.best() == whole.best());
+        for (std::size_t generation = 7; generation < 20; ++generation) {
+            whole.next_generation(fitness_of(texts_of(whole)));
+            second.next_generation(fitness_of(texts_of(second)));
+            REQUIRE(texts_of(second) == texts_of(whole));
+        }
+        CHECK(second.state() == whole.state());
+    }
+}
+
+TEST_CASE("a state of another search is refused") {
+    Search search(40, small(10), RandomStream(1, "search"));
+    const SearchState good = search.state();
+    SearchState fewer = good, longer = good, endless = good;
+    fewer.population.pop_back();
+    longer.population.front() = Genome(41);
+    endless.best = Individual{Genome(40), std::numeric_limits<double>::infinity()};
+    for (const SearchState& bad : {fewer, longer, endless})
+        CHECK_THROWS_AS(search.go_on_from(bad), UserError);
+    CHECK(search.state() == good);
+}

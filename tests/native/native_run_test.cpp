@@ -286,6 +286,95 @@ TEST_CASE("an output to another thread is given up after a time-out, and may be 
     CHECK(report.measured("p[0]", "given up") >= 1);
 }
 
+/// Runs two processes that compute for 400,000 cycles of 20 MHz, 20 ms, each on a processor of its own or on one.
+RunReport run_paced(double pace, std::size_t threads, const std::string& where) {
+    const auto slow = kind_of("slow", [](ProcessEnvironment& environment) {
+        for (int i = 0; i < 4; ++i)
+            compute(Cycles{100'000});
+        environment.measure("s", std::chrono::duration<double>(now()).count());
+    });
+    const Catalogue catalogue = kinds_with({slow});
+    NativeSettings settings;
+    settings.threads = threads;
+    settings.pace = pace;
+    settings.make_catalogue = [&] { return std::make_shared<const Catalogue>(kinds_with({slow})); };
+    return run_natively(network_of(fmt::format("T800 t[2]; connect t[0].link[0] to t[1].link[0]; process p[2];"
+                                               "use \"slow\" for p[0]; use \"slow\" for p[1]; {}",
+                                               where),
+                                   catalogue),
+                        settings);
+}
+
+TEST_CASE("a paced computation takes its time on the processor, also beside others on the same thread") {
+    const std::string apart = "place p[0] on t[0]; place p[1] on t[1];";
+    const std::string together = "place p[0] on t[0]; place p[1] on t[0];";
+    for (const std::size_t threads : {1U, 2U}) {
+        const Time both = run_paced(0.25, threads, apart).result.time;
+        CHECK(both >= Time(80ms));
+        CHECK(both < Time(140ms)); // 80 ms each at the same time, also on one thread
+        CHECK(run_paced(1, threads, apart).result.time >= Time(20ms));
+    }
+    const RunReport in_turn = run_paced(0.25, 1, together);
+    CHECK(in_turn.result.time >= Time(160ms)); // a processor executes one process at a time
+    CHECK(in_turn.measured("p[0]", "s") < 0.14);
+    CHECK(run_paced(0, 1, together).result.time < Time(15ms));
+}
+
+TEST_CASE("a message that an ALT on another thread has chosen cannot be given up any more") {
+    // The ALT ends after a cycle, 50 us at this pace, and then inputs. Meanwhile the outputter would often give up.
+    constexpr int rounds = 300;
+    const auto hasty = kind_of("hasty", [](ProcessEnvironment& environment) {
+        const auto in = environment.input<int>("in");
+        const auto out = environment.output<int>("out");
+        int passed = 0;
+        for (int i = 0; i < rounds; ++i)
+            if (environment.index() == 1) {
+                alt(on(in, [&](int) { ++passed; }), after(now() + 200us, [] {}));
+                out.output(i);
+            } else {
+                if (output_or_fail(out, i, now() + std::chrono::microseconds(10 * (i % 20))))
+                    ++passed;
+                else
+                    reset(out);
+                CHECK(in.input() == i);
+            }
+        environment.measure("passed", passed);
+    });
+    const Catalogue catalogue = kinds_with({hasty});
+    NativeSettings settings;
+    settings.threads = 2;
+    settings.pace = 0.001;
+    settings.make_catalogue = [&] { return std::make_shared<const Catalogue>(kinds_with({hasty})); };
+    const RunReport report = run_natively(network_of(ring(2, "hasty"), catalogue), settings);
+    REQUIRE(report.result.ending == Ending::completed); // else the ALT's input waits for another message
+    CHECK(report.measured("p[0]", "passed") == report.measured("p[1]", "passed"));
+}
+
+TEST_CASE("processes on different processors of a paced thread communicate, and a deadlock is found") {
+    const auto relay = kind_of("relay", [](ProcessEnvironment& environment) {
+        const auto in = environment.input<int>("in");
+        const auto out = environment.output<int>("out");
+        for (int i = 0; i < 20; ++i) {
+            compute(Cycles{1000});
+            par([&] { out.output(i); }, [&] { alt(on(in, [](int) {})); });
+        }
+        if (environment.index() == 0)
+            out.output(0);
+    });
+    const Catalogue catalogue = kinds_with({relay});
+    for (const std::size_t threads : {1U, 2U, 3U}) {
+        NativeSettings settings;
+        settings.threads = threads;
+        settings.pace = 10;
+        settings.make_catalogue = [&] { return std::make_shared<const Catalogue>(kinds_with({relay})); };
+        const RunReport report = run_natively(network_of(ring(3, "relay"), catalogue), settings);
+        CHECK(report.result.ending == Ending::stuck);
+        CHECK(report.result.time >= Time(100us));
+        REQUIRE(report.result.deadlock);
+        CHECK(report.result.deadlock->processes.size() == 1);
+    }
+}
+
 TEST_CASE("faults are refused") {
     CHECK_THROWS_WITH_AS(run_on(1, ring(2, "csp.identity") + "fault t[0] halts (from = 1ms);"),
                          doctest::Contains("a native run has no faults"), UserError);

@@ -67,3 +67,25 @@ TEST_CASE("below(n) is uniform over 0 ... n - 1") {
         chi_squared += (count - throws / 6.0) * (count - throws / 6.0) / (throws / 6.0);
     CHECK(chi_squared < 20.5); // 5 degrees of freedom, 99.9 %
 }
+
+TEST_CASE("a stream can go to any of its numbers") {
+    RandomStream whole(3, "path");
+    std::vector<RandomStream::result_type> numbers(1000);
+    whole.fill(numbers);
+    CHECK(whole.drawn() == numbers.size());
+    for (const std::uint64_t drawn : {0, 1, 3, 4, 63, 64, 65, 127, 500, 999}) {
+        RandomStream stream(3, "path");
+        stream();
+        stream.go_to(drawn);
+        CHECK(stream.drawn() == drawn);
+        CHECK(stream() == numbers[drawn]);
+        CHECK(stream.drawn() == drawn + 1);
+    }
+    RandomStream far(3, "path"), farther(3, "path"); // beyond 2^32 blocks
+    far.go_to(0x4'0000'0003u);
+    farther.go_to(0x4'0000'0000u);
+    std::array<RandomStream::result_type, 4> block;
+    farther.fill(block);
+    CHECK(far() == block[3]);
+    CHECK(farther.drawn() == 0x4'0000'0004u);
+}

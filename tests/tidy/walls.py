@@ -11,6 +11,7 @@ import re
 BELOW = {
     "text": [],
     "store": ["text"],
+    "ranks": ["text"],
     "runtime": [],
     "runtime/hardware": ["runtime"],
     "runtime/transputer": ["runtime/hardware"],
@@ -22,7 +23,7 @@ BELOW = {
     "netlist/complete": ["netlist/elaborate"],
     "netlist/print": ["netlist/kinds"],
     "netlist": ["netlist/complete", "netlist/print"],
-    "native": ["netlist"],
+    "native": ["netlist", "ranks"],
     "occam/language": ["text"],
     "occam/check": ["occam/language"],
     "occam/code": ["occam/check", "runtime/transputer"],
@@ -56,7 +57,7 @@ BELOW = {
     "explore/generate": ["netlist"],
     "explore": ["classics", "identification", "occam", "problems", "report"],
     "explore/explain": ["explore", "observe/critical_path"],
-    "explore/study": ["explore", "store"],
+    "explore/study": ["explore", "ranks", "store"],
     "explore/optimise": ["explore/explain", "explore/study"],
     "experiments/kit": ["explore/study"],
     "experiments/chapter_2": ["experiments/kit"],
@@ -76,7 +77,7 @@ BELOW = {
     "app/options": ["app", "native"],
     "app/exercise": ["app"],
     "app/identify": ["app/options", "identification/report"],
-    "app/mpi": ["explore/study"],
+    "app/mpi": ["ranks"],
     "app/commands": ["app/exercise", "app/generation", "app/identify", "app/record", "experiments/kit", "explore/generate", "explore/optimise", "monitor/service"],
 }
 ROOMS = sorted({folder.split("/")[0] for folder in BELOW})

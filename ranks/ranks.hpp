@@ -1,11 +1,14 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 namespace placedpar {
+
+class RankMail; // ranks/rank_mail.hpp
 
 /// The ranks of an MPI program: mpirun starts copies of this program, on one machine or many, and each has a number,
 /// its rank. Ranks send each other texts. The texts from one rank to another arrive in the order in which they were
@@ -26,6 +29,9 @@ public:
     virtual void send(int to, const std::string& text) = 0;
     /// Returns the next message that has arrived; nothing if there is none.
     virtual std::optional<Message> receive() = 0;
+    /// Opens a mail, for messages that must be fast. All ranks call this function, equally often and in the same order.
+    /// REQUIRES: the mail is closed before the ranks are destroyed.
+    virtual std::unique_ptr<RankMail> open_mail() = 0;
 };
 
 /// The pause between two checks for messages.
@@ -40,5 +46,11 @@ std::unique_ptr<Ranks> ranks_of_mpirun();
 /// Ends a command that several ranks cannot share. If there are several ranks, throws UserError in rank 0 and returns
 /// true in the other ranks, which must then end silently.
 bool left_to_rank_zero(const std::string& command);
+
+/// Prepares a common work in all ranks. `prepare` returns a digest of what the rank has prepared, which must be the
+/// same in all ranks. Returns true if all ranks have prepared the same. Otherwise returns false in the ranks above 0,
+/// which must then end silently. Rank 0 rethrows what its own `prepare` threw, or throws UserError with the number of
+/// the rank that failed or differs. REQUIRES: all ranks call this function.
+bool all_prepared(Ranks&, const std::function<std::string()>& prepare);
 
 } // namespace placedpar

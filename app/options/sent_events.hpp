@@ -1,0 +1,46 @@
+#pragma once
+
+#include "gaprocs/checkpoints.hpp"
+#include "gaprocs/search_observer.hpp"
+#include "runtime/byte_form.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace placedpar {
+
+/// Packs the events of searches and sends them away, to where tell_event() passes them to another observer.
+class SentEvents final : public SearchObserver {
+public:
+    explicit SentEvents(std::function<void(MessageBytes)> send) : send_(std::move(send)) {}
+    void observe(const ObservedGeneration&) override;
+    void observe(const ObservedMigration&) override;
+    void observe(const ObservedAnswer&) override;
+
+private:
+    std::function<void(MessageBytes)> send_;
+};
+
+/// Sends the states of searches away, to where tell_event() keeps them. The searches go on from other checkpoints.
+class SentCheckpoints final : public Checkpoints {
+public:
+    /// REQUIRES: `begun` outlives this object.
+    SentCheckpoints(const Checkpoints& begun, std::function<void(MessageBytes)> send)
+        : begun_(begun), send_(std::move(send)) {}
+    const SearchCheckpoint* begin_of(const std::string& search) const override { return begun_.begin_of(search); }
+    bool is_due(std::uint64_t generation) const override { return begun_.is_due(generation); }
+    void keep(const std::string& search, const SearchCheckpoint&) override;
+
+private:
+    const Checkpoints& begun_;
+    std::function<void(MessageBytes)> send_;
+};
+
+/// Passes what SentEvents or SentCheckpoints has packed to an observer or to the checkpoints. Throws NoMessage, and what
+/// these throw. REQUIRES: the observer is not null, nor are the checkpoints if other ranks keep states.
+void tell_event(std::span<const std::uint8_t> packed, SearchObserver*, Checkpoints*);
+
+} // namespace placedpar

@@ -1,0 +1,192 @@
+#include "explore/checkpoint_file.hpp"
+
+#include "gaprocs/processes/parameters.hpp"
+#include "netlist/network/network.hpp"
+#include "netlist/print/text.hpp"
+#include "report/manifest.hpp"
+#include "report/search_log.hpp"
+#include "text/output_file.hpp"
+#include "text/user_error.hpp"
+
+#include <boost/json.hpp>
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <exception>
+#include <fstream>
+#include <string_view>
+#include <utility>
+
+namespace placedpar {
+
+namespace {
+
+namespace json = boost::json;
+
+constexpr std::string_view checkpoint_format = "checkpoint 1"; ///< changes with the form of the file
+
+/// Numbers are kept by their bits, so that they come back exactly.
+json::object json_of(const Individual& individual) {
+    return {{"genome", individual.genome.to_string()},
+            {"fitness_bits", std::bit_cast<std::uint64_t>(individual.fitness)}};
+}
+
+Individual individual_from(const json::value& value) {
+    return {Genome::from_string(json::value_to<std::string>(value.at("genome"))),
+            std::bit_cast<double>(value.at("fitness_bits").to_number<std::uint64_t>())};
+}
+
+json::object json_of(const SearchCheckpoint& checkpoint) {
+    json::array population;
+    for (const Genome& genome : checkpoint.search.population)
+        population.emplace_back(genome.to_string());
+    return {{"redraws", checkpoint.search.redraws},
+            {"drawn", checkpoint.search.drawn},
+            {"populations", checkpoint.populations},
+            {"best", json_of(checkpoint.best)},
+            {"last_best", json_of(checkpoint.search.best.value())},
+            {"population", std::move(population)}};
+}
+
+SearchCheckpoint checkpoint_from(const json::value& value, std::uint64_t generation) {
+    SearchCheckpoint checkpoint;
+    checkpoint.search.generation = generation;
+    checkpoint.search.redraws = value.at("redraws").to_number<std::uint64_t>();
+    checkpoint.search.drawn = value.at("drawn").to_number<std::uint64_t>();
+    checkpoint.search.best = individual_from(value.at("last_best"));
+    for (const json::value& genome : value.at("population").as_array())
+        checkpoint.search.population.push_back(Genome::from_string(json::value_to<std::string>(genome)));
+    checkpoint.populations = value.at("populations").to_number<std::uint64_t>();
+    checkpoint.best = individual_from(value.at("best"));
+    return checkpoint;
+}
+
+/// Throws UserError if a checkpoint does not hold all that decides the results of the search.
+void require_kept_whole(const ProcessInstance& search) {
+    const auto refuse = [&](std::string_view why) {
+        throw UserError(fmt::format("{}: --checkpoint: {} {}, which no checkpoint holds", search.declared.text(),
+                                    search.name, why));
+    };
+    if (breeds_recoded(search))
+        refuse("belongs to a pair and has a bias point");
+    for (const PortBinding& each : search.ports)
+        if (each.port == "to_host" || each.port == "to_analyst")
+            refuse(fmt::format("sends estimates ({})", each.port));
+}
+
+/// Throws UserError naming a parameter that differs between the file and the network.
+void require_equal(const std::filesystem::path& path, const std::string& what, const std::string& in_file,
+                   const std::string& here) {
+    if (in_file != here)
+        throw UserError(fmt::format("{}: the checkpoint has {} {}, but this run has {}: give the file of another "
+                                    "checkpoint, or delete this one to begin anew",
+                                    path.string(), what, in_file, here));
+}
+
+} // namespace
+
+CheckpointFile::CheckpointFile(std::filesystem::path path, const Network& network, std::uint64_t seed,
+                               std::uint64_t every)
+    : path_(std::move(path)), seed_(seed), every_(every), searches_(describe(network)) {
+    require_searches(network);
+    if (path_ == "-" || (std::filesystem::exists(path_) && !std::filesystem::is_regular_file(path_)))
+        throw UserError(
+            fmt::format("--checkpoint {}: give the name of a file, which is replaced again and again", path_.string()));
+    require_writable(path_);
+    if (std::filesystem::exists(path_))
+        read();
+}
+
+/// Throws UserError for a file of another form.
+void CheckpointFile::read() {
+    try {
+        std::ifstream file(path_);
+        json::stream_parser parser;
+        for (std::array<char, 65536> piece; file;) {
+            file.read(piece.data(), piece.size());
+            parser.write(piece.data(), static_cast<std::size_t>(file.gcount()));
+        }
+        parser.finish();
+        take(parser.release());
+    } catch (const UserError&) {
+        throw;
+    } catch (const std::exception&) {
+        refuse_file("it has another form");
+    }
+}
+
+std::vector<CheckpointFile::Described> CheckpointFile::describe(const Network& network) {
+    std::vector<Described> all;
+    for (const ProcessInstance& process : network.processes) {
+        if (!searches(process))
+            continue;
+        require_kept_whole(process);
+        Described described{process.name, {}};
+        for (const char* name : {"problem", "coding", "population", "stream"})
+            if (const auto found = process.parameters.find(name); found != process.parameters.end())
+                described.parameters[name] = print_constant(found->second);
+        all.push_back(std::move(described));
+    }
+    return all;
+}
+
+const SearchCheckpoint* CheckpointFile::begin_of(const std::string& search) const {
+    const auto found = begin_states_.find(search);
+    return found == begin_states_.end() ? nullptr : &found->second;
+}
+
+void CheckpointFile::keep(const std::string& search, const SearchCheckpoint& checkpoint) {
+    const std::lock_guard lock(mutex_);
+    States& states = incomplete_[checkpoint.search.generation];
+    states[search] = checkpoint;
+    if (states.size() < searches_.size())
+        return;
+    write(states);
+    incomplete_.erase(incomplete_.begin(), incomplete_.upper_bound(checkpoint.search.generation));
+}
+
+void CheckpointFile::refuse_file(const std::string& why) const {
+    throw UserError(fmt::format(
+        "{}: this is not a checkpoint of a search ({}): give another file, or delete this one", path_.string(), why));
+}
+
+void CheckpointFile::require_same_run(const json::value& file) const {
+    require_equal(path_, "seed", fmt::format("{}", file.at("seed").to_number<std::uint64_t>()),
+                  fmt::format("{}", seed_));
+    const json::array& kept = file.at("searches").as_array();
+    require_equal(path_, "searches:", fmt::format("{}", kept.size()), fmt::format("{}", searches_.size()));
+    for (std::size_t i = 0; i < searches_.size(); ++i) {
+        const Described& here = searches_[i];
+        require_equal(path_, "a search named", json::value_to<std::string>(kept[i].at("name")), here.search);
+        for (const auto& [name, value] : here.parameters)
+            require_equal(path_, fmt::format("{}.{} =", here.search, name),
+                          json::value_to<std::string>(kept[i].at("parameters").at(name)), value);
+    }
+}
+
+void CheckpointFile::take(const json::value& file) {
+    if (json::value_to<std::string>(file.at("placedpar")) != checkpoint_format)
+        refuse_file("another version wrote it");
+    require_same_run(file);
+    begin_ = file.at("generation").to_number<std::uint64_t>();
+    for (const json::value& search : file.at("searches").as_array())
+        begin_states_[json::value_to<std::string>(search.at("name"))] = checkpoint_from(search, begin_);
+}
+
+void CheckpointFile::write(const States& states) const {
+    json::array kept;
+    for (const Described& each : searches_) {
+        json::object search = json_of(states.at(each.search));
+        search["name"] = each.search;
+        search["parameters"] = json::value_from(each.parameters);
+        kept.emplace_back(std::move(search));
+    }
+    const json::object file{{"placedpar", checkpoint_format},
+                            {"seed", seed_},
+                            {"generation", states.begin()->second.search.generation},
+                            {"searches", std::move(kept)}};
+    write_whole(path_, print_pretty(file));
+}
+
+} // namespace placedpar

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "gaprocs/checkpoints.hpp"
+
+#include <boost/json/fwd.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+struct Network; // netlist/network/network.hpp
+
+/// A file with the states of all searches of a run at one generation. The file is replaced as a whole, so it is never
+/// partly written. If searches end at different generations, the last generation that all have reached is kept.
+class CheckpointFile final : public Checkpoints {
+public:
+    /// Reads the file if it exists; the searches then go on from it. `every`: a state is kept after every so many
+    /// generations, at least 1.
+    ///
+    /// Throws UserError if a search of the network has results that no checkpoint holds (it sends estimates, or belongs
+    /// to a pair), or if no process searches. Throws UserError for a file that cannot be read or is not a checkpoint, and
+    /// for one of another seed or of searches with other names, problems, codings or numbers of individuals. Other
+    /// parameters may have changed: the searches go on with the new ones.
+    CheckpointFile(std::filesystem::path, const Network&, std::uint64_t seed, std::uint64_t every);
+
+    /// Returns the generation from which the searches go on; 0 if they begin anew.
+    std::uint64_t begin() const { return begin_; }
+
+    const SearchCheckpoint* begin_of(const std::string& search) const override;
+    bool is_due(std::uint64_t generation) const override { return generation % every_ == 0; }
+    /// Writes the file when all searches have handed over their states of a generation. Throws UserError if it cannot
+    /// be written.
+    void keep(const std::string& search, const SearchCheckpoint&) override;
+
+private:
+    using States = std::map<std::string, SearchCheckpoint>; ///< by name of search
+
+    /// What must not change between the two runs.
+    struct Described {
+        std::string search;
+        std::map<std::string, std::string> parameters;
+    };
+
+    static std::vector<Described> describe(const Network&);
+    [[noreturn]] void refuse_file(const std::string& why) const;
+    void read();
+    void take(const boost::json::value& file);
+    void require_same_run(const boost::json::value& file) const;
+    void write(const States&) const;
+
+    std::filesystem::path path_;
+    std::uint64_t seed_, every_;
+    std::vector<Described> searches_;
+    std::uint64_t begin_ = 0;
+    States begin_states_;
+    std::mutex mutex_;
+    std::map<std::uint64_t, States> incomplete_; ///< by generation
+};
+
+} // namespace placedpar

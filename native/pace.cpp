@@ -1,0 +1,77 @@
+#include "native/pace.hpp"
+
+#include "netlist/kinds/device_kind.hpp"
+#include "runtime/kernel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace placedpar::native {
+
+namespace {
+
+/// What a process repeats while it polls takes a cycle, so that other processes run.
+constexpr OperationCosts costs_of_polls{.timer_wait_past = Cycles{1}, .alternation_end = Cycles{1}};
+
+/// The end of a computation that is too long for a Time.
+constexpr Time last_moment = Time::max() - Time{1};
+
+/// Returns how long a cycle takes; zero if the processes of the node compute in no time.
+Time paced_cycle(const Network& network, std::size_t node, double pace) {
+    if (!executes_in_time(network, node) || !network.nodes[node].attributes.contains("clock"))
+        return {};
+    const double cycle = 1e12 / static_cast<double>(network.nodes[node].integer("clock")) / pace;
+    return clamped(static_cast<WideInteger>(std::ceil(std::min(cycle, 1e18))));
+}
+
+} // namespace
+
+Pace::Pace(Kernel& kernel, const Network& network, double pace) : Executive("paced", costs_of_polls), kernel_(kernel) {
+    for (const ProcessInstance& process : network.processes) {
+        const auto made = processors_.try_emplace(process.node, kernel, paced_cycle(network, process.node, pace)).first;
+        of_process_[process.name] = &made->second;
+    }
+}
+
+Pace::Processor& Pace::processor_of(const Process& process) { return *of_process_.at(process.outermost().name()); }
+
+bool Pace::begin_computing(Process& self, Cycles cycles, const CodeShape&) {
+    if (cycles < Cycles{0})
+        throw std::logic_error("process " + self.path() + " computes for a negative number of cycles");
+    Processor& processor = processor_of(self);
+    const Time takes = times(static_cast<std::int64_t>(cycles), processor.cycle);
+    if (takes == Time{})
+        return true;
+    processor.until = std::min(later(processor.until, takes), last_moment);
+    kernel_.future().schedule(processor, std::max(processor.until, kernel_.now()), EventQueue::turn);
+    return false;
+}
+
+void Pace::Processor::happen() noexcept { kernel.enqueue(*current); }
+
+void Pace::make_ready(Process& process) {
+    Processor& processor = processor_of(process);
+    processor.ready.push_back(process);
+    if (!processor.current)
+        processor.take_next();
+}
+
+void Pace::leave(Process& process, Process* successor) {
+    Processor& processor = processor_of(process);
+    processor.current = nullptr;
+    if (successor)
+        make_ready(*successor);
+    else
+        processor.take_next();
+}
+
+void Pace::Processor::take_next() {
+    current = ready.pop_front();
+    until = kernel.now();
+    if (current)
+        kernel.enqueue(*current);
+}
+
+} // namespace placedpar::native

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "netlist/network/network.hpp"
+#include "runtime/event.hpp"
+#include "runtime/executive.hpp"
+#include "runtime/process.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <unordered_map>
+
+namespace placedpar {
+class Kernel;
+} // namespace placedpar
+
+namespace placedpar::native {
+
+/// Executes the processes of one kernel of a native run at the pace of the netlist's processors: a computation takes
+/// its cycles by the clock of the process's processor, divided by the pace. The kernel waits for its end, so processes
+/// of other processors go on meanwhile. The computation itself is part of this time. If a process computes again and
+/// again without a wait, its delays do not add up.
+///
+/// A processor runs one process until the process waits; then it takes the next ready process. Channels, PAR, ALT and
+/// timers are not slowed down. All processors of a kernel are one executive, so that channels between them need no
+/// carrier.
+class Pace final : public Executive {
+public:
+    /// REQUIRES: pace > 0; the kernel outlives this object.
+    Pace(Kernel&, const Network&, double pace);
+
+    Time tick(Priority) const override { return std::chrono::microseconds{1}; }
+    bool begin_computing(Process&, Cycles, const CodeShape&) override;
+    void make_ready(Process&) override;
+    void leave(Process&, Process* successor) override;
+
+private:
+    struct Processor final : Event {
+        Processor(Kernel& run_by, Time of_a_cycle) : kernel(run_by), cycle(of_a_cycle) {}
+        void happen() noexcept override;
+        void take_next();
+        Kernel& kernel;
+        Time cycle; ///< zero if computations take no time
+        ProcessQueue ready{};
+        Process* current = nullptr;
+        Time until{}; ///< the time that the computations of `current` have taken since it got the processor end here
+    };
+    Processor& processor_of(const Process&);
+
+    Kernel& kernel_;
+    std::map<std::size_t, Processor> processors_;            ///< by node
+    std::unordered_map<std::string, Processor*> of_process_; ///< by the name of a process at the outermost level
+};
+
+} // namespace placedpar::native

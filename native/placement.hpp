@@ -1,0 +1,34 @@
+#pragma once
+
+#include "netlist/network/network.hpp"
+#include "runtime/time.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace placedpar::native {
+
+/// The threads or MPI ranks on which a network can be placed.
+struct Places {
+    std::size_t count = 1;         ///< at least 1
+    std::string noun = "thread";   ///< for messages
+    std::string how = "--threads"; ///< how a user states the count
+};
+
+/// Returns the number of places that can have processes: one for each node with processes, or more if the ranks of
+/// nodes are higher.
+std::size_t most_places(const Network&);
+
+/// Returns the place of each node; 0 for a node without processes. A node with the attribute `rank` is on this place.
+/// The others depend on the loads:
+///
+/// - Without loads, node i of those that have processes is on place i modulo the number of places.
+/// - With loads, one for each node, the heaviest node comes first, and each goes to the place with the least load so
+///   far (longest processing time first: R. L. Graham, Bounds on multiprocessing timing anomalies, SIAM Journal on
+///   Applied Mathematics 17, 1969). Among places of equal load, the one with the fewest nodes is taken, then the first.
+///
+/// Throws UserError if a node with processes has a rank that is not a place. REQUIRES: no load is negative.
+std::vector<std::size_t> place_nodes(const Network&, const Places&, const std::vector<Time>& loads = {});
+
+} // namespace placedpar::native

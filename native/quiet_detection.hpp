@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace placedpar::native {
+
+/// What a rank without anything to do tells about itself.
+struct QuietAnswer {
+    std::uint64_t sent = 0, received = 0; ///< numbers of messages that give a rank something to do
+    bool awaits_end = false;              ///< processes of the rank wait for the end of the work
+};
+
+/// Finds out when no rank has anything to do and no message is under way.
+///
+/// This is the method of four counters: F. Mattern, Algorithms for distributed termination detection, Distributed
+/// Computing 2 (1987), pages 161-175. Rank 0 asks all ranks in rounds. A rank answers when it has nothing to do. If the
+/// ranks had received as many messages in a round as they have sent in the next one, then all were quiet between the
+/// two rounds, and no message was under way.
+class QuietDetection {
+public:
+    explicit QuietDetection(std::size_t ranks) : answers_(ranks) {}
+
+    enum class Verdict {
+        unknown, ///< answers are missing
+        again,   ///< another round is needed
+        quiet,   ///< no rank has anything to do
+        over     ///< the same, and no process waits for that
+    };
+    /// Returns whether a round has begun, and answers are missing.
+    bool is_asking() const { return missing_ > 0; }
+    /// Begins a round. REQUIRES: !is_asking().
+    void ask() { missing_ = answers_.size(); }
+    /// REQUIRES: a round has begun, and the rank has not answered in it.
+    Verdict take(std::size_t rank, const QuietAnswer&);
+
+private:
+    Verdict compare();
+
+    std::vector<QuietAnswer> answers_;
+    std::size_t missing_ = 0;
+    std::optional<std::uint64_t> received_before_; ///< messages that were received, in the round before
+};
+
+} // namespace placedpar::native

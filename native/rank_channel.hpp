@@ -1,0 +1,93 @@
+#pragma once
+
+#include "native/rank_member.hpp"
+#include "runtime/carrier.hpp"
+#include "runtime/channel.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace placedpar::native {
+
+/// The outputter's end of a channel between two ranks, whose other end is a RankTaker.
+///
+/// 1. The outputter sends its message, and waits.
+/// 2. The inputter's end sends that a taker has come, as soon as it is certain that the next message is taken: before
+/// the message comes if a process has begun to input, else after it. So an ALT that does not take a message leaves it.
+/// 3. The communication ends for each process when it has sent its part and received that of the other.
+///
+/// So the communication is synchronous and each process sends one letter for it. A message too long for a letter is
+/// announced, and is sent as a parcel when it is input.
+class RankGiver final : public Carrier, public RankEnd {
+public:
+    /// Puts the channel on this carrier. REQUIRES: the channel is unused and has a packed form; all objects outlive the
+    /// run.
+    RankGiver(RankMember& member, AnyChannel& channel, std::size_t number, int to)
+        : member_(member), number_(number), to_(to) {
+        channel.put_on(*this);
+        member.set_end(number, *this);
+    }
+    void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
+    void input(AnyChannel&, const SourceLocation&) override {}
+    bool message_waits(const AnyChannel&) const override { return false; }
+    std::string why_not_given_up() const override;
+    void taker_came() override;
+
+private:
+    RankMember& member_;
+    std::size_t number_;
+    int to_;
+    bool is_awaited_ = false; ///< a taker has come before the message
+    Process* outputter_ = nullptr;
+    MessageBytes packed_;
+};
+
+/// The inputter's end of a channel between two ranks: see RankGiver.
+class RankTaker final : public Carrier, public RankEnd {
+public:
+    /// Puts the channel on this carrier. REQUIRES: as for RankGiver.
+    RankTaker(RankMember& member, AnyChannel& channel, std::size_t number, int from)
+        : member_(member), channel_(channel), number_(number), from_(from) {
+        channel.put_on(*this);
+        member.set_end(number, *this);
+    }
+    void output(AnyChannel&, const WireForm&, const SourceLocation&) override {}
+    void input(AnyChannel&, const SourceLocation&) override;
+    bool message_waits(const AnyChannel&) const override { return count_ > 0; }
+    std::string why_not_given_up() const override { return ""; }
+    bool give_up_input(AnyChannel&) override;
+    void message_came(std::span<const std::uint8_t>) override;
+    void parcel_announced(std::size_t bytes) override;
+    void parcel_came(MessageBytes) override;
+    void end() override;
+
+private:
+    /// A message that has not been taken.
+    struct Offer {
+        MessageBytes packed;
+        std::size_t bytes = 0; ///< length of a parcel
+        bool has_come = false; ///< `packed` is the message
+        bool is_asked = false; ///< the parcel is expected
+    };
+
+    void say_taker();
+    void add(bool has_come, std::span<const std::uint8_t> packed, std::size_t bytes);
+    void ask(Offer&);
+    void wake();
+    Offer& first() { return offers_[first_]; }
+
+    RankMember& member_;
+    AnyChannel& channel_;
+    std::size_t number_;
+    int from_;
+    std::array<Offer, 2> offers_; ///< the outputter goes on when it knows of the taker, so a second one may come early
+    std::size_t first_ = 0, count_ = 0;
+    bool taker_said_ = false; ///< the other end knows that the first message is taken
+    bool is_over_ = false;
+    Process* inputter_ = nullptr; ///< who waits
+};
+
+} // namespace placedpar::native

@@ -1,0 +1,258 @@
+#include "native/rank_member.hpp"
+
+#include "runtime/packed_form.hpp"
+#include "runtime/simulation.hpp"
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+namespace placedpar {
+
+template <>
+struct PackedForm<native::QuietAnswer>
+    : PackedMembers<native::QuietAnswer, &native::QuietAnswer::sent, &native::QuietAnswer::received,
+                    &native::QuietAnswer::awaits_end> {};
+
+} // namespace placedpar
+
+namespace placedpar::native {
+
+namespace {
+
+using Channel32 = std::uint32_t;
+constexpr int note_parcel = 0;
+int parcel_of(std::size_t channel) { return static_cast<int>(channel) + 1; }
+
+constexpr std::size_t letter_head = 1 + sizeof(Channel32);
+
+/// Sleeps for a part of the time that a rank has already waited, so that an idle rank uses hardly any of a core, and a
+/// short wait is not made much longer.
+void sleep_after(Time waited, Time at_most) {
+    constexpr Time shortest = std::chrono::microseconds(20), longest = std::chrono::milliseconds(1);
+    const Time pause = std::min(std::clamp(waited / 8, shortest, longest), at_most);
+    std::this_thread::sleep_for(std::chrono::ceil<std::chrono::nanoseconds>(pause));
+}
+
+} // namespace
+
+RankMember::RankMember(RankMail& mail, Simulation& simulation, std::size_t channels)
+    : mail_(mail), simulation_(simulation), ends_(channels), detection_(static_cast<std::size_t>(mail.count())) {
+    simulation.run_among(*this, static_cast<std::uint32_t>(mail.own()));
+}
+
+template <class... Parts>
+void RankMember::send(int to, Kind kind, const Parts&... parts) {
+    letter_.assign(1, static_cast<std::uint8_t>(kind));
+    (pack(parts, letter_), ...);
+    mail_.send(to, letter_);
+}
+
+/// Sends a letter that is counted, since it gives the other rank something to do.
+template <class... Parts>
+void RankMember::send_counted(int to, Kind kind, const Parts&... parts) {
+    ++sent_;
+    send(to, kind, parts...);
+}
+
+void RankMember::send_to_others(Kind kind) {
+    for (int rank = 0; rank < mail_.count(); ++rank)
+        if (rank != mail_.own())
+            is_counted(kind) ? send_counted(rank, kind) : send(rank, kind);
+}
+
+void RankMember::send_message(int to, std::size_t channel, std::span<const std::uint8_t> packed) {
+    if (letter_head + packed.size() > RankMail::longest_letter) {
+        send_counted(to, Kind::parcel, static_cast<Channel32>(channel), std::uint64_t{packed.size()});
+        return mail_.send_parcel(to, parcel_of(channel), {packed.begin(), packed.end()});
+    }
+    ++sent_;
+    letter_.assign(1, static_cast<std::uint8_t>(Kind::message));
+    pack(static_cast<Channel32>(channel), letter_);
+    letter_.insert(letter_.end(), packed.begin(), packed.end());
+    mail_.send(to, letter_);
+}
+
+void RankMember::send_taker(int to, std::size_t channel) {
+    send_counted(to, Kind::taker, static_cast<Channel32>(channel));
+}
+
+void RankMember::expect_parcel(int from, std::size_t channel, std::size_t bytes) {
+    mail_.expect_parcel(from, parcel_of(channel), bytes);
+}
+
+void RankMember::send_note(MessageBytes note) {
+    send(0, Kind::note, std::uint64_t{note.size()});
+    mail_.send_parcel(0, note_parcel, std::move(note));
+}
+
+void RankMember::interrupt() {
+    interrupted_ = true;
+    simulation_.interrupt();
+}
+
+void RankMember::stop_others() {
+    if (!std::exchange(others_stop_, true))
+        send_to_others(Kind::stop);
+}
+
+Time RankMember::now() const { return std::chrono::duration_cast<Time>(std::chrono::steady_clock::now() - begun_); }
+
+/// Handles a letter that concerns no process. Returns false for other letters.
+bool RankMember::handle_at_once(const RankLetter& letter) {
+    PackedReader from(letter.bytes);
+    switch (PackedForm<Kind>::read(from)) {
+    case Kind::message:
+    case Kind::parcel:
+    case Kind::taker: return false;
+    case Kind::quiet:
+        ++received_;
+        is_quiet_ = !is_stopped_;
+        break;
+    case Kind::over: is_over_ = true; break;
+    case Kind::question: is_asked_ = true; break;
+    case Kind::answer:
+        heed(detection_.take(static_cast<std::size_t>(letter.from), PackedForm<QuietAnswer>::read(from)));
+        break;
+    case Kind::stop:
+        ++received_;
+        others_stop_ = true;
+        interrupt();
+        break;
+    case Kind::note: mail_.expect_parcel(letter.from, note_parcel, PackedForm<std::uint64_t>::read(from)); break;
+    }
+    return true;
+}
+
+/// Receives letters and parcels up to the first that a process receives, which is held. Returns whether there is one.
+bool RankMember::fetch() {
+    while (!held_) {
+        std::optional<RankLetter> letter = mail_.receive();
+        if (!letter)
+            break;
+        if (!handle_at_once(*letter))
+            held_ = letter;
+    }
+    while (!held_parcel_) {
+        std::optional<RankParcel> parcel = mail_.receive_parcel();
+        if (!parcel)
+            break;
+        if (parcel->number == note_parcel)
+            receiver_(parcel->from, parcel->bytes);
+        else
+            held_parcel_ = std::move(parcel);
+    }
+    return held_ || held_parcel_;
+}
+
+/// Hands what is held to the end of its channel.
+void RankMember::handle_held() {
+    if (std::optional<RankParcel> parcel = std::exchange(held_parcel_, std::nullopt))
+        ends_[static_cast<std::size_t>(parcel->number - parcel_of(0))]->parcel_came(std::move(parcel->bytes));
+    const std::optional<RankLetter> letter = std::exchange(held_, std::nullopt);
+    if (!letter)
+        return;
+    ++received_;
+    PackedReader from(letter->bytes);
+    const Kind kind = PackedForm<Kind>::read(from);
+    RankEnd& end = *ends_[PackedForm<Channel32>::read(from)];
+    if (kind == Kind::message)
+        end.message_came(from.take(from.left()));
+    else if (kind == Kind::taker)
+        end.taker_came();
+    else
+        end.parcel_announced(PackedForm<std::uint64_t>::read(from));
+}
+
+void RankMember::take_arrivals() noexcept {
+    if (held_ || held_parcel_)
+        return handle_held(); // rest() has just looked
+    while (fetch())
+        handle_held();
+}
+
+/// Answers the question whether this rank has anything to do, or asks it. REQUIRES: it has not.
+void RankMember::take_part_in_rounds(bool awaits_end) {
+    const QuietAnswer own_answer{sent_, received_, awaits_end};
+    if (mail_.own() == 0 && !detection_.is_asking())
+        begin_round(own_answer);
+    else if (std::exchange(is_asked_, false))
+        send(0, Kind::answer, own_answer);
+}
+
+void RankMember::begin_round(const QuietAnswer& own_answer) {
+    detection_.ask();
+    send_to_others(Kind::question);
+    heed(detection_.take(0, own_answer));
+}
+
+void RankMember::heed(QuietDetection::Verdict verdict) {
+    if (verdict == QuietDetection::Verdict::quiet) {
+        send_to_others(Kind::quiet);
+        is_quiet_ = !is_stopped_;
+    } else if (verdict == QuietDetection::Verdict::over) {
+        send_to_others(Kind::over);
+        is_over_ = true;
+    }
+}
+
+/// Returns for how long a rank looks for messages without a pause. This needs a core for each rank.
+Time RankMember::patience() const {
+    static const unsigned cores = std::thread::hardware_concurrency(); // it takes microseconds to ask
+    return static_cast<unsigned>(mail_.count_here()) <= cores ? Time(std::chrono::microseconds(50)) : Time{0};
+}
+
+/// Returns how the rest ends; nothing if it goes on.
+std::optional<Surroundings::Rest> RankMember::look(bool is_due, bool awaits_end, bool may_answer) {
+    const bool has_come = fetch();
+    if (is_over_)
+        return Rest::forever;
+    if (std::exchange(is_quiet_, false))
+        return Rest::quiet;
+    if (has_come || interrupted_ || is_due)
+        return Rest::over;
+    if (may_answer && mail_.has_all_parcels())
+        take_part_in_rounds(awaits_end);
+    return std::nullopt;
+}
+
+Surroundings::Rest RankMember::rest(Time due, bool awaits_end) {
+    const Time since = now(), patient_until = since + patience();
+    for (;;) {
+        const Time time = now();
+        const bool is_patient = time < patient_until;
+        if (const std::optional<Rest> end = look(time >= due, awaits_end, !is_patient && due == Time::max())) {
+            rested_ += time - since;
+            if (end == Rest::quiet && !rested_in_work_)
+                rested_in_work_ = rested_;
+            return *end;
+        }
+        if (!is_patient)
+            sleep_after(time - since, due - time);
+    }
+}
+
+void RankMember::wait_for_stop(bool failed) {
+    if (failed)
+        interrupt();
+    is_stopped_ = true;
+    for (RankEnd* end : ends_)
+        if (end)
+            end->end();
+    for (const Time since = now(); !is_over_ || !mail_.has_all_parcels(); sleep_after(now() - since, Time::max())) {
+        take_arrivals();
+        if (interrupted_)
+            stop_others();
+        if (!is_over_ && mail_.has_all_parcels())
+            take_part_in_rounds(false);
+    }
+}
+
+void RankMember::receive_notes_until(const std::function<bool()>& has_all) {
+    for (const Time since = now(); fetch(), !has_all();)
+        sleep_after(now() - since, Time::max());
+}
+
+std::vector<const Kernel*> RankMember::kernels() const { return {&simulation_.kernel()}; }
+
+} // namespace placedpar::native

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "netlist/kinds/catalogue.hpp"
+#include "netlist/network/network.hpp"
+#include "netlist/run_report.hpp"
+#include "runtime/byte_form.hpp"
+#include "runtime/time.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace placedpar {
+
+class Ranks; // ranks/ranks.hpp
+
+struct RankRunSettings {
+    std::uint64_t seed = 1;
+    double pace = 0; ///< as in NativeSettings
+    /// Returns the load of each node, by which nodes are placed (native/placement.hpp). Empty: without loads.
+    std::function<std::vector<Time>()> loads = {};
+    /// Makes the kinds of the processes of this rank. `send_note`: sends bytes to rank 0 during the run; REQUIRES:
+    /// called by a process.
+    std::function<std::shared_ptr<const Catalogue>(std::function<void(MessageBytes)> send_note)> make_catalogue;
+    /// Called in rank 0 with each note of another rank, in the order in which this rank has sent them.
+    std::function<void(std::span<const std::uint8_t>)> receive_note = [](std::span<const std::uint8_t>) {};
+    /// Called about ten times a second; the run ends if it returns true.
+    std::function<bool()> is_interrupted = [] { return false; };
+};
+
+/// Runs the processes of a network natively (native_run.hpp) on the ranks of mpirun. The processes of a node run on one
+/// rank (native/placement.hpp). In the report, the ranks stand in place of the processors.
+///
+/// Returns the report in rank 0, and nothing in the other ranks, which must then end silently. Throws in rank 0 alone:
+/// UserError for a network that cannot run natively on so many ranks, and what a process of any rank has thrown, with
+/// the number of the rank. REQUIRES: called in all ranks, with the same network and seed.
+std::optional<RunReport> run_on_ranks(const Network&, const RankRunSettings&, Ranks&);
+
+} // namespace placedpar

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace placedpar {
+
+/// A message of at most RankMail::longest_letter bytes.
+struct RankLetter {
+    int from;
+    std::span<const std::uint8_t> bytes; ///< valid until the next RankMail::receive()
+};
+
+/// A message of any length. Its number is chosen by the two ranks.
+struct RankParcel {
+    int from;
+    int number;
+    std::vector<std::uint8_t> bytes;
+};
+
+/// Messages between ranks in bytes, which no other mail and no text of Ranks can be confused with. No function waits.
+///
+/// A letter is copied, and needs no agreement: any rank may send one to any rank. Letters from one rank to another
+/// arrive in the order in which they were sent. A parcel is not copied: the receiver states in advance which parcel it
+/// expects, so that MPI can write into the receiver's memory. Parcels from one rank to another with the same number
+/// arrive in the order in which they were sent.
+///
+/// REQUIRES: used only by the thread that opened it. Every letter has been received, and every parcel expected, before
+/// the mail is closed.
+class RankMail {
+public:
+    /// The most bytes of a letter. Open MPI sends so few at once, without a reply of the receiver.
+    static constexpr std::size_t longest_letter = 4000;
+
+    virtual ~RankMail() = default;
+    virtual int own() const = 0;
+    virtual int count() const = 0;
+    /// Returns the number of ranks on this computer.
+    virtual int count_here() const = 0;
+
+    virtual void send(int to, std::span<const std::uint8_t> letter) = 0;
+    /// Returns the next letter that has arrived; nothing if there is none.
+    virtual std::optional<RankLetter> receive() = 0;
+
+    /// REQUIRES: number >= 0.
+    virtual void send_parcel(int to, int number, std::vector<std::uint8_t>) = 0;
+    /// Prepares memory for a parcel of this length.
+    virtual void expect_parcel(int from, int number, std::size_t bytes) = 0;
+    /// Returns a parcel that was expected and has arrived; nothing if there is none.
+    virtual std::optional<RankParcel> receive_parcel() = 0;
+    /// Returns whether no expected parcel is missing.
+    virtual bool has_all_parcels() const = 0;
+};
+
+} // namespace placedpar

@@ -1,0 +1,145 @@
+#include "ranks/ranks.hpp"
+
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <dlfcn.h>
+
+#include <array>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <system_error>
+#include <thread>
+
+namespace placedpar {
+
+namespace {
+
+/// Returns whether Open MPI, or Slurm with PMIx, started this process: each sets a variable of the environment.
+bool started_as_rank() {
+    return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMIX_NAMESPACE") != nullptr;
+}
+
+/// Loads the module from the program's folder, from the folder of the installation, or as the system's linker finds it.
+void* load_module() {
+    const std::filesystem::path name = "placedpar_mpi.so";
+    std::error_code unknown;
+    std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path();
+    for (const auto& path : {folder / name, folder.parent_path() / "lib" / "placedpar" / name, name})
+        if (void* module = dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL)) // global for Open MPI's own modules
+            return module;
+    return nullptr;
+}
+
+} // namespace
+
+std::unique_ptr<Ranks> ranks_of_mpirun() {
+    if (!started_as_rank())
+        return nullptr;
+    void* module = load_module();
+    if (!module)
+        throw UserError("mpirun started this PlacedPar, which was built without MPI: install "
+                        "libboost-mpi1.81-dev and openmpi-bin, then configure and build PlacedPar again");
+    using Make = Ranks*();
+    return std::unique_ptr<Ranks>(reinterpret_cast<Make*>(dlsym(module, "placedpar_mpi_ranks"))());
+}
+
+bool left_to_rank_zero(const std::string& command) {
+    std::unique_ptr<Ranks> ranks = ranks_of_mpirun();
+    if (!ranks || ranks->count() == 1)
+        return false;
+    if (ranks->own() == 0)
+        throw UserError(fmt::format("{} ranks of mpirun would each make the same runs: {} already uses all cores "
+                                    "of one machine, so start it without mpirun; only sweep shares its runs "
+                                    "among ranks, and only run --native its processes",
+                                    ranks->count(), command));
+    return true;
+}
+
+namespace {
+
+Ranks::Message wait_for_message(Ranks& ranks) {
+    for (;;) {
+        if (std::optional<Ranks::Message> message = ranks.receive())
+            return *message;
+        std::this_thread::sleep_for(rank_patience);
+    }
+}
+
+/// What a rank above 0 tells rank 0 about its preparation: a mark, and the digest or the reason of a failure.
+constexpr char has_prepared = '+', has_failed = '-';
+
+std::string account_of(const std::function<std::string()>& prepare) {
+    try {
+        return has_prepared + prepare();
+    } catch (const std::exception& failure) {
+        return has_failed + std::string(failure.what());
+    }
+}
+
+/// Throws UserError unless the rank has prepared what rank 0 has.
+void require_same(const Ranks::Message& account, const std::string& digest) {
+    if (account.text.front() == has_failed)
+        throw UserError(fmt::format("rank {}: {}", account.from, account.text.substr(1)));
+    if (account.text.substr(1) != digest)
+        throw UserError(
+            fmt::format("rank {}: its netlist, its options or its version of PlacedPar differ from those of "
+                        "rank 0; every machine must have the same files",
+                        account.from));
+}
+
+/// Keeps the first of several failures.
+class FirstFailure {
+public:
+    void try_to(const std::function<void()>& action) {
+        try {
+            action();
+        } catch (...) {
+            if (!failure_)
+                failure_ = std::current_exception();
+        }
+    }
+    bool is_there() const { return failure_ != nullptr; }
+    void rethrow() const {
+        if (failure_)
+            std::rethrow_exception(failure_);
+    }
+
+private:
+    std::exception_ptr failure_;
+};
+
+void send_to_others(Ranks& ranks, const std::string& text) {
+    for (int rank = 1; rank < ranks.count(); ++rank)
+        ranks.send(rank, text);
+}
+
+/// Prepares in rank 0, and compares the accounts of all ranks.
+void prepare_first(Ranks& ranks, const std::function<std::string()>& prepare) {
+    FirstFailure failure;
+    std::string digest;
+    failure.try_to([&] { digest = prepare(); });
+    for (int others = ranks.count() - 1; others > 0; --others)
+        failure.try_to([&] { require_same(wait_for_message(ranks), digest); });
+    send_to_others(ranks, failure.is_there() ? "end" : "begin");
+    failure.rethrow();
+}
+
+/// Prepares in a rank above 0, and returns whether rank 0 begins.
+bool prepare_after(Ranks& ranks, const std::function<std::string()>& prepare) {
+    ranks.send(0, account_of(prepare));
+    return wait_for_message(ranks).text == "begin";
+}
+
+} // namespace
+
+bool all_prepared(Ranks& ranks, const std::function<std::string()>& prepare) {
+    if (ranks.own() > 0)
+        return prepare_after(ranks, prepare);
+    prepare_first(ranks, prepare);
+    return true;
+}
+
+} // namespace placedpar
