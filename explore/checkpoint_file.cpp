@@ -147,8 +147,8 @@ void CheckpointFile::keep(const std::string& search, const SearchCheckpoint& che
 }
 
 void CheckpointFile::refuse_file(const std::string& why) const {
-    throw UserError(fmt::format(
-        "{}: this is not a checkpoint of a search ({}): give another file, or delete this one", path_.string(), why));
+    throw UserError(fmt::format("{}: this is not a checkpoint of a search ({}): give another file, or delete this one",
+                                path_.string(), why));
 }
 
 void CheckpointFile::require_same_run(const json::value& file) const {

@@ -23,8 +23,8 @@ public:
     /// generations, at least 1.
     ///
     /// Throws UserError if a search of the network has results that no checkpoint holds (it sends estimates, or belongs
-    /// to a pair), or if no process searches. Throws UserError for a file that cannot be read or is not a checkpoint, and
-    /// for one of another seed or of searches with other names, problems, codings or numbers of individuals. Other
+    /// to a pair), or if no process searches. Throws UserError for a file that cannot be read or is not a checkpoint,
+    /// and for one of another seed or of searches with other names, problems, codings or numbers of individuals. Other
     /// parameters may have changed: the searches go on with the new ones.
     CheckpointFile(std::filesystem::path, const Network&, std::uint64_t seed, std::uint64_t every);
 

@@ -55,8 +55,8 @@ struct RunOptions {
     std::size_t seeds = 1; ///< number of seeds, from the first on
     bool watch = false, yes = false;
     bool listing = false, step = false, analyse = false; ///< of transputers that execute their own code
-    std::string offer;            ///< where the host's link is offered to another program; "": nowhere
-    std::shared_ptr<Ranks> ranks; ///< of a native run; null: without mpirun
+    std::string offer;                           ///< where the host's link is offered to another program; "": nowhere
+    std::shared_ptr<Ranks> ranks;                ///< of a native run; null: without mpirun
     std::shared_ptr<CheckpointFile> checkpoints; ///< null without the option
 
     std::array<std::filesystem::path, 6> outputs() const {

@@ -39,8 +39,8 @@ private:
     std::function<void(MessageBytes)> send_;
 };
 
-/// Passes what SentEvents or SentCheckpoints has packed to an observer or to the checkpoints. Throws NoMessage, and what
-/// these throw. REQUIRES: the observer is not null, nor are the checkpoints if other ranks keep states.
+/// Passes what SentEvents or SentCheckpoints has packed to an observer or to the checkpoints. Throws NoMessage, and
+/// what these throw. REQUIRES: the observer is not null, nor are the checkpoints if other ranks keep states.
 void tell_event(std::span<const std::uint8_t> packed, SearchObserver*, Checkpoints*);
 
 } // namespace placedpar
