@@ -12,23 +12,25 @@ using transputer::Operation;
 
 namespace {
 
+/// The meaning of the errors of routines whose names end so.
+struct Errors {
+    std::string_view name, meaning;
+};
+constexpr std::array<Errors, 11> errors_by_end = {{{".add", " +: overflow, an infinity or a NaN"},
+                                                   {".subtract", " -: overflow, an infinity or a NaN"},
+                                                   {".multiply", " *: overflow, an infinity or a NaN"},
+                                                   {".divide", " /: overflow, division by zero, an infinity or a NaN"},
+                                                   {"REM", " \\: division by zero, an infinity or a NaN"},
+                                                   {".negate", " -: an infinity or a NaN"},
+                                                   {".equal", ": a comparison with an infinity or a NaN"},
+                                                   {".greater", ": a comparison with an infinity or a NaN"},
+                                                   {".INT", ": the real does not fit in INT"},
+                                                   {".INT64", ": the real does not fit in INT64"},
+                                                   {".REAL32", ": the real does not fit in REAL32"}}};
+
 /// Says what errors of a routine mean. Its name is that of a predefined routine, "TYPE.operation", or "FROM.TO".
 std::string errors_of(const std::string& routine) {
-    struct Errors {
-        std::string_view name, meaning;
-    };
-    constexpr std::array<Errors, 11> by_end = {{{".add", " +: overflow, an infinity or a NaN"},
-                                                {".subtract", " -: overflow, an infinity or a NaN"},
-                                                {".multiply", " *: overflow, an infinity or a NaN"},
-                                                {".divide", " /: overflow, division by zero, an infinity or a NaN"},
-                                                {"REM", " \\: division by zero, an infinity or a NaN"},
-                                                {".negate", " -: an infinity or a NaN"},
-                                                {".equal", ": a comparison with an infinity or a NaN"},
-                                                {".greater", ": a comparison with an infinity or a NaN"},
-                                                {".INT", ": the real does not fit in INT"},
-                                                {".INT64", ": the real does not fit in INT64"},
-                                                {".REAL32", ": the real does not fit in REAL32"}}};
-    for (const Errors& each : by_end)
+    for (const Errors& each : errors_by_end)
         if (routine.ends_with(each.name))
             return routine.substr(0, routine.size() - each.name.size()) + std::string(each.meaning);
     return routine + (routine.ends_with("2D") ? ": bytes outside of an array" : ": the result is not a finite number");

@@ -38,7 +38,7 @@ void pass_on(std::vector<Diagnostic> diagnostics, const Program& program, Report
 
 /// Writes the connections of a hint as a configuration does: CONNECT a[link][0] TO b[link][1].
 std::string hint_of_configuration(const std::string& hint) {
-    static const std::regex connection(R"(connect (\S+) to ([^\s;]+);?)"), link(R"(\.link\[)");
+    static const std::regex connection(R"(connect (\S+\.link\[\d+\]) to ([^\s;]+);)"), link(R"(\.link\[)");
     return std::regex_replace(std::regex_replace(hint, connection, "CONNECT $1 TO $2"), link, "[link][");
 }
 
