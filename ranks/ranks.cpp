@@ -51,9 +51,8 @@ bool left_to_rank_zero(const std::string& command) {
     if (!ranks || ranks->count() == 1)
         return false;
     if (ranks->own() == 0)
-        throw UserError(fmt::format("{} ranks of mpirun would each make the same runs: {} already uses all cores "
-                                    "of one machine, so start it without mpirun; only sweep shares its runs "
-                                    "among ranks, and only run --native its processes",
+        throw UserError(fmt::format("{} ranks of mpirun would each make the same runs: start {} without mpirun; only "
+                                    "sweep shares its runs among ranks, and only run --native its processes",
                                     ranks->count(), command));
     return true;
 }

@@ -172,7 +172,7 @@ public:
     }
     /// Runs natively, as one of the kernels of a run: time is that of the wall clock, and others send messages. An
     /// event that is due happens between two turns of processes, and the run is over when all its kernels have nothing
-    /// to do. `number`: of the kernel in the run. REQUIRES: called before the run; the surroundings outlive it.
+    /// to do. Processes that a message or an event has woken have every second turn. `number`: of the kernel in the run. REQUIRES: called before the run; the surroundings outlive it.
     void run_among(Surroundings& surroundings, std::uint32_t number);
     /// Returns the surroundings of a native run; null in virtual time.
     Surroundings* surroundings() const { return surroundings_; }
@@ -264,6 +264,11 @@ private:
         SwitchedStack host_stack; ///< the stack of the fiber that called run()
         SwitchedStack* stack_left = nullptr;
     };
+    /// The state of a native run.
+    struct Native {
+        ProcessQueue woken; ///< ready processes that an arrival or an event has woken
+        bool is_turn_of_woken = false;
+    };
     /// The state of the end of the work and of the run.
     struct End {
         ProcessQueue after_work; ///< processes that wait for the end of the work
@@ -277,6 +282,7 @@ private:
     Population population_;
     Fibers fibers_;
     End end_;
+    Native native_;
     std::uint64_t ranks_ = 0;              ///< number of ranks that were given out
     std::optional<RandomStream> shuffle_;  ///< set if RareConditions::shuffled is set
     Surroundings* surroundings_ = nullptr; ///< not null if RareConditions::native is set

@@ -235,6 +235,12 @@ public:
         (first_ ? last_->next_ : first_) = &p;
         last_ = &p;
     }
+    void push_front(Process& p) {
+        if (!first_)
+            last_ = &p;
+        p.next_ = first_;
+        first_ = &p;
+    }
     Process* pop_front() {
         Process* p = first_;
         if (p)

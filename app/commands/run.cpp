@@ -296,7 +296,11 @@ void say_begin(const RunOptions& options) {
 
 ExitCode run(RunOptions options, const Options& command, const std::string& typed) {
     Manifest manifest = options.manifest(typed);
+    if (!options.native.is_native && left_to_rank_zero("run"))
+        return ExitCode::success;
     options.ranks = ranks_of(options.native);
+    if (options.ranks && options.ranks->own() > 0)
+        options.netlist.warn = [](const std::string&) {}; // rank 0 has the same warnings
     std::optional<Network> loaded = load(options, command);
     if (!loaded)
         return ExitCode::success;

@@ -213,7 +213,7 @@ Network load_network(const Options& typed, const NetlistOptions& netlist, const 
     const Catalogue kinds = known_kinds(problems);
     if (!bootable)
         kinds.files()->choose(choices_of(options.occam));
-    Network network = load_network(parsed, overrides_of(netlist.set), kinds, print_warnings);
+    Network network = load_network(parsed, overrides_of(netlist.set), kinds, netlist.warn);
     if (!bootable)
         refuse_for_netlists(typed, netlist, options, network);
     network.host = services_of(options);

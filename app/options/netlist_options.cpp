@@ -94,9 +94,9 @@ TypedNetlist parse_netlist(const NetlistOptions& options, const WarningSink& war
 }
 
 Network load_network(const NetlistOptions& options) {
-    const TypedNetlist netlist = parse_netlist(options, print_warnings);
+    const TypedNetlist netlist = parse_netlist(options, options.warn);
     const ProblemRegistry problems = known_problems(0);
-    return load_network(netlist.parsed, netlist.set, known_kinds(problems), print_warnings);
+    return load_network(netlist.parsed, netlist.set, known_kinds(problems), options.warn);
 }
 
 } // namespace placedpar

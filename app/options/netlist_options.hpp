@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/options.hpp"
+#include "app/standard_error.hpp"
 #include "explore/load.hpp"
 
 #include <cstddef>
@@ -35,6 +36,7 @@ struct NetlistOptions {
     ReadOptionsTyped read;
     std::string calibration = ""; ///< of --predict; "": the netlist's own machine is meant
     std::size_t threads = 0;      ///< of the predicted run; 0: one for each core of this computer
+    WarningSink warn = print_warnings;
 };
 void add_netlist(Options&, NetlistOptions&);
 /// Declares --predict; the command declares --threads.
@@ -49,7 +51,7 @@ struct TypedNetlist {
 /// has no settings. Throws as load_network().
 TypedNetlist parse_netlist(const NetlistOptions&, const WarningSink&);
 
-/// Reads the netlist. Prints warnings to standard error. Throws RefusedInput.
+/// Reads the netlist. Throws RefusedInput.
 Network load_network(const NetlistOptions&);
 
 } // namespace placedpar

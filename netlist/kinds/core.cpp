@@ -23,7 +23,7 @@ public:
     void report(MachineUse& use) const override {
         use.processors.push_back({node().name, node().type, core_.time_busy(), Time{0}});
     }
-    const hardware::Core& core() const { return core_; }
+    hardware::Core& core() const { return core_; }
 
 private:
     hardware::CoreCosts costs() const {

@@ -65,7 +65,7 @@ void Core::end_turn() {
 }
 
 void Core::make_ready(Process& p) {
-    ready_.push_back(p);
+    (is_woken_ ? woken_ : ready_).push_back(p);
     if (!current_)
         take_next();
 }
@@ -85,7 +85,10 @@ Time Core::time_to_start() const {
 }
 
 void Core::take_next() {
-    current_ = ready_.pop_front();
+    is_turn_of_woken_ = !is_turn_of_woken_;
+    current_ = (is_turn_of_woken_ ? woken_ : ready_).pop_front();
+    if (!current_)
+        current_ = (is_turn_of_woken_ ? ready_ : woken_).pop_front();
     if (!current_)
         return;
     if (const Time start = time_to_start(); start > Time{})
@@ -104,7 +107,7 @@ void CoreLane::output(AnyChannel& channel, const WireForm& form, const SourceLoc
     Transfer& transfer = transfers_[&channel];
     transfer.bytes = form.total();
     turn(true, transfer);
-    channel.announce();
+    to_.wake_by([&] { channel.announce(); });
     wait_until(false, transfer, channel, where);
 }
 
@@ -127,7 +130,7 @@ void CoreLane::wait_until(bool full, Transfer& transfer, const AnyChannel& chann
 void CoreLane::turn(bool full, Transfer& transfer) {
     transfer.is_full = full;
     if (Process* process = std::exchange(transfer.waiting, nullptr))
-        kernel_.make_ready(*process);
+        static_cast<Core&>(*process->executive()).wake_by([&] { kernel_.make_ready(*process); });
 }
 
 } // namespace placedpar::hardware

@@ -30,6 +30,7 @@ struct CoreCosts {
 /// A core of a computer that runs one thread of a native run (native/group.hpp), by the rules of the threads:
 ///
 /// 1. A process runs until it waits or ends. Then the process that has been ready longest runs, whatever its priority.
+/// Processes that another core has woken have every second turn.
 /// 2. If the core has had nothing to do for longer than its patience, the thread sleeps, and takes time to wake.
 class Core final : public Executive {
 public:
@@ -45,6 +46,14 @@ public:
     void make_ready(Process&) override;
     void leave(Process&, Process* successor) override;
 
+    /// Calls an action of another core that may wake processes of this core.
+    template <class Action>
+    void wake_by(const Action& action) {
+        is_woken_ = true;
+        action();
+        is_woken_ = false;
+    }
+
 private:
     struct Turn final : Event {
         explicit Turn(Core& c) : core(c) {}
@@ -59,7 +68,9 @@ private:
 
     Kernel& kernel_;
     CoreCosts core_;
-    ProcessQueue ready_;
+    ProcessQueue ready_, woken_; ///< `woken_`: by another core
+    bool is_woken_ = false;      ///< another core makes processes ready
+    bool is_turn_of_woken_ = false;
     Process* current_ = nullptr; ///< the process that has the core
     bool works_ = false;         ///< the process computes; else it has not started yet
     Time idle_since_{}, began_{}, busy_{};
@@ -71,7 +82,7 @@ private:
 class CoreLane final : public Carrier {
 public:
     /// `to`: the core of the inputters. REQUIRES: bytes_per_second > 0.
-    CoreLane(Kernel& kernel, const Core& to, std::int64_t bytes_per_second)
+    CoreLane(Kernel& kernel, Core& to, std::int64_t bytes_per_second)
         : kernel_(kernel), to_(to), bytes_per_second_(bytes_per_second) {}
 
     void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
@@ -89,7 +100,7 @@ private:
     void turn(bool full, Transfer&);
 
     Kernel& kernel_;
-    const Core& to_;
+    Core& to_;
     std::int64_t bytes_per_second_;
     std::map<const AnyChannel*, Transfer> transfers_;
 };

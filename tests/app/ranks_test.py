@@ -118,9 +118,9 @@ class Ranks(InFolder):
     def test_what_ranks_cannot_share_is_refused_once(self):
         (self.folder / "best.toml").write_text(f'netlist = "{FIGURE_E2}"\n[search]\nminimise = "time"\n'
                                                '[set]\nslaves = "0..3"\n', encoding="utf-8")
-        for command, what in (("optimise", "best.toml"), ("explain", FIGURE_E2)):
+        for command, what in (("optimise", "best.toml"), ("explain", FIGURE_E2), ("run", FIGURE_E2)):
             errors = self.finish(self.start(2, command, what), code=1)
-            self.assertEqual(errors.count(f"{command} already uses all cores of one machine"), 1, errors)
+            self.assertEqual(errors.count(f"start {command} without mpirun"), 1, errors)
             self.assertEqual(errors.count("placedpar:"), 1, errors)
         self.assertFalse((self.folder / "best.sqlite").exists())
 

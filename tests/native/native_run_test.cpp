@@ -18,6 +18,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <ctime>
 #include <set>
@@ -162,6 +163,60 @@ TEST_CASE("an interruption ends processes that compute and processes that wait")
     const auto begun = std::chrono::steady_clock::now();
     CHECK(run_natively(network_of(ring(2, "busy"), catalogue), settings).result.ending == Ending::interrupted);
     CHECK(std::chrono::steady_clock::now() - begun < 1s);
+}
+
+TEST_CASE("a process that another thread has woken does not wait for all others of its thread, nor they for it") {
+    constexpr int questions = 20;
+    static std::atomic<bool> is_asked;
+    is_asked = false;
+    const auto asker = kind_of("asker", [](ProcessEnvironment& environment) {
+        const auto answers = environment.input<int>("in");
+        const auto asks = environment.output<int>("out");
+        const Time begun = now();
+        for (int i = 0; i < questions; ++i) {
+            asks.output(i);
+            answers.input();
+        }
+        is_asked = true;
+        environment.measure("answer", static_cast<double>((now() - begun).count()) / 1e6 / questions, "us");
+    });
+    const auto echo = kind_of("echo", [](ProcessEnvironment& environment) {
+        for (int i = 0; i < questions; ++i)
+            environment.output<int>("out").output(environment.input<int>("in").input());
+    });
+    const auto crowd = kind_of("crowd", [](ProcessEnvironment& environment) {
+        double turns = 0;
+        const auto take_turn = [&] {
+            const auto until = std::chrono::steady_clock::now() + 50us;
+            while (std::chrono::steady_clock::now() < until) {
+            }
+            ++turns;
+        };
+        par_for(50, [&](std::size_t) {
+            Channel<bool> more("more");
+            par(
+                [&] {
+                    for (; !is_asked; more.out().output(true))
+                        take_turn();
+                    more.out().output(false);
+                },
+                [&] {
+                    while (more.in().input())
+                        take_turn();
+                });
+        });
+        environment.measure("turns", turns);
+    });
+    const RunReport report = run_on(2, R"(
+        T800 t[2]; connect t[0].link[0] to t[1].link[0]; connect t[0].link[1] to t[1].link[1];
+        process (interface (input in, output out)) a, e; process crowd;
+        use "asker" for a; use "echo" for e; use "crowd" for crowd;
+        connect a.out to e.in; connect e.out to a.in;
+        place e on t[0]; place crowd on t[0]; place a on t[1];)",
+                                    {asker, echo, crowd});
+    // In turn with a hundred others, each of the two turns of an answer would come after 5 ms.
+    CHECK(report.measured("a", "answer") < 3000);
+    CHECK(report.measured("crowd", "turns") >= questions);
 }
 
 TEST_CASE("threads that wait use hardly any of the processor") {

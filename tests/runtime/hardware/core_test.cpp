@@ -111,6 +111,22 @@ TEST_CASE("no process of a core interrupts another, whatever their priorities an
     CHECK(core.time_busy() == 300ms);
 }
 
+TEST_CASE("a process that another core has woken has every second turn") {
+    CorePair pair(true, 1'000'000'000'000);
+    for (int i = 0; i < 10; ++i)
+        pair.simulation.process(
+            "busy" + std::to_string(i),
+            [] {
+                for (int turn = 0; turn < 50; ++turn) {
+                    compute(Cycles{1'000'000});
+                    wait_for(1ns);
+                }
+            },
+            &pair.b);
+    // Of ten processes that compute for a millisecond in turn, at most one comes before each of pong's two turns.
+    CHECK(pair.last_round(10) < 3ms);
+}
+
 TEST_CASE("a core refuses costs without sense") {
     Simulation simulation;
     CHECK_THROWS_AS(simulation.add<Core>("c", CoreCosts{.clock_hz = 0}), std::logic_error);
