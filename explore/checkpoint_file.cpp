@@ -5,16 +5,17 @@
 #include "netlist/print/text.hpp"
 #include "report/manifest.hpp"
 #include "report/search_log.hpp"
+#include "text/checksum.hpp"
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
 
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
-#include <array>
 #include <bit>
 #include <exception>
 #include <fstream>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -102,13 +103,9 @@ CheckpointFile::CheckpointFile(std::filesystem::path path, const Network& networ
 void CheckpointFile::read() {
     try {
         std::ifstream file(path_);
-        json::stream_parser parser;
-        for (std::array<char, 65536> piece; file;) {
-            file.read(piece.data(), piece.size());
-            parser.write(piece.data(), static_cast<std::size_t>(file.gcount()));
-        }
-        parser.finish();
-        take(parser.release());
+        const std::string text(std::istreambuf_iterator<char>(file), {});
+        checksum_ = checksum_of(text);
+        take(json::parse(text));
     } catch (const UserError&) {
         throw;
     } catch (const std::exception&) {
@@ -130,6 +127,8 @@ std::vector<CheckpointFile::Described> CheckpointFile::describe(const Network& n
     }
     return all;
 }
+
+std::string CheckpointFile::digest() const { return fmt::format("{} {}", every_, checksum_); }
 
 const SearchCheckpoint* CheckpointFile::begin_of(const std::string& search) const {
     const auto found = begin_states_.find(search);
@@ -170,6 +169,8 @@ void CheckpointFile::take(const json::value& file) {
         refuse_file("another version wrote it");
     require_same_run(file);
     begin_ = file.at("generation").to_number<std::uint64_t>();
+    if (begin_ == 0)
+        refuse_file("its generation is 0");
     for (const json::value& search : file.at("searches").as_array())
         begin_states_[json::value_to<std::string>(search.at("name"))] = checkpoint_from(search, begin_);
 }

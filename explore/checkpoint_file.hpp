@@ -31,6 +31,10 @@ public:
     /// Returns the generation from which the searches go on; 0 if they begin anew.
     std::uint64_t begin() const { return begin_; }
 
+    /// Returns a text that is the same for two objects only if the searches go on from the same file and keep their
+    /// states after the same generations.
+    std::string digest() const;
+
     const SearchCheckpoint* begin_of(const std::string& search) const override;
     bool is_due(std::uint64_t generation) const override { return generation % every_ == 0; }
     /// Writes the file when all searches have handed over their states of a generation. Throws UserError if it cannot
@@ -57,6 +61,7 @@ private:
     std::uint64_t seed_, every_;
     std::vector<Described> searches_;
     std::uint64_t begin_ = 0;
+    std::int64_t checksum_ = 0; ///< of the file that was read; 0 if there was none
     States begin_states_;
     std::mutex mutex_;
     std::map<std::uint64_t, States> incomplete_; ///< by generation

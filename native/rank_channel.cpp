@@ -1,6 +1,7 @@
 #include "native/rank_channel.hpp"
 
 #include "runtime/process.hpp"
+#include "text/user_error.hpp"
 
 #include <utility>
 
@@ -24,7 +25,8 @@ void RankGiver::taker_came() {
 }
 
 std::string RankGiver::why_not_given_up() const {
-    return "leads to another rank of mpirun, which may have its message already";
+    throw UserError("an output to another rank of mpirun cannot be given up, since that rank may have the "
+                    "message already: place both processes on one rank");
 }
 
 /// Sends once for each message that it is taken.
@@ -47,8 +49,8 @@ void RankTaker::input(AnyChannel& channel, const SourceLocation& where) {
     if (count_ == 0 || !first().has_come) {
         inputter_ = &Kernel::here().running();
         inputter_->wait_for(Activity::inputting, &channel, where);
-        if (count_ == 0)
-            return; // given up
+        if (!taker_said_)
+            return; // given up, perhaps just before a message came
     }
     const Offer& taken = first();
     first_ = 1 - first_;

@@ -33,6 +33,7 @@ public:
     void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
     void input(AnyChannel&, const SourceLocation&) override {}
     bool message_waits(const AnyChannel&) const override { return false; }
+    /// Throws UserError, for a user places the processes.
     std::string why_not_given_up() const override;
     void taker_came() override;
 

@@ -15,6 +15,7 @@
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <atomic>
@@ -93,6 +94,9 @@ public:
         member_.receive_notes([this](int from, const MessageBytes& note) { take_note(from, note); });
         member_.before_reports([this] { note_ends(); });
     }
+
+    /// Returns the rank of each node, as a text.
+    std::string placement() const { return fmt::format("{}", fmt::join(rank_of_node_, " ")); }
 
     std::optional<RunReport> run() {
         execute();
@@ -248,7 +252,9 @@ std::optional<RunReport> run_on_ranks(const Network& network, const RankRunSetti
         require_native(network);
         require_enough_nodes(network, static_cast<std::size_t>(ranks.count()));
         run.emplace(network, settings, *mail);
-        return std::string();
+        if (settings.is_interrupted())
+            throw UserError("interrupted before the run began");
+        return run->placement();
     };
     return all_prepared(ranks, prepare) ? run->run() : std::nullopt;
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -34,6 +35,9 @@ class RankMail {
 public:
     /// The most bytes of a letter. Open MPI sends so few at once, without a reply of the receiver.
     static constexpr std::size_t longest_letter = 4000;
+
+    /// The most bytes of a parcel, for which MPI counts in int.
+    static constexpr std::size_t longest_parcel = std::numeric_limits<int>::max();
 
     virtual ~RankMail() = default;
     virtual int own() const = 0;

@@ -6,11 +6,13 @@
 #include "explore/prediction/calibration.hpp"
 #include "explore/prediction/native_netlist.hpp"
 #include "explore/problems.hpp"
+#include "ranks/ranks.hpp"
 #include "text/output_file.hpp"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,15 +32,23 @@ struct CalibrateOptions {
 
 /// Returns the problems of --problem and of the netlist; all that the program knows if neither is given.
 std::vector<std::string> problems_to_measure(const CalibrateOptions& options) {
-    std::vector<std::string> problems = options.problems;
+    std::vector<std::string> typed = options.problems, problems;
     if (!options.netlist.empty())
-        for (const std::string& problem : problems_of(load_network({.file = options.netlist, .set = {}, .read = {}})))
-            if (std::ranges::count(problems, problem) == 0)
-                problems.push_back(problem);
+        std::ranges::copy(problems_of(load_network({.file = options.netlist, .set = {}, .read = {}})),
+                          std::back_inserter(typed));
+    for (const std::string& problem : typed) {
+        const auto is_same = [&](const std::string& other) {
+            return val_of_problem("error", other) == val_of_problem("error", problem);
+        };
+        if (std::ranges::none_of(problems, is_same))
+            problems.push_back(problem);
+    }
     return problems.empty() ? known_problems(1).names() : problems;
 }
 
 ExitCode calibrate_computer(const CalibrateOptions& options) {
+    if (left_to_rank_zero("calibrate"))
+        return ExitCode::success;
     require_writable(options.out);
     require_apart(std::array<std::filesystem::path, 1>{options.out}, options.netlist);
     InterruptedBySignals interruption;

@@ -106,6 +106,9 @@ void require_native(const RunOptions& options) {
                         {options.shuffle.has_value(), "--shuffle"},
                         {!options.recorded.trace.empty(), "--trace"},
                         {!options.recorded.page.empty(), "--page"},
+                        {options.listing, "--listing"},
+                        {options.analyse, "--analyse"},
+                        {options.step, "--step"},
                         {!options.offer.empty(), "--offer"}});
 }
 
@@ -279,7 +282,7 @@ std::optional<Network> load(RunOptions& options, const Options& command) {
                                                       : load_network(options.netlist);
         require_fit(*network, options);
         options.checkpoints = checkpoints_of(*network, options);
-        return {*network, options.checkpoints ? options.checkpoints->begin() : 0};
+        return {*network, options.checkpoints ? options.checkpoints->digest() : ""};
     };
     if (!options.ranks)
         load_here();

@@ -8,6 +8,7 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -118,7 +119,7 @@ public:
 
     std::optional<RankParcel> receive_parcel() override {
         for (auto each = expected_.begin(); each != expected_.end(); ++each)
-            if (is_complete(each->request)) {
+            if (is_next_of_its_number(*each) && is_complete(each->request)) {
                 std::optional<RankParcel> parcel = std::move(each->parcel);
                 expected_.erase(each);
                 return parcel;
@@ -144,6 +145,13 @@ private:
         MPI_Request request = MPI_REQUEST_NULL;
     };
 
+    /// Returns whether no earlier parcel with the same sender and number is expected: a later one may arrive first.
+    bool is_next_of_its_number(const Expected& expected) const {
+        const auto first = std::ranges::find_if(expected_, [&](const Expected& each) {
+            return each.parcel.from == expected.parcel.from && each.parcel.number == expected.parcel.number;
+        });
+        return &*first == &expected;
+    }
     void forget_sent() {
         if (!sent_.empty()) [[unlikely]]
             sent_.remove_if([](Sent& each) { return is_complete(each.request); });

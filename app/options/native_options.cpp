@@ -133,7 +133,7 @@ bool load_in_all(Ranks& ranks, const NativeOptions& options, std::uint64_t seed,
                             "ranks",
                             options.threads));
         return fmt::format("{} {} {} {} {} {}", version_text(), hex(network_hash(canonical_form(loaded.network))), seed,
-                           options.map, options.pace, loaded.begin);
+                           options.map, options.pace, loaded.checkpoints);
     });
 }
 

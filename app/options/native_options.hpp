@@ -44,7 +44,7 @@ std::unique_ptr<Ranks> ranks_of(const NativeOptions&);
 /// What a rank has loaded.
 struct LoadedRun {
     const Network& network;
-    std::uint64_t begin; ///< generation from which the searches go on; 0 if they begin anew
+    std::string checkpoints; ///< their digest; "" without checkpoints
 };
 
 /// Loads the network in all ranks. Returns false in a rank that must end silently. Throws UserError in rank 0 alone:
@@ -52,9 +52,8 @@ struct LoadedRun {
 bool load_in_all(Ranks&, const NativeOptions&, std::uint64_t seed, const std::function<LoadedRun()>& load);
 
 /// Runs the network natively on the ranks. The observer and the checkpoints of rank 0 receive the events and the states
-/// of all ranks. Returns nothing in
-/// the other ranks, which must then end silently. Throws in rank 0 alone, as run_netlist does. REQUIRES: called in all
-/// ranks, after load_in_all().
+/// of all ranks. Returns nothing in the other ranks, which must then end silently. Throws in rank 0 alone, as
+/// run_netlist does. REQUIRES: called in all ranks, after load_in_all().
 std::optional<RunReport> run_on_ranks(const Network&, const NativeOptions&, const RunSettings&, Ranks&);
 
 } // namespace placedpar

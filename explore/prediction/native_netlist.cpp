@@ -154,8 +154,8 @@ std::vector<ThreadsTime> predict_threads(const Network& network, const std::file
     std::vector<ThreadsTime> times;
     const std::size_t most = std::max<std::size_t>(native::most_places(network), 1);
     std::size_t least = 1; // a node with a rank needs its thread
-    for (const Node& node : network.nodes)
-        least = std::max(least, node.rank.value_or(0) + 1);
+    for (const ProcessInstance& process : network.processes)
+        least = std::max(least, network.nodes[process.node].rank.value_or(0) + 1);
     for (std::size_t threads = least; threads <= most && !interruption.requested();
          threads += std::max<std::size_t>(1, std::bit_floor(threads) / 2)) {
         const ParsedNetlist netlist = ParsedNetlist::of_text(native_netlist(network, threads, calibration));

@@ -84,6 +84,10 @@ private:
                 to_host_.output(estimate());
         }
         rate_.stop();
+        if (to_pass_over_ > 0)
+            throw UserError(fmt::format("the checkpoint is of a later generation than the last one of this search, {}: "
+                                        "let the search run longer, or delete the checkpoint to begin anew",
+                                        search_.generation() - to_pass_over_));
     }
 
     Output<EstimateMessage> estimates_to(const char* port) const {

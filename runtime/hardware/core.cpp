@@ -5,6 +5,7 @@
 #include "runtime/trace.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -115,7 +116,8 @@ void CoreLane::input(AnyChannel& channel, const SourceLocation& where) {
     charge(kernel_.running(), &OperationCosts::hard_communication);
     Transfer& transfer = transfers_[&channel];
     wait_until(true, transfer, channel, where);
-    compute(Cycles{transfer.bytes * to_.clock_hz() / bytes_per_second_});
+    const WideInteger cycles = WideInteger{transfer.bytes} * to_.clock_hz() / bytes_per_second_;
+    compute(Cycles{static_cast<std::int64_t>(std::min(cycles, WideInteger{std::numeric_limits<std::int64_t>::max()}))});
     channel.hand_over();
     turn(false, transfer);
 }

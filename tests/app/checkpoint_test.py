@@ -149,6 +149,14 @@ class Refusals(unittest.TestCase):
         self.assertIn("the checkpoint has island[0].population = 15, but this run has 20: ",
                       self.refused("--set", "population=20"))
 
+    def test_of_a_later_generation_than_the_last_one(self):
+        placedpar("run", ISLANDS, "--checkpoint", self.file)
+        stored = json.loads(self.file.read_text(encoding="utf-8"))
+        for generation in (10000, 2 ** 64 - 1):
+            self.file.write_text(json.dumps({**stored, "generation": generation}), encoding="utf-8")
+            self.assertIn("the checkpoint is of a later generation than the last one of this search, 80: ",
+                          self.refused())
+
     def test_of_searches_whose_results_no_checkpoint_holds(self):
         self.assertIn("belongs to a pair and has a bias point, which no checkpoint holds",
                       self.refused(netlist=EXAMPLES / "genetic/coarse-fine/pair.cfs"))
@@ -159,7 +167,7 @@ class Refusals(unittest.TestCase):
         placedpar("run", ISLANDS, "--checkpoint", self.file)
         good = self.file.read_text(encoding="utf-8")
         stored = json.loads(good)
-        for name, value in (("generation", -1), ("searches", {}), ("placedpar", "checkpoint 0")):
+        for name, value in (("generation", -1), ("generation", 0), ("searches", {}), ("placedpar", "checkpoint 0")):
             self.file.write_text(json.dumps({**stored, name: value}), encoding="utf-8")
             self.assertIn("this is not a checkpoint of a search", self.refused())
         for text in ("", "{", good[:len(good) // 2], good + "x", "[" * 100000, "\0"):

@@ -32,6 +32,18 @@ connect delta.out[1] to receiver.in;
 place identity on t[0]; place delta on t[0]; place receiver on t[1];
 """
 SMALL = ("search.cfs", "demonstration.cfs")  # netlists of two processors
+# Receivers whose time-outs end again and again just when a message comes.
+TIME_OUTS = """val pairs 12;
+T800 (clock = 20M, rank = 0) a[pairs];
+T800 (clock = 20M, rank = 1) b[pairs];
+rep i = 0 for pairs connect a[i].link[0] to b[i].link[0];
+process tx[pairs], rx[pairs];
+use "csp.producer" for tx;
+use "csp.receiver_or_fail" for rx;
+tx (count = 1000, cycles = 700);
+rx (count = 1000, timeout = 30, patience = 1000000);
+rep i = 0 for pairs { connect tx[i].out to rx[i].in; place tx[i] on a[i]; place rx[i] on b[i]; }
+"""
 LONG = ("run", ISLANDS, "--native", "--set", "trials=1000000")
 
 
@@ -146,6 +158,13 @@ class OnRanks(unittest.TestCase):
             self.assertTrue(file.exists())
             self.assertEqual(results(ISLANDS, *kept, program=on(2)), expected)
             self.assertEqual(results(ISLANDS, "--checkpoint", file), expected)
+
+    def test_a_message_that_comes_just_when_an_input_is_given_up_is_not_lost(self):
+        with tempfile.TemporaryDirectory() as folder:
+            netlist = pathlib.Path(folder, "time-outs.cfs")
+            netlist.write_text(TIME_OUTS, encoding="utf-8")
+            for _ in range(3):
+                self.assertEqual(on(2)("run", netlist, "--native", "--pace", "1").returncode, 0)
 
     def test_an_idle_rank_uses_hardly_any_of_a_core(self):
         with tempfile.TemporaryDirectory() as folder:
