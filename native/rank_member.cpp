@@ -32,7 +32,7 @@ constexpr std::size_t letter_head = 1 + sizeof(Channel32);
 /// Sleeps for a part of the time that a rank has already waited, so that an idle rank uses hardly any of a core, and a
 /// short wait is not made much longer.
 void sleep_after(Time waited, Time at_most) {
-    constexpr Time shortest = std::chrono::microseconds(20), longest = std::chrono::milliseconds(1);
+    constexpr Time shortest = std::chrono::microseconds(20), longest = std::chrono::milliseconds(4);
     const Time pause = std::min(std::clamp(waited / 8, shortest, longest), at_most);
     std::this_thread::sleep_for(std::chrono::ceil<std::chrono::nanoseconds>(pause));
 }

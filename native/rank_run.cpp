@@ -252,7 +252,7 @@ std::optional<RunReport> run_on_ranks(const Network& network, const RankRunSetti
         require_native(network);
         require_enough_nodes(network, static_cast<std::size_t>(ranks.count()));
         run.emplace(network, settings, *mail);
-        if (settings.is_interrupted())
+        if (settings.loads && settings.is_interrupted())
             throw UserError("interrupted before the run began");
         return run->placement();
     };

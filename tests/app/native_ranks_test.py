@@ -181,7 +181,7 @@ class OnRanks(unittest.TestCase):
                 for rank in ranks:
                     os.kill(rank, signal.SIGINT)
                 mpirun.communicate(timeout=20)
-        self.assertLess(max(used), 0.06, "of 2 s")
+        self.assertLess(max(used), 0.05, "of 2 s; the clock has steps of 10 ms")
 
 
 @unittest.skipUnless(MPIRUN and MODULE.exists(), "built without MPI")

@@ -166,7 +166,7 @@ TEST_CASE("an interruption ends processes that compute and processes that wait")
 }
 
 TEST_CASE("a process that another thread has woken does not wait for all others of its thread, nor they for it") {
-    constexpr int questions = 20;
+    constexpr int questions = 400;
     static std::atomic<bool> is_asked;
     is_asked = false;
     const auto asker = kind_of("asker", [](ProcessEnvironment& environment) {
@@ -216,7 +216,7 @@ TEST_CASE("a process that another thread has woken does not wait for all others 
                                     {asker, echo, crowd});
     // In turn with a hundred others, each of the two turns of an answer would come after 5 ms.
     CHECK(report.measured("a", "answer") < 3000);
-    CHECK(report.measured("crowd", "turns") >= questions);
+    CHECK(report.measured("crowd", "turns") >= questions / 2); // the first turns begin the components
 }
 
 TEST_CASE("threads that wait use hardly any of the processor") {

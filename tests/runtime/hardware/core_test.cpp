@@ -123,7 +123,8 @@ TEST_CASE("a process that another core has woken has every second turn") {
                 }
             },
             &pair.b);
-    // Of ten processes that compute for a millisecond in turn, at most one comes before each of pong's two turns.
+    // Ten processes compute for a millisecond in turn, but at most one of them comes before each of the two turns of
+    // pong.
     CHECK(pair.last_round(10) < 3ms);
 }
 
