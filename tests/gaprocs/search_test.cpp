@@ -220,7 +220,7 @@ TEST_CASE("a wrong number of fitness values, an infinite fitness and a longer im
 }
 
 TEST_CASE("a search goes on from a state as if it had not been interrupted") {
-    for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+    for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u}) {
         Search whole(40, small(10), RandomStream(seed, "search"));
         for (std::size_t generation = 0; generation < 7; ++generation)
             whole.next_generation(fitness_of(texts_of(whole)));

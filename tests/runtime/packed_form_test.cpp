@@ -18,7 +18,7 @@ using namespace placedpar;
 
 namespace {
 
-struct Letter {
+struct PackedLetter {
     std::vector<std::string> lines;
     std::optional<double> weight;
     std::variant<int, std::vector<bool>> content;
@@ -54,9 +54,9 @@ bool comes_back(const T& value) {
 
 namespace placedpar {
 template <>
-struct PackedForm<Letter>
-    : PackedMembers<Letter, &Letter::lines, &Letter::weight, &Letter::content, &Letter::enclosed, &Letter::is_urgent> {
-};
+struct PackedForm<PackedLetter>
+    : PackedMembers<PackedLetter, &PackedLetter::lines, &PackedLetter::weight, &PackedLetter::content,
+                    &PackedLetter::enclosed, &PackedLetter::is_urgent> {};
 } // namespace placedpar
 
 TEST_CASE("values come back as they were packed") {
@@ -75,28 +75,28 @@ TEST_CASE("values come back as they were packed") {
 }
 
 TEST_CASE("a structure packs the members that it names") {
-    Letter letter;
+    PackedLetter letter;
     letter.lines = {"Dear reader,", ""};
     letter.weight = 0.25;
     letter.content = std::vector<bool>{false, true};
     letter.enclosed = std::make_shared<const std::vector<int>>(std::vector<int>{9, 8});
     letter.is_urgent = true;
-    const Letter read = unpack<Letter>(packed_bytes(letter));
+    const PackedLetter read = unpack<PackedLetter>(packed_bytes(letter));
     CHECK(read.lines == letter.lines);
     CHECK(read.weight == letter.weight);
     CHECK(read.content == letter.content);
     CHECK(*read.enclosed == *letter.enclosed);
     CHECK(read.is_urgent);
-    CHECK(unpack<Letter>(packed_bytes(Letter())).enclosed == nullptr);
+    CHECK(unpack<PackedLetter>(packed_bytes(PackedLetter())).enclosed == nullptr);
 }
 
 TEST_CASE("bytes that are no message are refused") {
-    const MessageBytes whole = packed_bytes(Letter{{"one", "two"}, 1.5, 3, nullptr, true});
+    const MessageBytes whole = packed_bytes(PackedLetter{{"one", "two"}, 1.5, 3, nullptr, true});
     for (std::size_t length = 0; length < whole.size(); ++length)
-        CHECK_THROWS_AS(unpack<Letter>(std::span(whole).first(length)), NoMessage);
+        CHECK_THROWS_AS(unpack<PackedLetter>(std::span(whole).first(length)), NoMessage);
     MessageBytes longer = whole;
     longer.push_back(0);
-    CHECK_THROWS_WITH_AS(unpack<Letter>(longer), "a message that is followed by further bytes", NoMessage);
+    CHECK_THROWS_WITH_AS(unpack<PackedLetter>(longer), "a message that is followed by further bytes", NoMessage);
     CHECK_THROWS_WITH_AS(unpack<std::vector<int>>(MessageBytes{255, 255, 255, 255, 255, 255, 255, 255}),
                          "an array of 18446744073709551615 elements", NoMessage);
     using Either = std::variant<int, std::string>;
@@ -104,11 +104,11 @@ TEST_CASE("bytes that are no message are refused") {
 }
 
 TEST_CASE("a type that does not state how it is packed cannot travel") {
-    CHECK(Packable<Letter>);
+    CHECK(Packable<PackedLetter>);
     CHECK_FALSE(Packable<Unstated>);
     CHECK_FALSE(Packable<std::vector<Unstated>>);
     CHECK_FALSE(Packable<int*>);
-    const Channel<Letter> letters("letters");
+    const Channel<PackedLetter> letters("letters");
     const Channel<Unstated> others("others");
     for (const AnyChannel* channel :
          {static_cast<const AnyChannel*>(&letters), static_cast<const AnyChannel*>(&others)})

@@ -73,7 +73,7 @@ TEST_CASE("a stream can go to any of its numbers") {
     std::vector<RandomStream::result_type> numbers(1000);
     whole.fill(numbers);
     CHECK(whole.drawn() == numbers.size());
-    for (const std::uint64_t drawn : {0, 1, 3, 4, 63, 64, 65, 127, 500, 999}) {
+    for (const std::uint64_t drawn : {0u, 1u, 3u, 4u, 63u, 64u, 65u, 127u, 500u, 999u}) {
         RandomStream stream(3, "path");
         stream();
         stream.go_to(drawn);
