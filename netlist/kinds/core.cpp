@@ -17,13 +17,13 @@ constexpr std::string_view kind_of_cores = "core";
 class CoreNode final : public MachineNode {
 public:
     CoreNode(MachineParts& parts, std::size_t index)
-        : MachineNode(parts, index), core_(simulation().add<hardware::Core>(node().name, costs())) {}
+        : MachineNode(parts, index), core_(simulation().add<hardware::ComputerCore>(node().name, costs())) {}
 
     Executive* executive() override { return &core_; }
     void report(MachineUse& use) const override {
         use.processors.push_back({node().name, node().type, core_.time_busy(), Time{0}});
     }
-    hardware::Core& core() const { return core_; }
+    hardware::ComputerCore& core() const { return core_; }
 
 private:
     hardware::CoreCosts costs() const {
@@ -36,7 +36,7 @@ private:
                 .waking = cycles("waking")};
     }
 
-    hardware::Core& core_;
+    hardware::ComputerCore& core_;
 };
 
 class SharedMemoryNode final : public MachineNode {

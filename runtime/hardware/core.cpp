@@ -26,16 +26,16 @@ OperationCosts costs_of(const CoreCosts& core) {
 
 } // namespace
 
-Core::Core(Kernel& kernel, std::string name, const CoreCosts& costs)
+ComputerCore::ComputerCore(Kernel& kernel, std::string name, const CoreCosts& costs)
     : Executive(std::move(name), costs_of(costs)), kernel_(kernel), core_(costs) {
     const auto least = std::min({costs.communication, costs.crossing, costs.switching, costs.patience, costs.waking});
     if (costs.clock_hz <= 0 || least < Cycles{0})
         throw std::logic_error("core " + this->name() + ": its clock must be positive, and no cost negative");
 }
 
-Time Core::time_busy() const { return works_ && turn_.scheduled() ? busy_ + (kernel_.now() - began_) : busy_; }
+Time ComputerCore::time_busy() const { return works_ && turn_.scheduled() ? busy_ + (kernel_.now() - began_) : busy_; }
 
-bool Core::begin_computing(Process& self, Cycles cycles, const CodeShape&) {
+bool ComputerCore::begin_computing(Process& self, Cycles cycles, const CodeShape&) {
     if (cycles < Cycles{0})
         throw std::logic_error("process " + self.path() + " computes for a negative number of cycles");
     if (cycles == Cycles{0})
@@ -51,7 +51,7 @@ bool Core::begin_computing(Process& self, Cycles cycles, const CodeShape&) {
     return false;
 }
 
-void Core::end_work() {
+void ComputerCore::end_work() {
     works_ = false;
     busy_ += kernel_.now() - began_;
     if (TraceSink* trace = kernel_.trace())
@@ -59,19 +59,19 @@ void Core::end_work() {
 }
 
 /// Ends a computation or a switch: the current process continues.
-void Core::end_turn() {
+void ComputerCore::end_turn() {
     if (works_)
         end_work();
     kernel_.enqueue(*current_);
 }
 
-void Core::make_ready(Process& p) {
+void ComputerCore::make_ready(Process& p) {
     (is_woken_ ? woken_ : ready_).push_back(p);
     if (!current_)
         take_next();
 }
 
-void Core::leave(Process&, Process* successor) {
+void ComputerCore::leave(Process&, Process* successor) {
     current_ = nullptr;
     idle_since_ = kernel_.now();
     if (successor)
@@ -80,12 +80,12 @@ void Core::leave(Process&, Process* successor) {
         take_next();
 }
 
-Time Core::time_to_start() const {
+Time ComputerCore::time_to_start() const {
     const bool sleeps = kernel_.now() - idle_since_ > duration(core_.patience);
     return duration(core_.switching) + (sleeps ? duration(core_.waking) : Time{});
 }
 
-void Core::take_next() {
+void ComputerCore::take_next() {
     is_turn_of_woken_ = !is_turn_of_woken_;
     current_ = (is_turn_of_woken_ ? woken_ : ready_).pop_front();
     if (!current_)
@@ -132,7 +132,7 @@ void CoreLane::wait_until(bool full, Transfer& transfer, const AnyChannel& chann
 void CoreLane::turn(bool full, Transfer& transfer) {
     transfer.is_full = full;
     if (Process* process = std::exchange(transfer.waiting, nullptr))
-        static_cast<Core&>(*process->executive()).wake_by([&] { kernel_.make_ready(*process); });
+        static_cast<ComputerCore&>(*process->executive()).wake_by([&] { kernel_.make_ready(*process); });
 }
 
 } // namespace placedpar::hardware

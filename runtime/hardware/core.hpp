@@ -32,10 +32,10 @@ struct CoreCosts {
 /// 1. A process runs until it waits or ends. Then the process that has been ready longest runs, whatever its priority.
 /// Processes that another core has woken have every second turn.
 /// 2. If the core has had nothing to do for longer than its patience, the thread sleeps, and takes time to wake.
-class Core final : public Executive {
+class ComputerCore final : public Executive {
 public:
     /// Throws std::logic_error unless the clock is positive and no cost is negative.
-    Core(Kernel&, std::string name, const CoreCosts&);
+    ComputerCore(Kernel&, std::string name, const CoreCosts&);
 
     std::int64_t clock_hz() const { return core_.clock_hz; }
     /// Returns how long the core has computed, without switches and waking.
@@ -56,9 +56,9 @@ public:
 
 private:
     struct Turn final : Event {
-        explicit Turn(Core& c) : core(c) {}
+        explicit Turn(ComputerCore& c) : core(c) {}
         void happen() noexcept override { core.end_turn(); }
-        Core& core;
+        ComputerCore& core;
     };
     Time duration(Cycles cycles) const { return duration_of(static_cast<std::int64_t>(cycles), core_.clock_hz); }
     Time time_to_start() const;
@@ -82,7 +82,7 @@ private:
 class CoreLane final : public Carrier {
 public:
     /// `to`: the core of the inputters. REQUIRES: bytes_per_second > 0.
-    CoreLane(Kernel& kernel, Core& to, std::int64_t bytes_per_second)
+    CoreLane(Kernel& kernel, ComputerCore& to, std::int64_t bytes_per_second)
         : kernel_(kernel), to_(to), bytes_per_second_(bytes_per_second) {}
 
     void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
@@ -100,7 +100,7 @@ private:
     void turn(bool full, Transfer&);
 
     Kernel& kernel_;
-    Core& to_;
+    ComputerCore& to_;
     std::int64_t bytes_per_second_;
     std::map<const AnyChannel*, Transfer> transfers_;
 };

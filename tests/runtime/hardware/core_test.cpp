@@ -27,7 +27,8 @@ constexpr CoreCosts costs_of_core{.communication = Cycles{10},
 /// Two processes on two cores, or on one, with a channel there and back.
 struct CorePair {
     explicit CorePair(bool on_two, std::int64_t bytes_per_second = 1'000'000'000)
-        : a(simulation.add<Core>("a", costs_of_core)), b(on_two ? simulation.add<Core>("b", costs_of_core) : a),
+        : a(simulation.add<ComputerCore>("a", costs_of_core)),
+          b(on_two ? simulation.add<ComputerCore>("b", costs_of_core) : a),
           forth(simulation.add<CoreLane>(b, bytes_per_second)),
           back_lane(simulation.add<CoreLane>(a, bytes_per_second)) {
         if (on_two) {
@@ -63,7 +64,7 @@ struct CorePair {
     }
 
     Simulation simulation;
-    Core &a, &b;
+    ComputerCore &a, &b;
     CoreLane &forth, &back_lane;
     Channel<std::vector<char>> there{"there"}, back{"back"};
     std::size_t bytes = 0;
@@ -94,7 +95,7 @@ TEST_CASE("a core that has had nothing to do for longer than its patience takes 
 
 TEST_CASE("no process of a core interrupts another, whatever their priorities and however long they compute") {
     Simulation simulation;
-    Core& core = simulation.add<Core>("c", CoreCosts{});
+    ComputerCore& core = simulation.add<ComputerCore>("c", CoreCosts{});
     Channel<int> begin("begin");
     std::vector<std::string> order;
     const auto computing = [&](const char* name) {
@@ -130,6 +131,6 @@ TEST_CASE("a process that another core has woken has every second turn") {
 
 TEST_CASE("a core refuses costs without sense") {
     Simulation simulation;
-    CHECK_THROWS_AS(simulation.add<Core>("c", CoreCosts{.clock_hz = 0}), std::logic_error);
-    CHECK_THROWS_AS(simulation.add<Core>("c", CoreCosts{.waking = Cycles{-1}}), std::logic_error);
+    CHECK_THROWS_AS(simulation.add<ComputerCore>("c", CoreCosts{.clock_hz = 0}), std::logic_error);
+    CHECK_THROWS_AS(simulation.add<ComputerCore>("c", CoreCosts{.waking = Cycles{-1}}), std::logic_error);
 }
