@@ -2,6 +2,7 @@
 
 #include "explore/study/rank_helper.hpp"
 #include "explore/study/rank_zero.hpp"
+#include "ranks/rank_mail.hpp"
 #include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
@@ -9,6 +10,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -60,6 +62,7 @@ public:
     int count() const override { return static_cast<int>(post_.ranks()); }
     void send(int to, const std::string& text) override { post_.send(own_, to, text); }
     std::optional<Message> receive() override { return post_.receive(own_); }
+    std::unique_ptr<RankMail> open_mail() override { return nullptr; } // studies need none
 
 private:
     PostOffice& post_;
