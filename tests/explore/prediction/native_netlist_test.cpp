@@ -15,6 +15,7 @@
 #include <fstream>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <unistd.h>
 #include <vector>
 
@@ -109,11 +110,9 @@ TEST_CASE("the prediction makes the generations of the netlist, on as many cores
         CHECK(report.processors.size() == threads);
         for (const char* island : {"thread[0]", "thread[3]"})
             CHECK(report.measured_text(island, "populations") == expected.measured_text(island, "populations"));
-        if (threads != 3) { // with three, one of them still has two islands
-            CHECK(report.result.time < last);
-            CHECK(report.result.time >= work / static_cast<std::int64_t>(threads));
-            last = report.result.time;
-        }
+        CHECK(report.result.time >= work / static_cast<std::int64_t>(threads));
+        if (threads <= 2) // with more, the messages of the host take longer than generations of 30 us
+            CHECK(report.result.time < std::exchange(last, report.result.time));
     }
 }
 
