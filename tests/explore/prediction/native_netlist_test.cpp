@@ -15,8 +15,8 @@
 #include <fstream>
 #include <numeric>
 #include <string>
-#include <utility>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 using namespace placedpar;
