@@ -149,9 +149,9 @@ class OnRanks(unittest.TestCase):
             kept = ("--native", "--checkpoint", file, "--checkpoint-every", "1")
             for ranks in (3, 2, 3):
                 with start(ranks, "run", ISLANDS, *kept) as mpirun:
-                    while len(ranks_of(mpirun)) < ranks and mpirun.poll() is None:
+                    while not file.exists() and mpirun.poll() is None:
                         time.sleep(0.01)
-                    time.sleep(chance.uniform(0.1, 0.4))
+                    time.sleep(chance.uniform(0, 0.3))
                     for rank in list(ranks_of(mpirun).values())[1:2]:
                         os.kill(rank, signal.SIGKILL)
                     mpirun.communicate(timeout=20)
@@ -181,7 +181,7 @@ class OnRanks(unittest.TestCase):
                 for rank in ranks:
                     os.kill(rank, signal.SIGINT)
                 mpirun.communicate(timeout=20)
-        self.assertLess(max(used), 0.05, "of 2 s; the clock has steps of 10 ms")
+        self.assertLess(max(used), 0.1, "of 2 s; a rank that polls uses 2 s")
 
 
 @unittest.skipUnless(MPIRUN and MODULE.exists(), "built without MPI")
