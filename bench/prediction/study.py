@@ -115,12 +115,13 @@ def draw(rows, folder):
         print("no plot: gnuplot is missing")
         return
     with tempfile.NamedTemporaryFile("w", suffix=".dat", encoding="utf-8") as data:
-        data.writelines(f"{median} {predicted}\n" for _, predicted, median, _ in rows)
+        data.writelines(f"{1000 * median} {1000 * predicted}\n" for _, predicted, median, _ in rows)
         data.flush()
-        low, high = (f(row[2] for row in rows) for f in (min, max))
+        low, high = (f(time for row in rows for time in row[1:3]) * 1000 for f in (min, max))
         script = f"""set terminal svg size 640,480; set output "{folder / 'prediction.svg'}"
-set logscale xy; set xlabel "measured [s]"; set ylabel "predicted [s]"; set key top left
-set xrange [{low / 1.5}:{high * 1.5}]
+set logscale xy; set xlabel "measured [ms]"; set ylabel "predicted [ms]"; set key top left; set size square
+set xrange [{low / 1.2}:{high * 1.2}]; set yrange [{low / 1.2}:{high * 1.2}]
+set xtics (100, 150, 200, 300, 400, 500, 700, 1000); set ytics (100, 150, 200, 300, 400, 500, 700, 1000)
 plot x title "equal", {1 + BAND} * x title "15 % more" dashtype 2, {1 - BAND} * x title "15 % less" dashtype 2, \\
      "{data.name}" title "netlists" with points pointtype 7
 """
