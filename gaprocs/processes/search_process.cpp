@@ -106,7 +106,7 @@ private:
         to_pass_over_ = checkpoint.search.generation;
         search_.go_on_from(checkpoint.search);
         if (!search_.is_valid(checkpoint.best))
-            throw UserError("the best individual of the checkpoint is no string of this search");
+            throw UserError("the best individual of the checkpoint does not belong to this search");
         populations_ = Fingerprint(checkpoint.populations);
         best_ = checkpoint.best;
         values_of_best_ = problem_.decode(best_->genome);

@@ -11,6 +11,7 @@
 #include "runtime/parallel.hpp"
 #include "runtime/recovery.hpp"
 #include "runtime/timer.hpp"
+#include "tests/native/ring_of.hpp"
 #include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
@@ -65,17 +66,6 @@ RunReport run_on(std::size_t threads, const std::string& text, const std::vector
     return run_natively(network_of(text, catalogue), settings);
 }
 
-/// A ring of processes, each on a processor of its own.
-std::string ring(int processes, const std::string& kind) {
-    return fmt::format(R"(val n {};
-        T800 t[n]; rep i = 0 for n connect t[i].link[1] to t[(i + 1) % n].link[0];
-        process (interface (input in, output out)) p[n];
-        rep i = 0 for n use "{}" for p[i];
-        rep i = 0 for n connect p[i].out to p[(i + 1) % n].in;
-        rep i = 0 for n place p[i] on t[i];)",
-                       processes, kind);
-}
-
 } // namespace
 
 TEST_CASE("a token goes round a ring, whatever the number of threads") {
@@ -94,7 +84,7 @@ TEST_CASE("a token goes round a ring, whatever the number of threads") {
         environment.measure("token", token);
     });
     for (const std::size_t threads : {1U, 2U, 3U, 5U}) {
-        const RunReport report = run_on(threads, ring(5, "relay"), {relay});
+        const RunReport report = run_on(threads, test::ring_of(5, "relay"), {relay});
         CHECK(report.result.ending == Ending::completed);
         CHECK(report.measured("p[0]", "token") == 5 * rounds);
         CHECK(report.measured("p[4]", "token") == 5 * rounds - 1);
@@ -108,10 +98,10 @@ TEST_CASE("a deadlock over threads is found at once, and reported as that of a s
         environment.input<int>("in").input();
     });
     const Catalogue catalogue = kinds_with({sender});
-    const Network network = network_of(ring(4, "sender"), catalogue);
+    const Network network = network_of(test::ring_of(4, "sender"), catalogue);
     const Deadlock simulated = *Machine(network, catalogue, 1).run().result.deadlock;
     for (const std::size_t threads : {1U, 2U, 3U, 4U}) {
-        const RunReport report = run_on(threads, ring(4, "sender"), {sender});
+        const RunReport report = run_on(threads, test::ring_of(4, "sender"), {sender});
         REQUIRE(report.result.ending == Ending::stuck);
         CHECK(report.result.time < Time(2s));
         REQUIRE(report.result.deadlock);
@@ -124,7 +114,7 @@ TEST_CASE("components of PARs on different threads are part of the wait cycle") 
         par([&] { environment.input<int>("in").input(); }, [&] { wait_for(1ms); });
         environment.output<int>("out").output(1);
     });
-    const RunReport report = run_on(2, ring(2, "both"), {both});
+    const RunReport report = run_on(2, test::ring_of(2, "both"), {both});
     REQUIRE(report.result.deadlock);
     CHECK(std::set(report.result.deadlock->cycle.begin(), report.result.deadlock->cycle.end()) ==
           std::set<std::string>{"p[0]", "p[0]/0", "p[1]", "p[1]/0"});
@@ -139,7 +129,7 @@ TEST_CASE("what a process throws ends all threads, and names the process, its ki
         environment.input<int>("in").input();
     });
     try {
-        run_on(3, ring(3, "failing"), {failing});
+        run_on(3, test::ring_of(3, "failing"), {failing});
         FAIL("nothing was thrown");
     } catch (const UserError& refused) {
         const std::string what = refused.what();
@@ -161,7 +151,7 @@ TEST_CASE("an interruption ends processes that compute and processes that wait")
     settings.make_catalogue = [&] { return std::make_shared<const Catalogue>(kinds_with({busy})); };
     settings.is_interrupted = [] { return true; };
     const auto begun = std::chrono::steady_clock::now();
-    CHECK(run_natively(network_of(ring(2, "busy"), catalogue), settings).result.ending == Ending::interrupted);
+    CHECK(run_natively(network_of(test::ring_of(2, "busy"), catalogue), settings).result.ending == Ending::interrupted);
     CHECK(std::chrono::steady_clock::now() - begun < 1s);
 }
 
@@ -228,7 +218,7 @@ TEST_CASE("threads that wait use hardly any of the processor") {
         environment.input<int>("in").input();
     });
     const std::clock_t before = std::clock();
-    const RunReport report = run_on(2, ring(2, "waiting"), {waiting});
+    const RunReport report = run_on(2, test::ring_of(2, "waiting"), {waiting});
     CHECK(report.result.ending == Ending::completed);
     CHECK(report.result.time >= Time(500ms));
     CHECK(static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC < 0.05);
@@ -246,7 +236,7 @@ TEST_CASE("a process waits for the end of the work on all threads") {
             wait_until_work_is_over();
         environment.output<int>("out").output(7);
     });
-    const RunReport report = run_on(2, ring(2, "last"), {last});
+    const RunReport report = run_on(2, test::ring_of(2, "last"), {last});
     CHECK(report.result.ending == Ending::completed);
     CHECK(report.measured("p[0]", "told") == 7);
 }
@@ -267,7 +257,7 @@ TEST_CASE("a process waits for the end of the work again and again") {
         }
     });
     for (const std::size_t threads : {1U, 2U, 3U}) {
-        const RunReport report = run_on(threads, ring(3, "again"), {again});
+        const RunReport report = run_on(threads, test::ring_of(3, "again"), {again});
         CHECK(report.result.ending == Ending::completed);
         CHECK(report.measured("p[1]", "sum") == 6);
     }
@@ -289,7 +279,7 @@ TEST_CASE("the time of a run has its last computation, and no process waits whil
         work_for(60ms);
     });
     for (const std::size_t threads : {1U, 2U}) {
-        const RunReport report = run_on(threads, ring(2, "slow"), {slow});
+        const RunReport report = run_on(threads, test::ring_of(2, "slow"), {slow});
         CHECK(report.result.time >= Time(120ms));
         CHECK(report.processes[1].waiting < Time(50ms));
         for (const ProcessorUse& thread : report.processors)
@@ -314,7 +304,7 @@ TEST_CASE("an ALT may find that the message on another thread has been given up"
             environment.measure("taken", taken);
         }
     });
-    const RunReport report = run_on(2, ring(2, "hasty"), {hasty});
+    const RunReport report = run_on(2, test::ring_of(2, "hasty"), {hasty});
     CHECK(report.result.ending == Ending::completed);
     CHECK(report.measured("p[1]", "taken") >= 1);
 }
@@ -335,7 +325,7 @@ TEST_CASE("an output to another thread is given up after a time-out, and may be 
             environment.measure("got", in.input());
         }
     });
-    const RunReport report = run_on(2, ring(2, "trying"), {trying});
+    const RunReport report = run_on(2, test::ring_of(2, "trying"), {trying});
     CHECK(report.result.ending == Ending::completed);
     CHECK(report.measured("p[1]", "got") == 5);
     CHECK(report.measured("p[0]", "given up") >= 1);
@@ -398,7 +388,7 @@ TEST_CASE("a message that an ALT on another thread has chosen cannot be given up
     settings.threads = 2;
     settings.pace = 0.001;
     settings.make_catalogue = [&] { return std::make_shared<const Catalogue>(kinds_with({hasty})); };
-    const RunReport report = run_natively(network_of(ring(2, "hasty"), catalogue), settings);
+    const RunReport report = run_natively(network_of(test::ring_of(2, "hasty"), catalogue), settings);
     REQUIRE(report.result.ending == Ending::completed); // else the ALT's input waits for another message
     CHECK(report.measured("p[0]", "passed") == report.measured("p[1]", "passed"));
 }
@@ -416,7 +406,7 @@ TEST_CASE("a process communicates while another one of its paced processor compu
     NativeSettings settings;
     settings.pace = 1;
     settings.make_catalogue = [&] { return std::make_shared<const Catalogue>(kinds_with({both})); };
-    const RunReport report = run_natively(network_of(ring(2, "both"), catalogue), settings);
+    const RunReport report = run_natively(network_of(test::ring_of(2, "both"), catalogue), settings);
     CHECK(report.result.time >= Time(200ms));
     CHECK(report.measured("p[1]", "s") < 0.1);
 }
@@ -438,7 +428,7 @@ TEST_CASE("processes on different processors of a paced thread communicate, and 
         settings.threads = threads;
         settings.pace = 10;
         settings.make_catalogue = [&] { return std::make_shared<const Catalogue>(kinds_with({relay})); };
-        const RunReport report = run_natively(network_of(ring(3, "relay"), catalogue), settings);
+        const RunReport report = run_natively(network_of(test::ring_of(3, "relay"), catalogue), settings);
         CHECK(report.result.ending == Ending::stuck);
         CHECK(report.result.time >= Time(100us));
         REQUIRE(report.result.deadlock);
@@ -447,6 +437,6 @@ TEST_CASE("processes on different processors of a paced thread communicate, and 
 }
 
 TEST_CASE("faults are refused") {
-    CHECK_THROWS_WITH_AS(run_on(1, ring(2, "csp.identity") + "fault t[0] halts (from = 1ms);"),
+    CHECK_THROWS_WITH_AS(run_on(1, test::ring_of(2, "csp.identity") + "fault t[0] halts (from = 1ms);"),
                          doctest::Contains("a native run has no faults"), UserError);
 }

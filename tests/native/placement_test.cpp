@@ -115,7 +115,7 @@ TEST_CASE("a placement by load keeps Graham's bound, and every rank") {
     }
 }
 
-TEST_CASE("a rank that is no place is refused with its place in the netlist") {
+TEST_CASE("a rank above the number of threads is refused with its place in the netlist") {
     const Network network = ring_with({-1, 4, -1});
     CHECK(most_places(network) == 5);
     for (const Loads& loads : {Loads{}, loads_of({1, 1, 1})})

@@ -13,6 +13,7 @@
 #include "runtime/parallel.hpp"
 #include "runtime/recovery.hpp"
 #include "runtime/timer.hpp"
+#include "tests/native/ring_of.hpp"
 #include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
@@ -213,16 +214,6 @@ ProcessKind rank_kind(const std::string& name, std::function<void(ProcessEnviron
     return kind;
 }
 
-std::string ring_of(int processes, const std::string& kind) {
-    return fmt::format(R"(val n {};
-        T800 t[n]; rep i = 0 for n connect t[i].link[1] to t[(i + 1) % n].link[0];
-        process (interface (input in, output out)) p[n];
-        rep i = 0 for n use "{}" for p[i];
-        rep i = 0 for n connect p[i].out to p[(i + 1) % n].in;
-        rep i = 0 for n place p[i] on t[i];)",
-                       processes, kind);
-}
-
 } // namespace
 
 TEST_CASE("a token goes round a ring, whatever the number of ranks") {
@@ -241,7 +232,7 @@ TEST_CASE("a token goes round a ring, whatever the number of ranks") {
         environment.measure("token", token);
     });
     for (const int ranks : {1, 2, 3, 5}) {
-        const OnRanks run = on_ranks(ranks, ring_of(5, "relay"), {relay}, Interrupted::none, true);
+        const OnRanks run = on_ranks(ranks, test::ring_of(5, "relay"), {relay}, Interrupted::none, true);
         REQUIRE_MESSAGE(run.report, what_was_thrown(run));
         CHECK(run.report->result.ending == Ending::completed);
         CHECK(run.report->measured("p[0]", "token") == 5 * rounds);
@@ -262,10 +253,10 @@ TEST_CASE("a deadlock over ranks is reported as that of a simulated run") {
         environment.input<int>("in").input();
     });
     const Catalogue catalogue = rank_kinds({sender});
-    const Network network = *read_netlist_text(ring_of(4, "sender"), catalogue, {}).network;
+    const Network network = *read_netlist_text(test::ring_of(4, "sender"), catalogue, {}).network;
     const Deadlock simulated = *Machine(network, catalogue, 1).run().result.deadlock;
     for (const int ranks : {1, 2, 3, 4}) {
-        const OnRanks run = on_ranks(ranks, ring_of(4, "sender"), {sender});
+        const OnRanks run = on_ranks(ranks, test::ring_of(4, "sender"), {sender});
         REQUIRE(run.report);
         REQUIRE(run.report->result.ending == Ending::stuck);
         REQUIRE(run.report->result.deadlock);
@@ -278,7 +269,7 @@ TEST_CASE("a deadlock over ranks names partners that have ended, and components 
         par([&] { environment.input<int>("in").input(); }, [&] { wait_for(1ms); });
         environment.output<int>("out").output(1);
     });
-    const OnRanks run = on_ranks(2, ring_of(2, "both"), {both});
+    const OnRanks run = on_ranks(2, test::ring_of(2, "both"), {both});
     REQUIRE(run.report);
     REQUIRE(run.report->result.deadlock);
     CHECK(run.report->result.deadlock->cycle == std::vector<std::string>{"p[0]", "p[0]/0", "p[1]", "p[1]/0"});
@@ -287,7 +278,7 @@ TEST_CASE("a deadlock over ranks names partners that have ended, and components 
         if (environment.index() == 0)
             environment.input<int>("in").input();
     });
-    const OnRanks ended = on_ranks(2, ring_of(2, "early"), {early});
+    const OnRanks ended = on_ranks(2, test::ring_of(2, "early"), {early});
     REQUIRE(ended.report->result.deadlock);
     CHECK(ended.report->result.deadlock->text().starts_with("no wait cycle: p[0] inputs for ever, but p[1] has ended"));
 }
@@ -311,7 +302,7 @@ TEST_CASE("long messages are sent as parcels, and short ones are not") {
         });
     };
     for (const std::size_t length : {0u, 1u, 400u, 500u, 5000u, 300000u}) {
-        const OnRanks run = on_ranks(2, ring_of(2, "sends"), {sends(length)});
+        const OnRanks run = on_ranks(2, test::ring_of(2, "sends"), {sends(length)});
         REQUIRE(run.report);
         const auto n = static_cast<double>(length);
         CHECK(run.report->measured("p[1]", "sum") == 3 * n * (n + 1) / 2);
@@ -340,7 +331,7 @@ TEST_CASE("an ALT leaves the message of a rank, long or short, until it is chose
                 });
             environment.measure("order", order);
         });
-        const OnRanks run = on_ranks(2, ring_of(2, "alternates"), {alternates});
+        const OnRanks run = on_ranks(2, test::ring_of(2, "alternates"), {alternates});
         REQUIRE_MESSAGE(run.report, what_was_thrown(run));
         CHECK(run.report->result.ending == Ending::completed);
         CHECK(run.report->measured("p[1]", "order") == 17);
@@ -354,7 +345,7 @@ TEST_CASE("a message that no process takes does not keep the run from its end") 
             if (environment.index() == 0)
                 environment.output<std::vector<int>>("out").output(std::vector<int>(length, 7));
         });
-        const OnRanks run = on_ranks(2, ring_of(2, "ignores"), {ignores});
+        const OnRanks run = on_ranks(2, test::ring_of(2, "ignores"), {ignores});
         REQUIRE(run.report);
         CHECK(run.report->result.ending == Ending::stuck);
         CHECK(run.report->result.deadlock->channels.front().inputter == "p[1] (has ended)");
@@ -369,7 +360,7 @@ TEST_CASE("what a process throws ends all ranks, and names the rank, the process
         }
         environment.input<int>("in").input();
     });
-    const std::string what = what_was_thrown(on_ranks(3, ring_of(3, "failing"), {failing}));
+    const std::string what = what_was_thrown(on_ranks(3, test::ring_of(3, "failing"), {failing}));
     CHECK(what.starts_with("rank 2: "));
     CHECK(what.find("process p[2] (failing) at ") != std::string::npos);
     CHECK(what.ends_with("there is no sand in this box"));
@@ -383,7 +374,7 @@ TEST_CASE("an interruption of ranks ends processes that compute, and that of one
                     all ? compute(Cycles{1}) : wait_for(1ms);
             environment.input<int>("in").input();
         });
-        const OnRanks run = on_ranks(3, ring_of(3, "busy"), {busy}, all ? Interrupted::all : Interrupted::last);
+        const OnRanks run = on_ranks(3, test::ring_of(3, "busy"), {busy}, all ? Interrupted::all : Interrupted::last);
         REQUIRE(run.report);
         CHECK(run.report->result.ending == Ending::interrupted);
         CHECK(run.report->result.time < Time(5s));
@@ -405,7 +396,7 @@ TEST_CASE("processes on ranks wait for the end of the work again and again") {
         }
     });
     for (const int ranks : {1, 2, 3}) {
-        const OnRanks run = on_ranks(ranks, ring_of(3, "again"), {again});
+        const OnRanks run = on_ranks(ranks, test::ring_of(3, "again"), {again});
         REQUIRE(run.report);
         CHECK(run.report->result.ending == Ending::completed);
         CHECK(run.report->measured("p[1]", "sum") == 6);
@@ -428,7 +419,7 @@ TEST_CASE("an input from another rank can be given up, and an output cannot") {
         environment.measure("given up", given_up);
         environment.measure("got", got);
     });
-    const OnRanks run = on_ranks(2, ring_of(2, "hasty"), {hasty});
+    const OnRanks run = on_ranks(2, test::ring_of(2, "hasty"), {hasty});
     REQUIRE_MESSAGE(run.report, what_was_thrown(run));
     CHECK(run.report->measured("p[1]", "got") == 5);
     CHECK(run.report->measured("p[1]", "given up") >= 1);
@@ -437,7 +428,7 @@ TEST_CASE("an input from another rank can be given up, and an output cannot") {
         if (environment.index() == 0)
             output_or_fail(environment.output<int>("out"), 1, now() + 1ms);
     });
-    CHECK(what_was_thrown(on_ranks(2, ring_of(2, "gives_up"), {gives_up}))
+    CHECK(what_was_thrown(on_ranks(2, test::ring_of(2, "gives_up"), {gives_up}))
               .find("an output to another rank of mpirun cannot be given up") != std::string::npos);
 }
 
@@ -452,8 +443,9 @@ struct Unpackable {
 
 TEST_CASE("messages that cannot be packed, and too many ranks, are refused before the run") {
     const auto odd = rank_kind<Unpackable>("odd", [](ProcessEnvironment&) { FAIL("the run has begun"); });
-    const std::string what = what_was_thrown(on_ranks(2, ring_of(2, "odd"), {odd}));
+    const std::string what = what_was_thrown(on_ranks(2, test::ring_of(2, "odd"), {odd}));
     CHECK(what.find("the channel \"p[0].out -> p[1].in\" from the port \"out\" of kind \"odd\" leads to another rank, "
                     "but its messages cannot be packed") != std::string::npos);
-    CHECK(what_was_thrown(on_ranks(3, ring_of(2, "csp.identity"), {})).find("start at most") != std::string::npos);
+    CHECK(what_was_thrown(on_ranks(3, test::ring_of(2, "csp.identity"), {})).find("start at most") !=
+          std::string::npos);
 }
