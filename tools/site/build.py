@@ -98,13 +98,13 @@ def main():
     folder = given.folder.absolute()
     link_pages(folder / "source")
     read_headers(given.headers.absolute(), folder / "xml")
-    write_interface_pages(folder / "xml", folder / "source" / "interfaces")
+    write_interface_pages(folder / "xml", folder / "source" / "interfaces" / "cpp")
     shutil.rmtree(folder / "runs", ignore_errors=True)
     draw_runs(given.program.absolute(), folder / "runs")
     environment = os.environ | {"PLACEDPAR_API_XML": str(folder / "xml"), "PLACEDPAR_RUNS": str(folder / "runs")}
     (folder / "html").mkdir(exist_ok=True)
     (folder / "html" / "index.html").write_text('<meta http-equiv="refresh" content="0; url=README.html">\n')
-    return subprocess.run(["sphinx-build", "-q", "-W", "--keep-going", "-j", "auto", "-c", HERE, "-d", folder / "doctrees",
+    return subprocess.run(["sphinx-build", "-q", "-E", "-W", "--keep-going", "-j", "auto", "-c", HERE, "-d", folder / "doctrees",
                            folder / "source", folder / "html"], env=environment).returncode
 
 

@@ -15,7 +15,7 @@ project = "PlacedPar"
 author = "the PlacedPar maintainers"
 release = re.search(r"project\(PlacedPar VERSION (\S+)", (HERE.parent.parent / "CMakeLists.txt").read_text())[1]
 root_doc = "README"
-include_patterns = ["*.md", "docs/**.md", "examples/**.md", "interfaces/*.md", "*/README.md", "*/*/README.md"]
+include_patterns = ["*.md", "docs/**.md", "examples/**.md", "interfaces/**.md", "*/README.md", "*/*/README.md"]
 exclude_patterns = ["docs/occam-course/answers", "tools/skeleton"]
 
 extensions = ["myst_parser", "breathe", "contents", "languages", "linked_files", "run_pages"]
@@ -28,6 +28,7 @@ breathe_show_include = False
 html_theme = "furo"
 html_title = f"PlacedPar {release}"
 html_copy_source = False
+html_show_copyright = False
 html_show_sphinx = False
 html_static_path = ["static"]
 html_css_files = ["site.css"]

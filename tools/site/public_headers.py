@@ -47,7 +47,7 @@ def declarations(xml):
 
 def write_interface_pages(xml, folder):
     """Writes FOLDER/ROOM.md for each room whose headers Doxygen read, and FOLDER/README.md, which lists them."""
-    folder.mkdir()
+    folder.mkdir(parents=True)
     rooms = {}
     for header, listed in sorted(declarations(xml).items()):
         directives = [directive for line, directive in sorted(listed)]
@@ -58,5 +58,5 @@ def write_interface_pages(xml, folder):
     links = "\n".join(f"- [{room}]({room}.md)" for room in rooms)
     (folder / "README.md").write_text(
         "# Interfaces in C++\n\nA program of your own may include these headers. "
-        "[Building by hand](../docs/start/commands.md#building-by-hand) says how to install them, and [own "
-        f"processes](../docs/guides/own-processes.md) has a first program.\n\n{links}\n")
+        "[Building by hand](../../docs/start/commands.md#building-by-hand) says how to install them, and [own "
+        f"processes](../../docs/guides/own-processes.md) has a first program.\n\n{links}\n")
