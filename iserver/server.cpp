@@ -192,7 +192,9 @@ Reply Server::key(std::optional<std::uint8_t> key) {
 
 Reply Server::poll_key() {
     const std::optional<std::uint8_t> key = terminal_.pressed_key();
-    polls_ = key || !terminal_.at_end() ? 0 : polls_ + 1;
+    const bool is_out_of_keys = !key && terminal_.at_end();
+    was_out_of_keys_ |= is_out_of_keys;
+    polls_ = is_out_of_keys ? polls_ + 1 : 0;
     if (polls_ >= most_polls)
         state_ = ServerState::waits_for_input;
     return key ? success().byte(*key) : failure();

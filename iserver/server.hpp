@@ -62,6 +62,8 @@ public:
     Answer answer(ByteView request, std::chrono::microseconds since_start);
     /// Completes the output on the terminal. Call it once a run has ended, for whatever reason.
     void finish();
+    /// Returns whether the program has polled for a key after the last one.
+    bool was_out_of_keys() const { return was_out_of_keys_; }
     /// Returns whether output was lost because of the write limit.
     bool exceeded_write_limit() const { return quota_.exceeded(); }
 
@@ -84,6 +86,7 @@ private:
     ServerState state_ = ServerState::running;
     std::int32_t exit_ = 0;
     std::chrono::microseconds since_start_{};
+    bool was_out_of_keys_ = false;
     std::size_t polls_ = 0;  ///< polls in a row, without a key that may come
     std::size_t at_end_ = 0; ///< requests for stream 0 since it ended
 };

@@ -141,6 +141,20 @@ PROC hello (CHAN OF SP fs, ts)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertTrue(done.stdout.startswith("abc"), done.stdout)
 
+    def test_a_terminal_asks_for_no_key_after_the_last_one(self):
+        done = self.run_text("""PROC ask (CHAN BYTE keyboard?, screen!, error!)
+  BYTE ch:
+  SEQ i = 0 FOR 2
+    SEQ
+      keyboard ? ch
+      screen ! ch
+:
+""", "--keys", "a")
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertRegex(done.stdout, r"deadlock at \d+\.\d+ ms")
+        self.assertIn("waits; it has asked for a key, and no more are given", done.stdout)
+        self.assertRegex(done.stdout, r"root\.\d+:5 +inputs")
+
     def test_a_program_without_a_host_ends_with_success(self):
         done = self.run_text("PROC main ()\n  INT x:\n  x := 1\n:\n")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
