@@ -21,7 +21,10 @@ bool Crossing::Giver::give_up_output(AnyChannel&) {
     return true;
 }
 
-void Crossing::Taken::arrive() noexcept { c.outputter_->kernel().make_ready(*c.outputter_); }
+void Crossing::Taken::arrive() noexcept {
+    c.output_.tell_taken_elsewhere();
+    c.outputter_->kernel().make_ready(*c.outputter_);
+}
 
 /// Returns whether there is an offer, which the outputter cannot give up from then on.
 bool Crossing::claim() {

@@ -12,16 +12,18 @@ void RankGiver::output(AnyChannel& channel, const WireForm&, const SourceLocatio
     channel.pack_message(packed_);
     member_.send_message(to_, number_, packed_);
     if (std::exchange(is_awaited_, false))
-        return;
+        return channel.tell_taken_elsewhere();
     outputter_ = &Kernel::here().running();
     outputter_->wait_for(Activity::outputting, &channel, where);
 }
 
 void RankGiver::taker_came() {
-    if (Process* const waiting = std::exchange(outputter_, nullptr))
-        waiting->kernel().make_ready(*waiting);
-    else
-        is_awaited_ = true;
+    Process* const waiting = std::exchange(outputter_, nullptr);
+    is_awaited_ = !waiting;
+    if (!waiting)
+        return;
+    channel_.tell_taken_elsewhere();
+    waiting->kernel().make_ready(*waiting);
 }
 
 std::string RankGiver::why_not_given_up() const {

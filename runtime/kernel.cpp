@@ -308,6 +308,8 @@ void Kernel::switch_to(Process* p) {
     p.worker_ = fibers_.idle.back();
     p.worker_->process = &p;
     fibers_.idle.pop_back();
+    if (hot_.trace && surroundings_)
+        hot_.trace->turns(p, Activity::executing, hot_.now);
     return true;
 }
 
