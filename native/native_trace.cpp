@@ -178,8 +178,12 @@ Network with_places(Network network, const RunReport& run) {
     }
     for (std::size_t i = 0; i < network.processes.size(); ++i)
         network.processes[i].node = numbers.at(run.processes[i].processor);
-    for (NetworkChannel& channel : network.channels)
-        channel.placement = {};
+    for (NetworkChannel& channel : network.channels) {
+        for (ChannelEnd* const end : {&channel.from, &channel.to})
+            end->node = end->at_edge() ? nowhere : network.processes[end->process].node;
+        const bool crosses = channel.from.node != channel.to.node;
+        channel.placement = {.kind = crosses ? ChannelPlacement::Kind::edge : ChannelPlacement::Kind::soft};
+    }
     return network;
 }
 

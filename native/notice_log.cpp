@@ -22,11 +22,14 @@ std::uint32_t number_in(std::vector<Key>& table, Numbers& numbers, const Key& ke
 
 } // namespace
 
-/// Reads the clock. Two readings differ, so that each activity takes time.
-Time NoticeLog::now() {
+/// Returns this time, or a time soon after the last notice: so each activity takes time.
+Time NoticeLog::later_than_last(Time now) {
     constexpr Time shortest = std::chrono::nanoseconds(1);
-    return last_ = std::max(kernel_.surroundings()->now(), last_ + shortest);
+    return last_ = std::max(now, last_ + shortest);
 }
+
+/// The kernel reads the clock when a wait begins or ends. While a process runs, the kernel's time stands still.
+Time NoticeLog::read_clock() { return later_than_last(kernel_.surroundings()->now()); }
 
 void NoticeLog::add(Notice notice) {
     if (notices_.full_at || notice.at > until_)
@@ -38,10 +41,11 @@ void NoticeLog::add(Notice notice) {
 }
 
 /// Records a turn, unless the process becomes ready: a wait lasts until its program runs again.
-void NoticeLog::turns(const Process& process, Activity activity, Time) {
+void NoticeLog::turns(const Process& process, Activity activity, Time now) {
     if (activity == Activity::ready)
         return;
-    Notice notice{.at = now(), .process = number_of(process), .activity = static_cast<std::uint8_t>(activity)};
+    const Time at = activity == Activity::starting ? read_clock() : later_than_last(now);
+    Notice notice{.at = at, .process = number_of(process), .activity = static_cast<std::uint8_t>(activity)};
     if (is_waiting(activity)) {
         notice.subject = number_of_awaited(process);
         notice.awaits_timer = process.awaits_timer();
@@ -62,7 +66,7 @@ void NoticeLog::communicated(const AnyChannel& channel, Time) {
 
 void NoticeLog::add_part(const AnyChannel& channel, const Process& process, Activity activity, Notice::Kind kind) {
     const std::uint32_t subject = number_of(channel);
-    add({.at = now(),
+    add({.at = read_clock(),
          .process = number_of(process),
          .subject = subject,
          .number = messages_[subject][activity == Activity::inputting]++,
@@ -70,7 +74,7 @@ void NoticeLog::add_part(const AnyChannel& channel, const Process& process, Acti
          .activity = static_cast<std::uint8_t>(activity)});
 }
 
-void NoticeLog::over(Time time) { notices_.over = std::max(time, last_); }
+void NoticeLog::over(Time now) { notices_.over = std::max(now, last_); }
 
 std::uint32_t NoticeLog::number_of(const Process& process) {
     const auto [found, is_new] = living_.try_emplace(process.ordinal(), 0);

@@ -41,7 +41,7 @@ struct Notices {
     std::optional<Time> full_at;                     ///< when there were too many notices; the rest is missing
 };
 
-/// Records what happens on one kernel of a native run, by its own readings of the wall clock.
+/// Records what happens on one kernel of a native run.
 class NoticeLog final : public TraceSink {
 public:
     /// Records nothing after `until`, and at most `most` notices. REQUIRES: the kernel runs among others
@@ -58,7 +58,8 @@ public:
     void over(Time) override;
 
 private:
-    Time now();
+    Time later_than_last(Time);
+    Time read_clock();
     void add(Notice);
     void add_part(const AnyChannel&, const Process&, Activity, Notice::Kind);
     bool has(const Process* process) const { return process && &process->kernel() == &kernel_; }

@@ -1,20 +1,36 @@
 #include "native/rank_channel.hpp"
 
+#include "native/offer.hpp"
+#include "ranks/rank_mail.hpp"
 #include "runtime/process.hpp"
 #include "text/user_error.hpp"
+
+#include <fmt/format.h>
 
 #include <utility>
 
 namespace placedpar::native {
 
+namespace {
+
+void require_length(const MessageBytes& packed) {
+    if (packed.size() > RankMail::longest_parcel)
+        throw UserError(fmt::format("a message of {} bytes is too long for another rank of mpirun, expected at most {}",
+                                    packed.size(), RankMail::longest_parcel));
+}
+
+} // namespace
+
 void RankGiver::output(AnyChannel& channel, const WireForm&, const SourceLocation& where) {
     packed_.clear();
     channel.pack_message(packed_);
-    member_.send_message(to_, number_, packed_);
-    if (std::exchange(is_awaited_, false))
-        return channel.tell_taken_elsewhere();
+    require_length(packed_);
+    if (std::exchange(is_awaited_, false)) {
+        channel.tell_taken_elsewhere();
+        return member_.send_message(to_, number_, packed_);
+    }
     outputter_ = &Kernel::here().running();
-    outputter_->wait_for(Activity::outputting, &channel, where);
+    offer_and_wait(*outputter_, channel, where, [this] { member_.send_message(to_, number_, packed_); });
 }
 
 void RankGiver::taker_came() {

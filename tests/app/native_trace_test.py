@@ -66,7 +66,7 @@ class NativeTraces(unittest.TestCase):
                 with self.subTest(netlist=netlist, threads=threads):
                     _, report, trace = self.trace(netlist, "--native", "--threads", threads, *options)
                     self.assertEqual(messages(trace), simulated)
-                    self.assertEqual([name for name in trace.nodes.values()],
+                    self.assertEqual(list(trace.nodes.values()),
                                      [f"thread {i}" for i in range(len(report["processors"]))])
                     self.assertNotIn("clocks", report)
                     self.check_against_report(report, trace)
@@ -83,7 +83,7 @@ class NativeTraces(unittest.TestCase):
                     self.assertEqual([each["name"] for each in report["clocks"]], [f"rank {i}" for i in range(1, ranks)])
                     for clock in report["clocks"]:  # all ranks have the clock of this computer
                         self.assertLessEqual(abs(clock["ahead_of_rank_0_ns"]) * 1000, clock["error_ps"])
-                    self.assertRegex(run.stdout, r"\nclock +known to +drift\nrank 1 ")
+                    self.assertRegex(run.stdout, r"clock +known to +drift")
                     self.check_against_report(report, trace)
 
     def test_a_deadlock_is_open_for_ever(self):

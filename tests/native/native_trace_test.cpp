@@ -87,6 +87,7 @@ TEST_CASE("the trace of a native run has the messages of the simulated run, in a
         simulated.passed["inside"] = passed["inside"];
         CHECK(passed == simulated.passed);
         told.check_causes(Time{});
+        told.check_channels_are_synchronous();
         CHECK(told.is_computing.size() == threads);
         CHECK(told.end == report.result.time);
         CHECK(trace.warning() == "");
