@@ -1,5 +1,6 @@
 #include "native/crossing.hpp"
 
+#include "native/offer.hpp"
 #include "runtime/process.hpp"
 
 namespace placedpar::native {
@@ -7,10 +8,11 @@ namespace placedpar::native {
 void Crossing::Giver::output(AnyChannel& channel, const WireForm&, const SourceLocation& where) {
     Process& self = Kernel::here().running();
     c.outputter_ = &self;
-    c.offer_ = Offer::made;
-    if (!c.is_posted_.exchange(true))
-        c.to_.post(c.offered_);
-    self.wait_for(Activity::outputting, &channel, where);
+    offer_and_wait(self, channel, where, [this] {
+        c.offer_ = Offer::made;
+        if (!c.is_posted_.exchange(true))
+            c.to_.post(c.offered_);
+    });
 }
 
 bool Crossing::Giver::give_up_output(AnyChannel&) {
@@ -21,7 +23,10 @@ bool Crossing::Giver::give_up_output(AnyChannel&) {
     return true;
 }
 
-void Crossing::Taken::arrive() noexcept { c.outputter_->kernel().make_ready(*c.outputter_); }
+void Crossing::Taken::arrive() noexcept {
+    c.output_.tell_taken_elsewhere();
+    c.outputter_->kernel().make_ready(*c.outputter_);
+}
 
 /// Returns whether there is an offer, which the outputter cannot give up from then on.
 bool Crossing::claim() {

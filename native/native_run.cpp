@@ -2,6 +2,7 @@
 
 #include "native/crossing.hpp"
 #include "native/group.hpp"
+#include "native/native_trace.hpp"
 #include "native/pace.hpp"
 #include "native/placement.hpp"
 #include "native/run_parts.hpp"
@@ -38,20 +39,25 @@ struct Strand {
     std::shared_ptr<const Catalogue> catalogue;
     std::unique_ptr<Software> software;
     Simulation simulation;
-    Pace* pace = nullptr;            ///< null: computations take the time that they take
-    std::vector<Time> waited = {};   ///< for how long each process waited, at the end of the work
-    std::optional<RunResult> result; ///< empty if the run has thrown
+    Pace* pace = nullptr;              ///< null: computations take the time that they take
+    std::optional<NoticeLog> log = {}; ///< empty if the run is not recorded
+    std::vector<Time> waited = {};     ///< for how long each process waited, at the end of the work
+    std::optional<RunResult> result;   ///< empty if the run has thrown
     std::exception_ptr thrown;
 };
 
 class NativeRun {
 public:
     NativeRun(const Network& network, const NativeSettings& settings)
-        : network_(network), thread_of_node_(threads_of_nodes(network, settings)), strands_(settings.threads) {
+        : network_(network), thread_of_node_(threads_of_nodes(network, settings)), strands_(settings.threads),
+          trace_(settings.trace) {
         for (Strand& strand : strands_) {
             strand.catalogue = settings.make_catalogue();
             strand.software = std::make_unique<Software>(network, *strand.catalogue, settings.seed);
             group_.add(strand.simulation);
+            if (trace_)
+                strand.simulation.trace_to(
+                    strand.log.emplace(strand.simulation.kernel(), trace_->until(), trace_->most_of(strands_.size())));
             if (settings.pace > 0)
                 strand.pace = &strand.simulation.add<Pace>(network, settings.pace);
         }
@@ -70,6 +76,8 @@ public:
         lock.unlock();
         threads.clear();
         rethrow_failure();
+        if (trace_)
+            hand_over_logs();
         return report();
     }
 
@@ -162,6 +170,13 @@ private:
         }
     }
 
+    void hand_over_logs() {
+        std::vector<Notices> logs;
+        for (Strand& strand : strands_)
+            logs.push_back(strand.log->take());
+        trace_->set("thread", std::move(logs));
+    }
+
     RunReport report() {
         std::vector<RunPart> parts;
         for (std::size_t i = 0; i < strands_.size(); ++i)
@@ -173,6 +188,7 @@ private:
     const Network& network_;
     std::vector<std::size_t> thread_of_node_;
     std::deque<Strand> strands_;
+    NativeTrace* trace_;
     Group group_;
     std::list<Crossing> crossings_;
     std::atomic<Gate> gate_{Gate::closed};

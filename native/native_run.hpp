@@ -12,6 +12,8 @@
 
 namespace placedpar {
 
+class NativeTrace; // native/native_trace.hpp
+
 struct NativeSettings {
     std::uint64_t seed = 1;
     std::size_t threads = 1; ///< at least 1
@@ -19,6 +21,7 @@ struct NativeSettings {
     std::function<std::vector<Time>()> loads = {};
     /// How much faster than the simulated processors the processes compute; 0: as fast as they can (native/pace.hpp).
     double pace = 0;
+    NativeTrace* trace = nullptr; ///< records the run; null: the run is not recorded
     /// Makes the kinds of the processes of one thread. Called once for each thread.
     std::function<std::shared_ptr<const Catalogue>()> make_catalogue;
     /// Called about ten times a second; the run ends if it returns true.

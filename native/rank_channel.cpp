@@ -1,27 +1,45 @@
 #include "native/rank_channel.hpp"
 
+#include "native/offer.hpp"
+#include "ranks/rank_mail.hpp"
 #include "runtime/process.hpp"
 #include "text/user_error.hpp"
+
+#include <fmt/format.h>
 
 #include <utility>
 
 namespace placedpar::native {
 
+namespace {
+
+void require_length(const MessageBytes& packed) {
+    if (packed.size() > RankMail::longest_parcel)
+        throw UserError(fmt::format("a message of {} bytes is too long for another rank of mpirun, expected at most {}",
+                                    packed.size(), RankMail::longest_parcel));
+}
+
+} // namespace
+
 void RankGiver::output(AnyChannel& channel, const WireForm&, const SourceLocation& where) {
     packed_.clear();
     channel.pack_message(packed_);
-    member_.send_message(to_, number_, packed_);
-    if (std::exchange(is_awaited_, false))
-        return;
+    require_length(packed_);
+    if (std::exchange(is_awaited_, false)) {
+        channel.tell_taken_elsewhere();
+        return member_.send_message(to_, number_, packed_);
+    }
     outputter_ = &Kernel::here().running();
-    outputter_->wait_for(Activity::outputting, &channel, where);
+    offer_and_wait(*outputter_, channel, where, [this] { member_.send_message(to_, number_, packed_); });
 }
 
 void RankGiver::taker_came() {
-    if (Process* const waiting = std::exchange(outputter_, nullptr))
-        waiting->kernel().make_ready(*waiting);
-    else
-        is_awaited_ = true;
+    Process* const waiting = std::exchange(outputter_, nullptr);
+    is_awaited_ = !waiting;
+    if (!waiting)
+        return;
+    channel_.tell_taken_elsewhere();
+    waiting->kernel().make_ready(*waiting);
 }
 
 std::string RankGiver::why_not_given_up() const {

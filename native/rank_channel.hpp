@@ -26,7 +26,7 @@ public:
     /// Puts the channel on this carrier. REQUIRES: the channel is unused and has a packed form; all objects outlive the
     /// run.
     RankGiver(RankMember& member, AnyChannel& channel, std::size_t number, int to)
-        : member_(member), number_(number), to_(to) {
+        : member_(member), channel_(channel), number_(number), to_(to) {
         channel.put_on(*this);
         member.set_end(number, *this);
     }
@@ -39,6 +39,7 @@ public:
 
 private:
     RankMember& member_;
+    AnyChannel& channel_;
     std::size_t number_;
     int to_;
     bool is_awaited_ = false; ///< a taker has come before the message

@@ -65,9 +65,6 @@ void RankMember::send_to_others(Kind kind) {
 }
 
 void RankMember::send_message(int to, std::size_t channel, std::span<const std::uint8_t> packed) {
-    if (packed.size() > RankMail::longest_parcel)
-        throw UserError(fmt::format("a message of {} bytes is too long for another rank of mpirun, expected at most {}",
-                                    packed.size(), RankMail::longest_parcel));
     if (letter_head + packed.size() > RankMail::longest_letter) {
         send_counted(to, Kind::parcel, static_cast<Channel32>(channel), std::uint64_t{packed.size()});
         return mail_.send_parcel(to, parcel_of(channel), {packed.begin(), packed.end()});

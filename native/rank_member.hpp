@@ -59,6 +59,8 @@ public:
 
     /// Starts the clock of the run.
     void begin() { begun_ = std::chrono::steady_clock::now(); }
+    /// Returns when the clock of the run was started, by the computer's clock.
+    std::chrono::nanoseconds begun() const { return begun_.time_since_epoch(); }
     /// Ends the run of each rank. May be called by any thread.
     void interrupt();
     /// Returns how long the kernel had nothing to do before the end of the work.

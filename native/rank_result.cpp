@@ -32,8 +32,13 @@ template <>
 struct PackedForm<native::RankFailure> : PackedMembers<native::RankFailure, &native::RankFailure::time,
                                                        &native::RankFailure::is_defect, &native::RankFailure::text> {};
 template <>
-struct PackedForm<native::RankResult> : PackedMembers<native::RankResult, &native::RankResult::part,
-                                                      &native::RankResult::ends, &native::RankResult::failure> {};
+struct PackedForm<native::Notices>
+    : PackedMembers<native::Notices, &native::Notices::all, &native::Notices::processes, &native::Notices::channels,
+                    &native::Notices::awaited, &native::Notices::over, &native::Notices::full_at> {};
+template <>
+struct PackedForm<native::RankResult>
+    : PackedMembers<native::RankResult, &native::RankResult::part, &native::RankResult::ends,
+                    &native::RankResult::failure, &native::RankResult::notices, &native::RankResult::begun> {};
 
 } // namespace placedpar
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "native/notice_log.hpp"
 #include "native/run_parts.hpp"
 #include "runtime/byte_form.hpp"
 
+#include <chrono>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,6 +24,8 @@ struct RankResult {
     RunPart part;
     std::vector<StuckChannel> ends; ///< the channels to other ranks; of the other end the rank knows no user
     std::optional<RankFailure> failure;
+    Notices notices;                  ///< of a recorded run
+    std::chrono::nanoseconds begun{}; ///< when the rank has begun, by its own clock
 };
 
 MessageBytes packed(const RankResult&);

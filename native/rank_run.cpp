@@ -1,9 +1,11 @@
 #include "native/rank_run.hpp"
 
 #include "native/native_run.hpp"
+#include "native/native_trace.hpp"
 #include "native/pace.hpp"
 #include "native/placement.hpp"
 #include "native/rank_channel.hpp"
+#include "native/rank_clock.hpp"
 #include "native/rank_member.hpp"
 #include "native/rank_result.hpp"
 #include "native/run_parts.hpp"
@@ -79,8 +81,9 @@ enum class Note : std::uint8_t { of_a_process, result };
 /// The part of the run in this rank.
 class RankRun {
 public:
-    RankRun(const Network& network, const RankRunSettings& settings, RankMail& mail)
-        : network_(network), settings_(settings), mail_(mail), results_(static_cast<std::size_t>(mail.count())),
+    RankRun(const Network& network, const RankRunSettings& settings, Ranks& ranks, RankMail& mail)
+        : network_(network), settings_(settings), ranks_(ranks), mail_(mail),
+          results_(static_cast<std::size_t>(mail.count())),
           rank_of_node_(ranks_of_nodes(network, settings, results_.size())),
           member_(mail, simulation_, network.channels.size()) {
         catalogue_ = settings.make_catalogue([this](MessageBytes note) {
@@ -93,13 +96,18 @@ public:
         start_processes();
         member_.receive_notes([this](int from, const MessageBytes& note) { take_note(from, note); });
         member_.before_reports([this] { note_ends(); });
+        if (settings.trace)
+            simulation_.trace_to(
+                log_.emplace(simulation_.kernel(), settings.trace->until(), settings.trace->most_of(results_.size())));
     }
 
     /// Returns the rank of each node, as a text.
     std::string placement() const { return fmt::format("{}", fmt::join(rank_of_node_, " ")); }
 
     std::optional<RunReport> run() {
+        const std::vector<ComparedClock> before = compare_clocks_if_recorded();
         execute();
+        const std::vector<ComparedClock> after = compare_clocks_if_recorded();
         if (!is_first()) {
             MessageBytes note = packed(own_result());
             note.push_back(static_cast<std::uint8_t>(Note::result));
@@ -110,13 +118,20 @@ public:
         if (observing_failed_)
             std::rethrow_exception(observing_failed_);
         rethrow_failure();
-        return report();
+        RunReport common = report();
+        if (log_)
+            hand_over_logs(common, before, after);
+        return common;
     }
 
 private:
     std::size_t own() const { return static_cast<std::size_t>(mail_.own()); }
     bool is_first() const { return own() == 0; }
     std::size_t rank_of(std::size_t process) const { return rank_of_node_[network_.processes[process].node]; }
+
+    std::vector<ComparedClock> compare_clocks_if_recorded() {
+        return log_ ? compare_clocks(ranks_) : std::vector<ComparedClock>{};
+    }
 
     /// Puts a channel to or from another rank on its carrier.
     void lead(std::size_t number) {
@@ -185,6 +200,9 @@ private:
         own.part.measurements = software_->measurements();
         own.part.rested = member_.rested();
         own.part.waited.resize(network_.processes.size());
+        own.begun = member_.begun();
+        if (log_)
+            own.notices = log_->take();
         return own;
     }
 
@@ -215,6 +233,27 @@ private:
         throw UserError(text);
     }
 
+    /// Converts the records of all ranks to the clock of rank 0. The run lasts from the first begin to the last end.
+    void hand_over_logs(RunReport& report, const std::vector<ComparedClock>& before,
+                        const std::vector<ComparedClock>& after) {
+        std::vector<Reading> begun;
+        for (const RankResult& result : results_)
+            begun.push_back(result.begun);
+        const CommonClock clock(before, after, std::move(begun));
+        std::vector<Notices> logs;
+        for (std::size_t rank = 0; rank < results_.size(); ++rank) {
+            Notices& log = logs.emplace_back(std::move(results_[rank].notices));
+            const auto convert = [&](Time& time) { time = clock.convert(rank, time); };
+            std::ranges::for_each(log.all, convert, &Notice::at);
+            convert(log.over);
+            if (log.full_at)
+                convert(*log.full_at);
+            report.result.time = std::max(report.result.time, log.over);
+        }
+        report.clocks = clock.clocks();
+        settings_.trace->set("rank", std::move(logs));
+    }
+
     RunReport report() {
         own_result();
         std::optional<Deadlock> deadlock = join_deadlocks(results_, network_);
@@ -229,6 +268,7 @@ private:
 
     const Network& network_;
     const RankRunSettings& settings_;
+    Ranks& ranks_;
     RankMail& mail_;
     std::vector<RankResult> results_; ///< by rank; in the other ranks only the own one is used
     std::size_t results_come_ = 0;    ///< from other ranks
@@ -237,6 +277,7 @@ private:
     std::shared_ptr<const Catalogue> catalogue_;
     std::optional<Software> software_;
     Simulation simulation_;
+    std::optional<NoticeLog> log_; ///< empty if the run is not recorded
     RankMember member_;
     std::list<RankGiver> givers_;
     std::list<RankTaker> takers_;
@@ -251,7 +292,7 @@ std::optional<RunReport> run_on_ranks(const Network& network, const RankRunSetti
     const auto prepare = [&] {
         require_native(network);
         require_enough_nodes(network, static_cast<std::size_t>(ranks.count()));
-        run.emplace(network, settings, *mail);
+        run.emplace(network, settings, ranks, *mail);
         if (settings.loads && settings.is_interrupted())
             throw UserError("interrupted before the run began");
         return run->placement();

@@ -15,11 +15,14 @@
 
 namespace placedpar {
 
-class Ranks; // ranks/ranks.hpp
+class NativeTrace; // native/native_trace.hpp
+class Ranks;       // ranks/ranks.hpp
 
 struct RankRunSettings {
     std::uint64_t seed = 1;
-    double pace = 0; ///< as in NativeSettings
+    double pace = 0;              ///< as in NativeSettings
+    NativeTrace* trace = nullptr; ///< records the run in rank 0; null: the run is not recorded. REQUIRES: either in all
+                                  ///< ranks or in none
     /// Returns the load of each node, by which nodes are placed (native/placement.hpp). Empty: without loads.
     std::function<std::vector<Time>()> loads = {};
     /// Makes the kinds of the processes of this rank. `send_note`: sends bytes to rank 0 during the run; REQUIRES:

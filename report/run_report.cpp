@@ -1,6 +1,7 @@
 #include "report/run_report.hpp"
 
 #include "netlist/run_report.hpp"
+#include "report/clocks.hpp"
 #include "report/field.hpp"
 #include "report/search_report.hpp"
 #include "text/counted.hpp"
@@ -456,6 +457,8 @@ std::string print_report(const RunReport& report, const Network& network, const 
     if (!report.processors.empty())
         out += processors_of(report).text("\n");
     out += print_links(report) + print_buses(report) + print_devices(report);
+    if (!report.clocks.empty())
+        out += clocks_of(report.clocks).text("\n");
     return report.processes.empty() ? out : out + processes_of(report).text("\n");
 }
 
@@ -481,6 +484,8 @@ boost::json::object report_json(const RunReport& report, const Network& network,
         json["programs"] = json_of(programs_of(report).rows);
     if (boost::json::array stops = stops_json(report.programs); !stops.empty())
         json["stops"] = std::move(stops);
+    if (!report.clocks.empty())
+        json["clocks"] = json_of(clocks_of(report.clocks).rows);
     if (!report.switches.empty())
         json["switches"] = array_of(report, report.switches);
     if (report.result.deadlock)

@@ -168,6 +168,11 @@ public:
     virtual const AnyByteForm* byte_form() const = 0;
     /// Returns the outputter's message as bytes. REQUIRES: byte_form() is not null; a process is in output.
     MessageBytes message_in_bytes() const;
+    /// Tells the trace that the outputter's message has been taken on another kernel. REQUIRES: a process is in output.
+    void tell_taken_elsewhere() const {
+        if (const Kernel& kernel = outputter_.process->kernel(); kernel.trace())
+            tell_trace(kernel);
+    }
     /// Notes that a device has taken the outputter's message. REQUIRES: a process is in output.
     void note_taken_by_device() { note_communication(outputter_.process->kernel()); }
     /// Hands a device's message to the inputter. Throws NoMessage. REQUIRES: the parts of the bytes are complete

@@ -201,6 +201,8 @@ void Kernel::run_among(Surroundings& surroundings, std::uint32_t number) {
         hot_.future.happen_next();
     std::swap(hot_.ready, native_.woken);
     hot_.between_programs = false;
+    if (hot_.trace)
+        read_wall_clock(); // a process that a message has woken goes on after it was sent
     native_.is_turn_of_woken = !native_.is_turn_of_woken || hot_.ready.empty();
     if (native_.is_turn_of_woken)
         if (Process* const woken = native_.woken.pop_front())
@@ -308,6 +310,8 @@ void Kernel::switch_to(Process* p) {
     p.worker_ = fibers_.idle.back();
     p.worker_->process = &p;
     fibers_.idle.pop_back();
+    if (hot_.trace && surroundings_)
+        hot_.trace->turns(p, Activity::executing, hot_.now);
     return true;
 }
 

@@ -32,15 +32,24 @@ struct AwaitedByProgram {
     std::string partner; ///< the process that used the other end last, or that direction of a link; "" if unknown
 };
 
-/// A process of a program that an emulated transputer executes changes its activity. The activity is computing (it has
-/// the processor), ready, a wait, stopped, or ended.
+/// A process of a program that an emulated transputer executes, or of a native run that is over, changes its activity.
+/// The activity is computing (it has the processor), ready, a wait, stopped, or ended.
 struct ProgramTurn {
     const std::string& process; ///< "root.phil[2]", or with the address of its workspace "root.#80000144"
-    const std::string& place;   ///< the transputer
+    const std::string& place;   ///< the transputer, or the thread or rank of a native run
     Activity activity;
     const std::vector<AwaitedByProgram>& awaited; ///< of a wait
     bool awaits_timer;                            ///< the wait has a time limit, too
     const std::string& partner; ///< for `ready`: the process that has ended the wait by a message, if any
+};
+
+/// A process of a native run that is over does its part of a message.
+struct MessagePart {
+    const std::string& channel;
+    std::uint64_t message;      ///< number of the message in the run
+    const std::string& process; ///< the outputter or the inputter
+    const std::string& partner; ///< the other one, or the process of which it is a component; "" if unknown
+    bool is_input;              ///< of the inputter
 };
 
 /// Receives the log of a run. A notice states the activity of a process or a place from this time on, until the next
@@ -60,20 +69,26 @@ public:
     ///                     On an executive there is no such notice at the end of a PAR. There is none for a delay
     ///                     without a wait.
     ///   executing         A wait is over, and the program runs again. The process's activity and awaited_channels()
-    ///                     are still those of the wait.
+    ///                     are still those of the wait. In a native run there is such a notice also when the process
+    ///                     begins.
     ///   computing         The executive works for the process. This may begin before the program runs again, because
     ///                     a processor already spends time on a process that is ready.
     ///   moving            The process moves words over a bus, or waits for the bus.
     ///   ended             This is the last notice about the process.
     virtual void turns(const Process&, Activity, Time) = 0;
-    /// States what a process of a booted program does. A name can begin again after it has ended.
+    /// States what a process that is known by its name does. A name can begin again after it has ended.
     virtual void program_turns(const ProgramTurn&, Time) {}
+    /// States that one of two processes that are known by their names has done its part of a message. The two parts
+    /// come in any order.
+    virtual void program_communicates(const MessagePart&, Time) {}
     /// States that a message was transferred from the channel's outputter to its inputter.
     virtual void communicated(const AnyChannel&, Time) = 0;
     virtual void takes(const PlaceTaken&, Time now) = 0;
     virtual void leaves(const PlaceLeft&, Time now) = 0;
     /// States that the work is over. The remaining processes are still in their waits. No notice follows.
     virtual void over(Time) = 0;
+    /// States that the log ends here for the given reason, and not the work; in place of over().
+    virtual void ends_early(Time, const std::string&) {}
 
 protected:
     ~TraceSink() = default;

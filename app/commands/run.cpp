@@ -11,6 +11,7 @@
 #include "explore/checkpoint_file.hpp"
 #include "explore/problems.hpp"
 #include "iserver/offered_board.hpp"
+#include "native/native_trace.hpp"
 #include "picture/gnuplot.hpp"
 #include "ranks/ranks.hpp"
 #include "report/convergence.hpp"
@@ -58,10 +59,12 @@ struct RunOptions {
     std::string offer;                           ///< where the host's link is offered to another program; "": nowhere
     std::shared_ptr<Ranks> ranks;                ///< of a native run; null: without mpirun
     std::shared_ptr<CheckpointFile> checkpoints; ///< null without the option
+    std::shared_ptr<NativeTrace> native_trace;   ///< null unless a native run is recorded
 
     std::array<std::filesystem::path, 6> outputs() const {
         return {json, recorded.trace, recorded.page, log, convergence, checkpoint};
     }
+    bool is_recorded() const { return !recorded.trace.empty() || !recorded.page.empty(); }
     bool wants_generations() const { return watch || !log.empty() || !convergence.empty(); }
     Manifest manifest(const std::string& typed) const {
         return {typed, seed, overrides_of(netlist.set), read_options_of(netlist.read), until, shuffle};
@@ -86,7 +89,7 @@ void require_outputs(const RunOptions& options) {
     if (options.seeds > 1 && !options.offer.empty())
         throw UserError(fmt::format("--offer: another program is the host of one run, but --seeds asks for {} runs",
                                     options.seeds));
-    if (options.recorded.window.is_part() && options.recorded.trace.empty() && options.recorded.page.empty())
+    if (options.recorded.window.is_part() && !options.is_recorded())
         throw UserError("--trace-from and --trace-until limit what --trace or --page shows: give one of them, too");
     if (!options.recorded.trace.empty())
         require_trace_format(options.recorded.trace);
@@ -104,8 +107,6 @@ void require_native(const RunOptions& options) {
                        {{options.until != Time::max(), "--until"},
                         {options.seeds > 1, "--seeds"},
                         {options.shuffle.has_value(), "--shuffle"},
-                        {!options.recorded.trace.empty(), "--trace"},
-                        {!options.recorded.page.empty(), "--page"},
                         {options.listing, "--listing"},
                         {options.analyse, "--analyse"},
                         {options.step, "--step"},
@@ -136,8 +137,8 @@ RunReport run_observed(const Network& network, const RunOptions& options, std::u
                                .checkpoints = options.checkpoints.get(),
                                .interruption = &interruption};
     if (options.ranks)
-        return *run_on_ranks(network, options.native, settings, *options.ranks);
-    return options.native.is_native ? run_natively(network, options.native, settings)
+        return *run_on_ranks(network, options.native, settings, *options.ranks, options.native_trace.get());
+    return options.native.is_native ? run_natively(network, options.native, settings, options.native_trace.get())
                                     : run_netlist(network, known_problems(seed), settings);
 }
 
@@ -261,12 +262,19 @@ bool offer_link(Network& network, const RunOptions& options, const Interruption&
     return board->wait_for_program();
 }
 
+void write_recorded(const PageContent& run, const RunOptions& options, std::optional<Recorders>& recorders) {
+    if (recorders)
+        recorders->finish(run);
+    else if (options.native_trace)
+        write_recorded(options.recorded, *options.native_trace, run);
+}
+
 /// Makes the part of a native run that runs in a rank above 0, which writes nothing.
 ExitCode help_rank_zero(const Network& network, const RunOptions& options) {
     InterruptedBySignals interruption;
     const RunSettings settings{
         .seed = options.seed, .checkpoints = options.checkpoints.get(), .interruption = &interruption};
-    run_on_ranks(network, options.native, settings, *options.ranks);
+    run_on_ranks(network, options.native, settings, *options.ranks, options.native_trace.get());
     return ExitCode::success;
 }
 
@@ -278,11 +286,13 @@ std::optional<Network> load(RunOptions& options, const Options& command) {
         if (!options.ranks || options.ranks->own() == 0)
             require_outputs(options);
         require_native(options);
+        if (options.native.is_native && options.is_recorded())
+            options.native_trace = std::make_shared<NativeTrace>(options.recorded.window.until);
         network = options.netlist.calibration.empty() ? load_network(command, options.netlist, options.booted)
                                                       : load_network(options.netlist);
         require_fit(*network, options);
         options.checkpoints = checkpoints_of(*network, options);
-        return {*network, options.checkpoints ? options.checkpoints->digest() : ""};
+        return {*network, options.checkpoints ? options.checkpoints->digest() : "", options.is_recorded()};
     };
     if (!options.ranks)
         load_here();
@@ -326,8 +336,10 @@ ExitCode run(RunOptions options, const Options& command, const std::string& type
     std::optional<iserver::OfferedBoard> board;
     if (!offer_link(network, options, interruption, board))
         return ExitCode::interrupted;
-    Recorders recorders(network, options.recorded);
-    std::vector<FinishedRun> runs = run_seeds(network, options, recorders.sink(), interruption);
+    std::optional<Recorders> recorders; // of a simulated run
+    if (!options.native.is_native)
+        recorders.emplace(network, options.recorded);
+    std::vector<FinishedRun> runs = run_seeds(network, options, recorders ? recorders->sink() : nullptr, interruption);
     if (runs.empty())
         return ExitCode::success;
     std::vector<SeededLog> logs = logs_of(runs);
@@ -338,7 +350,7 @@ ExitCode run(RunOptions options, const Options& command, const std::string& type
             if (!text->empty())
                 print_out(fmt::format("\n{}\n{}", program.name, *text));
     write_files(network, runs, logs, options, manifest);
-    recorders.finish({network, runs.front().report, manifest, logs.front().log});
+    write_recorded({network, runs.front().report, manifest, logs.front().log}, options, recorders);
     return exit_code_of(runs, options.seeds, unread);
 }
 
@@ -367,8 +379,8 @@ void add_searches(Options& command, RunOptions& options) {
 void add_trace(Options& command, RunOptions& options) {
     Option trace = add_file(command, "--trace", options.recorded.trace,
                             "writes a timeline for ui.perfetto.dev (.json) or GTKWave (.vcd), or draws it (.svg)");
-    command.add("--trace-from", options.recorded.window.from, "begins the timeline or page at this simulated time");
-    command.add("--trace-until", options.recorded.window.until, "ends the timeline or page at this simulated time");
+    command.add("--trace-from", options.recorded.window.from, "begins the timeline or page at this time of the run");
+    command.add("--trace-until", options.recorded.window.until, "ends the timeline or page at this time of the run");
     add_count(command, "--trace-limit", options.recorded.window.most_entries,
               "ends the timeline after this number of slices and messages")
         .show_default()

@@ -2,9 +2,12 @@
 
 #include "app/options/common_options.hpp"
 #include "app/options/sent_events.hpp"
+#include "app/recorders.hpp"
+#include "app/standard_error.hpp"
 #include "explore/problems.hpp"
 #include "explore/workers.hpp"
 #include "native/native_run.hpp"
+#include "native/native_trace.hpp"
 #include "native/placement.hpp"
 #include "native/rank_run.hpp"
 #include "netlist/print/print.hpp"
@@ -100,7 +103,8 @@ void refuse_with_native(const NativeOptions& options, bool predicts,
                 throw UserError(fmt::format("{}: only simulated runs have this option: leave out --native", name));
 }
 
-RunReport run_natively(const Network& network, const NativeOptions& options, const RunSettings& run) {
+RunReport run_natively(const Network& network, const NativeOptions& options, const RunSettings& run,
+                       NativeTrace* trace) {
     std::optional<OneEventAtATime> in_turns;
     if (run.observer)
         in_turns.emplace(*run.observer);
@@ -108,6 +112,7 @@ RunReport run_natively(const Network& network, const NativeOptions& options, con
     settings.seed = run.seed;
     settings.threads = threads_of(options, network);
     settings.pace = options.pace;
+    settings.trace = trace;
     if (options.map == "balance")
         settings.loads = [&] { return simulated_loads(network, run.seed, *run.interruption); };
     settings.make_catalogue = [&]() -> std::shared_ptr<const Catalogue> {
@@ -116,6 +121,14 @@ RunReport run_natively(const Network& network, const NativeOptions& options, con
     };
     settings.is_interrupted = [&run] { return run.interruption->requested(); };
     return run_natively(network, settings);
+}
+
+void write_recorded(const RecordedFiles& files, const NativeTrace& trace, const PageContent& run) {
+    const Network places = with_places(run.network, run.report);
+    Recorders recorders(places, files);
+    trace.replay(run.network, *recorders.sink());
+    print_warnings(trace.warning());
+    recorders.finish({places, run.report, run.manifest, run.searches});
 }
 
 std::unique_ptr<Ranks> ranks_of(const NativeOptions& options) {
@@ -132,18 +145,19 @@ bool load_in_all(Ranks& ranks, const NativeOptions& options, std::uint64_t seed,
                 fmt::format("--threads {}: each rank of mpirun runs its processes on one thread: start more "
                             "ranks",
                             options.threads));
-        return fmt::format("{} {} {} {} {} {}", version_text(), hex(network_hash(canonical_form(loaded.network))), seed,
-                           options.map, options.pace, loaded.checkpoints);
+        return fmt::format("{} {} {} {} {} {} {}", version_text(), hex(network_hash(canonical_form(loaded.network))),
+                           seed, options.map, options.pace, loaded.checkpoints, loaded.is_recorded);
     });
 }
 
 std::optional<RunReport> run_on_ranks(const Network& network, const NativeOptions& options, const RunSettings& run,
-                                      Ranks& ranks) {
+                                      Ranks& ranks, NativeTrace* trace) {
     std::optional<SentEvents> sent;
     std::optional<SentCheckpoints> sent_checkpoints;
     RankRunSettings settings;
     settings.seed = run.seed;
     settings.pace = options.pace;
+    settings.trace = trace;
     if (options.map == "balance")
         settings.loads = [&] { return simulated_loads(network, run.seed, *run.interruption); };
     settings.make_catalogue = [&](const std::function<void(MessageBytes)>& send) -> std::shared_ptr<const Catalogue> {

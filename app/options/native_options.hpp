@@ -15,7 +15,10 @@
 
 namespace placedpar {
 
-class Ranks; // ranks/ranks.hpp
+class NativeTrace;    // native/native_trace.hpp
+class Ranks;          // ranks/ranks.hpp
+struct PageContent;   // observe/page/run_page.hpp
+struct RecordedFiles; // app/recorders.hpp
 
 /// The options of a command that can run a netlist natively (native/native_run.hpp).
 struct NativeOptions {
@@ -34,9 +37,13 @@ void add_threads(Options&, std::size_t& threads);
 /// if the run is neither native nor, for --threads, the prediction of a native run.
 void refuse_with_native(const NativeOptions&, bool predicts, const std::vector<std::pair<bool, const char*>>& typed);
 
-/// Runs the network natively, with the seed, observer, checkpoints and interruption of the settings. Throws as
-/// run_netlist does. REQUIRES: there is an interruption.
-RunReport run_natively(const Network&, const NativeOptions&, const RunSettings&);
+/// Runs the network natively, with the seed, observer, checkpoints and interruption of the settings. `trace`: records
+/// the run, if it is not null. Throws as run_netlist does. REQUIRES: there is an interruption.
+RunReport run_natively(const Network&, const NativeOptions&, const RunSettings&, NativeTrace* trace);
+
+/// Writes the files that show the course of a native run. Threads or ranks stand in place of the nodes. Throws
+/// UserError if a file cannot be written.
+void write_recorded(const RecordedFiles&, const NativeTrace&, const PageContent&);
 
 /// Returns the ranks of mpirun on which a native run is made; null if it is made on this computer alone.
 std::unique_ptr<Ranks> ranks_of(const NativeOptions&);
@@ -45,6 +52,7 @@ std::unique_ptr<Ranks> ranks_of(const NativeOptions&);
 struct LoadedRun {
     const Network& network;
     std::string checkpoints; ///< their digest; "" without checkpoints
+    bool is_recorded;        ///< for a timeline or a page
 };
 
 /// Loads the network in all ranks. Returns false in a rank that must end silently. Throws UserError in rank 0 alone:
@@ -52,8 +60,9 @@ struct LoadedRun {
 bool load_in_all(Ranks&, const NativeOptions&, std::uint64_t seed, const std::function<LoadedRun()>& load);
 
 /// Runs the network natively on the ranks. The observer and the checkpoints of rank 0 receive the events and the states
-/// of all ranks. Returns nothing in the other ranks, which must then end silently. Throws in rank 0 alone, as
-/// run_netlist does. REQUIRES: called in all ranks, after load_in_all().
-std::optional<RunReport> run_on_ranks(const Network&, const NativeOptions&, const RunSettings&, Ranks&);
+/// of all ranks. `trace`: records the run in rank 0, if it is not null. Returns nothing in the other ranks, which must
+/// then end silently. Throws in rank 0 alone, as run_netlist does. REQUIRES: called in all ranks, after load_in_all().
+std::optional<RunReport> run_on_ranks(const Network&, const NativeOptions&, const RunSettings&, Ranks&,
+                                      NativeTrace* trace);
 
 } // namespace placedpar

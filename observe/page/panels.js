@@ -87,15 +87,22 @@ function extentText() {
 // Where the timelines are of a part of the run, as the tables and the curves are not.
 function partText() {
   if (run.begin <= 0 && run.end >= report.time_ps) return "";
+  const why = run.end < report.time_ps ? ` They end there: ${escaped(run.why)}.` : "";
   if (run.begin >= run.end) return "<b>Nothing of the run</b> is in the timelines and the drawing: it was over before the part that they are of. Tables and curves are of the whole run.";
-  return `<b>A part of the run</b> is in the timelines and the drawing: from ${run.begin && timeText(run.begin, span)} to ${timeText(run.end, span)}, of ${timeText(report.time_ps, span)}. Tables and curves are of the whole run.`;
+  return `<b>A part of the run</b> is in the timelines and the drawing: from ${run.begin && timeText(run.begin, span)} to ${timeText(run.end, span)}, of ${timeText(report.time_ps, span)}.${why} Tables and curves are of the whole run.`;
+}
+
+// How well the clocks of ranks are known, of which the timelines are.
+function clocksText() {
+  const clocks = report.clocks || [];
+  return clocks.length ? ` Times are of the clock of rank 0; the clocks of the other ranks are known to ${timeText(d3.max(clocks, each => each.error_ps), 1e3)}.` : "";
 }
 
 function showOutcome() {
   document.getElementById("heading").textContent = report.manifest.netlist;
   const well = report.outcome === "completed" || report.outcome === "time limit";
   d3.select("#outcome").html(`<span class="${well ? "" : "bad"}">${escaped(report.outcome)}</span> at ${timeText(report.time_ps, span)}, ` +
-    `seed ${report.manifest.seed}, placedpar ${escaped(report.manifest.version)}.${extentText()}`);
+    `seed ${report.manifest.seed}, placedpar ${escaped(report.manifest.version)}.${clocksText()}${extentText()}`);
   const part = partText();
   if (part) d3.select("#part").attr("hidden", null).html(part);
   if (!report.deadlock) return;

@@ -44,7 +44,7 @@ void Timeline::finish(const RunResult& result) {
     for (auto& [ordinal, lane] : lanes_)
         finish(lane, result);
     for (auto& [name, lane] : programs_)
-        close(lane, *end_, !why_.empty() || result.ending != Ending::completed);
+        finish(lane, !why_.empty() || result.ending != Ending::completed);
     lanes_.clear();
     programs_.clear();
     messages_.clear();
@@ -67,7 +67,7 @@ void Timeline::turns(const Process& process, Activity activity, Time now) {
         tell(process, activity, now);
 }
 
-/// Ends the present slice of a process of a booted program, and begins the next.
+/// Ends the present slice of a process that is known by its name, and begins the next.
 void Timeline::program_turns(const ProgramTurn& turn, Time now) {
     if (!taking(now))
         return;
@@ -89,7 +89,12 @@ void Timeline::program_turns(const ProgramTurn& turn, Time now) {
         use(processor, turn.process, now);
     close(lane, now, false);
     leave_links(lane, now);
-    lane = {lane.track, turn.activity, now, {}, turn.awaits_timer};
+    for (const std::uint64_t message : std::exchange(lane.arriving, {}))
+        lane.here.push_back({message, true});
+    lane.activity = turn.activity;
+    lane.since = now;
+    lane.awaited.clear();
+    lane.awaits_timer = turn.awaits_timer;
     for (const AwaitedByProgram& each : turn.awaited)
         lane.awaited.push_back({each.channel, each.partner});
     use_links(lane);
@@ -112,9 +117,41 @@ void Timeline::leave_links(const ProgramLane& lane, Time now) {
         }
 }
 
+/// Writes the present slice, and places its message ends at its beginning.
 void Timeline::close(ProgramLane& lane, Time end, bool open) {
-    if (lane.activity != Activity::ended && (end > window_.from || open))
-        write({lane.track, lane.activity, lane.since, end, open, {}, 0, lane.awaited, lane.awaits_timer});
+    if (lane.activity == Activity::ended || (end <= window_.from && !open) ||
+        !write({lane.track, lane.activity, lane.since, end, open, {}, 0, lane.awaited, lane.awaits_timer}))
+        return;
+    for (const MessageEnd& message : std::exchange(lane.here, {}))
+        place(message, lane.track, std::max(lane.since, window_.from));
+}
+
+/// Notes a part of a message, as communicated() notes both.
+void Timeline::program_communicates(const MessagePart& part, Time now) {
+    const auto found = programs_.find(part.process);
+    if (!taking(now) || now < window_.from || found == programs_.end())
+        return;
+    ProgramLane& lane = found->second;
+    messages_.try_emplace(part.message, Message{.channel = part.channel, .at = now, .by_two_clocks = true});
+    if (is_waiting(lane.activity)) {
+        for (Awaited& each : lane.awaited)
+            each.partner = part.partner.empty() ? each.partner : part.partner;
+    } else {
+        close(lane, now, false);
+        lane.since = now;
+    }
+    if (part.is_input && is_waiting(lane.activity))
+        lane.arriving.push_back(part.message);
+    else
+        lane.here.push_back({part.message, part.is_input});
+}
+
+/// Writes the last slice. A message that ends a wait which the trace does not see end arrives when it was transferred.
+void Timeline::finish(ProgramLane& lane, bool open) {
+    close(lane, *end_, open);
+    for (const std::uint64_t message : lane.arriving)
+        if (const auto found = messages_.find(message); found != messages_.end())
+            place({message, true}, lane.track, std::max(found->second.at, lane.since));
 }
 
 void Timeline::begin(const Process& process, Time now) {
@@ -218,6 +255,11 @@ void Timeline::over(Time now) {
         shut(now, "");
 }
 
+void Timeline::ends_early(Time now, const std::string& why) {
+    if (taking(now))
+        shut(now, why);
+}
+
 void Timeline::turn_to(Lane& lane, Activity activity, Time now) {
     settle(lane, now);
     lane.activity = activity;
@@ -316,6 +358,8 @@ void Timeline::place(const MessageEnd& end, std::size_t track, Time at) {
     (end.arrives ? message.arrived : message.left) = at;
     if (message.from == Tracks::none || message.to == Tracks::none)
         return;
+    if (message.by_two_clocks)
+        message.arrived = std::max(message.arrived, message.left);
     if (message.left <= message.arrived) {
         writer_.write(MessageArrow{message.channel, message.from, message.to, message.left, message.arrived});
         ++entries_;

@@ -47,7 +47,9 @@ public:
     void communicated(const AnyChannel&, Time) override;
     void takes(const PlaceTaken&, Time now) override;
     void leaves(const PlaceLeft&, Time now) override;
+    void program_communicates(const MessagePart&, Time) override;
     void over(Time) override;
+    void ends_early(Time, const std::string& why) override;
 
 private:
     friend class ActivityLog<Timeline>;
@@ -79,13 +81,15 @@ private:
         std::optional<Time> stopped = {};
         std::uint64_t bytes = 0;
     };
-    /// State of a process of a booted program.
+    /// State of a process that is known by its name: of a booted program, or of a native run.
     struct ProgramLane {
         std::size_t track;
         Activity activity = Activity::ended;
         Time since{};
         std::vector<Awaited> awaited = {};
         bool awaits_timer = false;
+        std::vector<MessageEnd> here = {};        ///< as in a Lane
+        std::vector<std::uint64_t> arriving = {}; ///< as in a Lane
     };
     /// The last wait of a booted program's process for a channel that leads over a link to a process.
     struct ProgramUse {
@@ -99,6 +103,7 @@ private:
         Time at;
         std::size_t from = Tracks::none, to = Tracks::none;
         Time left{}, arrived{};
+        bool by_two_clocks = false; ///< so it may seem to arrive before it leaves
     };
 
     bool taking(Time now);
@@ -120,6 +125,7 @@ private:
     void close_use(std::size_t track, Time now);
     void finish(Lane&, const RunResult&);
     void close(ProgramLane&, Time end, bool open);
+    void finish(ProgramLane&, bool open);
     void use_links(const ProgramLane&);
     void leave_links(const ProgramLane&, Time now);
     void pass(const AnyChannel&, Lane* from, Lane* to, Time now);

@@ -20,6 +20,10 @@ public:
     void communicated(const AnyChannel& channel, Time now) override { tell(&TraceSink::communicated, channel, now); }
     void takes(const PlaceTaken& taken, Time now) override { tell(&TraceSink::takes, taken, now); }
     void leaves(const PlaceLeft& left, Time now) override { tell(&TraceSink::leaves, left, now); }
+    void program_communicates(const MessagePart& part, Time now) override {
+        tell(&TraceSink::program_communicates, part, now);
+    }
+    void ends_early(Time now, const std::string& why) override { tell(&TraceSink::ends_early, now, why); }
     void over(Time now) override { tell(&TraceSink::over, now); }
 
 private:

@@ -22,7 +22,8 @@ std::size_t found_in(const std::unordered_map<std::string, std::size_t>& tracks,
 
 Tracks::Tracks(const Network& network) {
     for (std::size_t i = 0; i < network.nodes.size(); ++i) {
-        nodes_.push_back(network.nodes[i].name + " " + network.nodes[i].type);
+        const Node& node = network.nodes[i];
+        nodes_.push_back(node.name + (node.type.empty() ? "" : " " + node.type));
         if (executes_in_time(network, i))
             add(network.nodes[i].name, {i, Track::Kind::processor, 0, {}});
     }

@@ -148,7 +148,7 @@ class Endings(unittest.TestCase):
 
     def test_what_only_simulated_runs_have_is_refused(self):
         netlist = EXAMPLES / "csp/deadlock/ring.cfs"
-        for option in (["--until", "1ms"], ["--seeds", "2"], ["--shuffle", "1"], ["--trace", "t.json"]):
+        for option in (["--until", "1ms"], ["--seeds", "2"], ["--shuffle", "1"]):
             run = placedpar("run", netlist, "--native", *option)
             self.assertEqual(run.returncode, 1, option)
             self.assertIn(f"{option[0]}: only simulated runs have this option", run.stderr)

@@ -188,7 +188,7 @@ class Pages(unittest.TestCase):
 
     @unittest.skipUnless(CHROMIUM, "no browser")
     def test_a_part_is_said_to_be_one(self):
-        for options, said in ((("--trace-from", "1ms", "--trace-until", "2.5ms"), "from 1.000 ms to 2.500 ms, of 9.540 ms."),
+        for options, said in ((("--trace-from", "1ms", "--trace-until", "2.5ms"), "from 1.000 ms to 2.500 ms, of 9.540 ms. They end there: end of the part that is traced."),
                               (("--trace-from", "1ms"), "from 1.000 ms to 9.540 ms, of 9.540 ms."),
                               (("--trace-until", "2.5ms"), "from 0 to 2.500 ms, of 9.540 ms."),
                               (("--trace-from", "1s"), "<b>Nothing of the run</b>"), ((), None), (("--until", "5ms"), None)):

@@ -14,12 +14,14 @@
 #include "runtime/recovery.hpp"
 #include "runtime/timer.hpp"
 #include "tests/native/ring_of.hpp"
+#include "tests/native/told_trace.hpp"
 #include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <deque>
 #include <exception>
@@ -147,9 +149,9 @@ struct OnRanks {
 
 enum class Interrupted { none, last, all };
 
-/// Runs a netlist on ranks. `sends_notes`: each rank above 0 sends two notes.
+/// Runs a netlist on ranks. `sends_notes`: each rank above 0 sends two notes. `trace`: records the run.
 OnRanks on_ranks(int ranks, const std::string& text, const std::vector<ProcessKind>& own,
-                 Interrupted interrupted = Interrupted::none, bool sends_notes = false) {
+                 Interrupted interrupted = Interrupted::none, bool sends_notes = false, NativeTrace* trace = nullptr) {
     MadeUpWorld world(ranks);
     OnRanks result;
     const auto run = [&](int rank) {
@@ -169,6 +171,9 @@ OnRanks on_ranks(int ranks, const std::string& text, const std::vector<ProcessKi
         settings.is_interrupted = [&] {
             return interrupted == Interrupted::all || (interrupted == Interrupted::last && rank == ranks - 1);
         };
+        NativeTrace other;
+        if (trace)
+            settings.trace = rank == 0 ? trace : &other;
         MadeUpRanks own_ranks(world, rank);
         return run_on_ranks(*read.network, settings, own_ranks);
     };
@@ -281,6 +286,45 @@ TEST_CASE("a deadlock over ranks names partners that have ended, and components 
     const OnRanks ended = on_ranks(2, test::ring_of(2, "early"), {early});
     REQUIRE(ended.report->result.deadlock);
     CHECK(ended.report->result.deadlock->text().starts_with("no wait cycle: p[0] inputs for ever, but p[1] has ended"));
+}
+
+TEST_CASE("the trace of ranks has the messages of the simulated run, by one clock") {
+    for (const std::size_t length : {1u, 5000u}) {
+        const auto relay = rank_kind<std::vector<int>>("relay", [length](ProcessEnvironment& environment) {
+            for (int i = 0; i < 50; ++i) {
+                if (environment.index() > 0)
+                    environment.input<std::vector<int>>("in").input();
+                environment.output<std::vector<int>>("out").output(std::vector<int>(length, i));
+                if (environment.index() == 0)
+                    environment.input<std::vector<int>>("in").input();
+            }
+        });
+        const Catalogue kinds = rank_kinds({relay});
+        const Network network = *read_netlist_text(test::ring_of(5, "relay"), kinds, {}).network;
+        test::SimulatedMessages simulated;
+        Machine machine(network, kinds, 1);
+        machine.trace_to(simulated);
+        machine.run();
+        for (const int ranks : {2, 3, 5}) {
+            NativeTrace trace;
+            const OnRanks run = on_ranks(ranks, test::ring_of(5, "relay"), {relay}, Interrupted::none, false, &trace);
+            REQUIRE_MESSAGE(run.report, what_was_thrown(run));
+            REQUIRE(run.report->clocks.size() == static_cast<std::size_t>(ranks - 1));
+            Time error{};
+            for (const RankClock& clock : run.report->clocks) {
+                CHECK(Time(std::chrono::abs(clock.ahead)) <= clock.error); // these ranks have one clock
+                CHECK(clock.error > Time{});
+                error = std::max(error, clock.error);
+            }
+            test::ToldTrace told;
+            trace.replay(network, told);
+            CHECK(told.passed() == simulated.passed);
+            told.check_causes(times(2, error)); // both ranks may be off
+            CHECK(told.is_computing.size() == static_cast<std::size_t>(ranks));
+            CHECK(told.end == run.report->result.time);
+        }
+    }
+    CHECK(on_ranks(2, test::ring_of(2, "csp.identity"), {}).report->clocks.empty());
 }
 
 TEST_CASE("long messages are sent as parcels, and short ones are not") {

@@ -246,3 +246,37 @@ TEST_CASE("slices without duration are not drawn") {
     CHECK(notes.about("p:") == Lines{"p: delayed 0 to 1000, timer"});
     CHECK(notes.about("c:").size() == 3);
 }
+
+TEST_CASE("processes that are known by their names have slices and messages") {
+    Traced t({"p", "q"});
+    const auto turn = [&](const std::string& process, Activity activity, Time now, const std::string& partner = "") {
+        std::vector<AwaitedByProgram> awaited;
+        if (!partner.empty())
+            awaited.push_back({"c", partner});
+        t.timeline.program_turns({process, "t", activity, awaited, false, ""}, now);
+    };
+    const auto part = [&](std::uint64_t number, const std::string& process, const std::string& partner, Time now) {
+        t.timeline.program_communicates({"c", number, process, partner, process == "q"}, now);
+    };
+    turn("p", Activity::computing, 0ns);
+    turn("p", Activity::outputting, 10ns, "q");
+    turn("q", Activity::computing, 20ns);
+    part(1, "q", "p/0", 30ns); // the outputter waits
+    part(1, "p", "q", 40ns);
+    turn("p", Activity::computing, 50ns);
+    turn("q", Activity::inputting, 60ns, "p");
+    part(2, "p", "q", 70ns); // the inputter waits
+    part(2, "q", "p/0", 70ns);
+    turn("q", Activity::computing, 80ns);
+    part(3, "q", "p", 85ns); // by a clock that is behind
+    part(3, "p", "q", 90ns);
+    t.timeline.ends_early(100ns, "the record is full");
+    t.timeline.finish({});
+    CHECK(t.notes.about("p: ") == Lines{"p: computes 0 to 10", "p: outputs 10 to 50, c with q", "p: computes 50 to 70",
+                                        "p: computes 70 to 90", "p: computes 90 to the end"});
+    CHECK(t.notes.about("q: ") == Lines{"q: computes 20 to 30", "q: computes 30 to 60",
+                                        "q: inputs 60 to 80, c with p/0", "q: computes 80 to 85",
+                                        "q: computes 85 to the end"});
+    CHECK(t.notes.about("c: ") == Lines{"c: p at 10 to q at 30", "c: p at 70 to q at 80", "c: p at 90 to q at 90"});
+    CHECK(t.notes.lines.back() == "0 to 100: the record is full");
+}

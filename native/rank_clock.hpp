@@ -1,0 +1,57 @@
+#pragma once
+
+#include "netlist/run_report.hpp"
+#include "runtime/time.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <vector>
+
+namespace placedpar {
+
+class Ranks; // ranks/ranks.hpp
+
+namespace native {
+
+/// A reading of a computer's steady clock. The clocks of two computers began at different times.
+using Reading = std::chrono::nanoseconds;
+
+Reading read_clock();
+
+/// The clock of a rank, compared with that of rank 0.
+struct ComparedClock {
+    Reading at{};    ///< when, by rank 0's clock
+    Reading ahead{}; ///< by how much the rank's clock is ahead of rank 0's
+    Reading error{}; ///< `ahead` is off by at most this
+};
+
+/// Compares the clocks of all ranks with that of rank 0. Rank 0 asks each rank for its clock many times; the shortest
+/// question and answer counts. The clock was read at some time between the two, so half of their time is the error:
+/// F. Cristian, Probabilistic clock synchronization, Distributed Computing 3 (1989), pages 146-158. All ranks return at
+/// nearly the same time. Returns the clocks by rank in rank 0, and nothing in the other ranks. REQUIRES: called in all
+/// ranks, and no other text is under way between them.
+std::vector<ComparedClock> compare_clocks(Ranks&);
+
+/// Converts the times of all ranks to times by the clock of rank 0 since the first rank has begun. Between two
+/// comparisons each clock is assumed to have drifted evenly.
+class CommonClock {
+public:
+    /// `begun`: when each rank has begun, by its own clock.
+    CommonClock(std::vector<ComparedClock> before, std::vector<ComparedClock> after, std::vector<Reading> begun);
+
+    /// `since_begun`: time since the rank has begun, by its own clock.
+    Time convert(std::size_t rank, Time since_begun) const;
+    /// Describes the clocks of the ranks above 0.
+    std::vector<RankClock> clocks() const;
+
+private:
+    Reading begun_by_rank_zero(std::size_t rank) const { return begun_[rank] - before_[rank].ahead; }
+
+    std::vector<ComparedClock> before_, after_; ///< the run
+    std::vector<Reading> begun_;
+    Reading first_begun_;
+};
+
+} // namespace native
+
+} // namespace placedpar
