@@ -31,11 +31,11 @@ public:
         known.processor = "known";
         known.date = "2026-11-29";
         known.repetitions = 15;
-        known.switching.median = 40;
-        known.there_and_back.median = 120;
-        known.across.median = 680;
+        known.threads.switching.median = 40;
+        known.threads.there_and_back.median = 120;
+        known.threads.across.median = 680;
         known.across_asleep.median = 680 + 2 * 50'000;
-        known.kilobyte.median = 1024;
+        known.threads.kilobyte.median = 1024;
         known.string.median = 60;
         known.problems.push_back({"sphere", {1000, 1000, 1000}, {500, 500, 500}});
         std::ofstream(path_) << print_calibration(known);
