@@ -72,7 +72,7 @@ private:
 
     Kernel& kernel_;
     CoreCosts core_;
-    ProcessQueue ready_, woken_; ///< `woken_`: by another core
+    ProcessQueue ready_, woken_, batch_; int in_a_row_ = 0; ///< `woken_`: by another core
     bool is_woken_ = false;      ///< another core makes processes ready
     bool is_turn_of_woken_ = false;
     Process* current_ = nullptr; ///< the process that has the core

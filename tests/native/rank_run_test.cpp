@@ -7,6 +7,7 @@
 #include "netlist/kinds/description.hpp"
 #include "netlist/machine.hpp"
 #include "netlist/read.hpp"
+#include "ranks/expected_parcels.hpp"
 #include "ranks/rank_mail.hpp"
 #include "ranks/ranks.hpp"
 #include "runtime/alternation.hpp"
@@ -20,13 +21,18 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
+#include <csignal>
 #include <deque>
 #include <exception>
-#include <list>
+#include <functional>
 #include <mutex>
 #include <numeric>
+#include <sys/wait.h>
 #include <thread>
+#include <unistd.h>
+#include <utility>
 
 using namespace placedpar;
 using namespace std::chrono_literals;
@@ -44,6 +50,7 @@ struct MadeUpWorld {
     std::vector<std::deque<RankParcel>> parcels; ///< by the receiving rank
     std::vector<std::deque<Ranks::Message>> texts;
     std::size_t parcels_sent = 0;
+    std::function<void(std::vector<std::uint8_t>&)> damage = [](std::vector<std::uint8_t>&) {}; ///< of each letter
 
     explicit MadeUpWorld(int ranks)
         : letters(static_cast<std::size_t>(ranks)), parcels(letters.size()), texts(letters.size()) {}
@@ -58,7 +65,9 @@ public:
     void send(int to, std::span<const std::uint8_t> letter) override {
         REQUIRE(letter.size() <= longest_letter);
         const std::lock_guard lock(world_.mutex);
-        world_.letters[static_cast<std::size_t>(to)].push_back({own_, {letter.begin(), letter.end()}});
+        std::vector<std::uint8_t> bytes(letter.begin(), letter.end());
+        world_.damage(bytes);
+        world_.letters[static_cast<std::size_t>(to)].push_back({own_, std::move(bytes)});
     }
     std::optional<RankLetter> receive() override {
         const std::lock_guard lock(world_.mutex);
@@ -75,32 +84,41 @@ public:
         world_.parcels[static_cast<std::size_t>(to)].push_back({own_, number, std::move(bytes)});
     }
     void expect_parcel(int from, int number, std::size_t bytes) override {
-        expected_.push_back({from, number, std::vector<std::uint8_t>(bytes)});
+        expected_.add(from, number, bytes).request.looks = expected_ever_++ % 2 == 0 ? 20 : 0;
     }
     std::optional<RankParcel> receive_parcel() override {
         const std::lock_guard lock(world_.mutex);
-        auto& mine = world_.parcels[static_cast<std::size_t>(own_)];
-        for (auto each = expected_.begin(); each != expected_.end(); ++each) {
-            const auto found = std::ranges::find_if(mine, [&](const RankParcel& parcel) {
-                return parcel.from == each->from && parcel.number == each->number;
-            });
-            if (found == mine.end())
-                continue;
-            REQUIRE(found->bytes.size() == each->bytes.size());
-            std::optional<RankParcel> parcel = std::move(*found);
-            mine.erase(found);
-            expected_.erase(each);
-            return parcel;
-        }
-        return std::nullopt;
+        return expected_.take([this](auto& expected) { return has_come(expected.parcel, expected.request); });
     }
     bool has_all_parcels() const override { return expected_.empty(); }
 
 private:
+    /// A parcel that comes at a later look.
+    struct Arriving {
+        int looks = 0;         ///< how many are in vain
+        bool is_taken = false; ///< the bytes have been matched
+    };
+    /// Matches parcels in the order in which they were sent, as MPI does. Every second one is complete long before the
+    /// one before it.
+    bool has_come(RankParcel& expected, Arriving& arriving) {
+        auto& mine = world_.parcels[static_cast<std::size_t>(own_)];
+        const auto sent = std::ranges::find_if(mine, [&](const RankParcel& each) {
+            return each.from == expected.from && each.number == expected.number;
+        });
+        if (!arriving.is_taken && sent != mine.end()) {
+            REQUIRE(sent->bytes.size() == expected.bytes.size());
+            expected.bytes = std::move(sent->bytes);
+            mine.erase(sent);
+            arriving.is_taken = true;
+        }
+        return arriving.is_taken && arriving.looks-- <= 0;
+    }
+
     MadeUpWorld& world_;
     int own_;
     MadeUpWorld::Letter letter_;
-    std::list<RankParcel> expected_;
+    ExpectedParcels<Arriving> expected_;
+    int expected_ever_ = 0;
 };
 
 class MadeUpRanks final : public Ranks {
@@ -147,10 +165,17 @@ struct OnRanks {
 
 enum class Interrupted { none, last, all };
 
-/// Runs a netlist on ranks. `sends_notes`: each rank above 0 sends two notes.
-OnRanks on_ranks(int ranks, const std::string& text, const std::vector<ProcessKind>& own,
-                 Interrupted interrupted = Interrupted::none, bool sends_notes = false) {
+struct RankCase {
+    Interrupted interrupted = Interrupted::none;
+    bool sends_notes = false; ///< each rank above 0 sends two notes
+    bool balances = false;    ///< places by loads, as an interrupted simulation gives them: each rank has others
+    std::function<void(std::vector<std::uint8_t>&)> damage = [](std::vector<std::uint8_t>&) {};
+};
+
+/// Runs a netlist on ranks.
+OnRanks on_ranks(int ranks, const std::string& text, const std::vector<ProcessKind>& own, const RankCase& how = {}) {
     MadeUpWorld world(ranks);
+    world.damage = how.damage;
     OnRanks result;
     const auto run = [&](int rank) {
         const Catalogue catalogue = rank_kinds(own);
@@ -159,7 +184,7 @@ OnRanks on_ranks(int ranks, const std::string& text, const std::vector<ProcessKi
         RankRunSettings settings;
         settings.make_catalogue = [&](const std::function<void(MessageBytes)>& send_note) {
             for (const auto number : {std::uint8_t{0}, std::uint8_t{1}})
-                if (rank > 0 && sends_notes)
+                if (rank > 0 && how.sends_notes)
                     send_note({static_cast<std::uint8_t>(rank), number});
             return std::make_shared<const Catalogue>(rank_kinds(own));
         };
@@ -167,8 +192,15 @@ OnRanks on_ranks(int ranks, const std::string& text, const std::vector<ProcessKi
             result.notes.emplace_back(note.begin(), note.end());
         };
         settings.is_interrupted = [&] {
-            return interrupted == Interrupted::all || (interrupted == Interrupted::last && rank == ranks - 1);
+            return how.interrupted == Interrupted::all ||
+                   (how.interrupted == Interrupted::last && rank == ranks - 1);
         };
+        if (how.balances)
+            settings.loads = [&, rank] {
+                std::vector<Time> loads(read.network->nodes.size(), Time(1));
+                loads[static_cast<std::size_t>(rank)] = Time(5);
+                return loads;
+            };
         MadeUpRanks own_ranks(world, rank);
         return run_on_ranks(*read.network, settings, own_ranks);
     };
@@ -218,21 +250,9 @@ ProcessKind rank_kind(const std::string& name, std::function<void(ProcessEnviron
 
 TEST_CASE("a token goes round a ring, whatever the number of ranks") {
     constexpr int rounds = 300;
-    const auto relay = rank_kind("relay", [](ProcessEnvironment& environment) {
-        const auto in = environment.input<int>("in");
-        const auto out = environment.output<int>("out");
-        int token = 0;
-        for (int i = 0; i < rounds; ++i) {
-            if (environment.index() > 0)
-                token = in.input();
-            out.output(token + 1);
-            if (environment.index() == 0)
-                token = in.input();
-        }
-        environment.measure("token", token);
-    });
+    const auto relay = rank_kind("relay", [](ProcessEnvironment& environment) { test::relay(environment, rounds); });
     for (const int ranks : {1, 2, 3, 5}) {
-        const OnRanks run = on_ranks(ranks, test::ring_of(5, "relay"), {relay}, Interrupted::none, true);
+        const OnRanks run = on_ranks(ranks, test::ring_of(5, "relay"), {relay}, {.sends_notes = true});
         REQUIRE_MESSAGE(run.report, what_was_thrown(run));
         CHECK(run.report->result.ending == Ending::completed);
         CHECK(run.report->measured("p[0]", "token") == 5 * rounds);
@@ -374,7 +394,8 @@ TEST_CASE("an interruption of ranks ends processes that compute, and that of one
                     all ? compute(Cycles{1}) : wait_for(1ms);
             environment.input<int>("in").input();
         });
-        const OnRanks run = on_ranks(3, test::ring_of(3, "busy"), {busy}, all ? Interrupted::all : Interrupted::last);
+        const OnRanks run = on_ranks(3, test::ring_of(3, "busy"), {busy},
+                                     {.interrupted = all ? Interrupted::all : Interrupted::last});
         REQUIRE(run.report);
         CHECK(run.report->result.ending == Ending::interrupted);
         CHECK(run.report->result.time < Time(5s));
@@ -448,4 +469,90 @@ TEST_CASE("messages that cannot be packed, and too many ranks, are refused befor
                     "but its messages cannot be packed") != std::string::npos);
     CHECK(what_was_thrown(on_ranks(3, test::ring_of(2, "csp.identity"), {})).find("start at most") !=
           std::string::npos);
+}
+
+TEST_CASE("parcels of a sender with one number are taken in order, whichever comes first") {
+    ExpectedParcels<bool> expected;
+    auto& first = expected.add(1, 5, 10);
+    auto& second = expected.add(1, 5, 20);
+    expected.add(2, 5, 30).request = true;
+    const auto length_of_next = [&] {
+        const auto taken = expected.take([](const auto& each) { return each.request; });
+        return taken ? taken->bytes.size() : 0;
+    };
+    second.request = true;
+    CHECK(length_of_next() == 30); // of another sender
+    CHECK(length_of_next() == 0);
+    first.request = true;
+    CHECK(length_of_next() == 10);
+    CHECK(length_of_next() == 20);
+    CHECK(expected.empty());
+}
+
+TEST_CASE("an interruption while ranks find their loads ends all of them before the run") {
+    const auto idle = rank_kind("idle", [](ProcessEnvironment&) {});
+    CHECK(what_was_thrown(on_ranks(2, test::ring_of(2, "idle"), {idle},
+                                   {.interrupted = Interrupted::all, .balances = true})) ==
+          "interrupted before the run began");
+}
+
+namespace {
+
+struct Aborted {
+    bool is_aborted = false;
+    std::string printed; ///< on standard error
+};
+
+/// Runs a ring whose letters are damaged, in a process of its own.
+Aborted run_damaged(const std::function<void(std::vector<std::uint8_t>&)>& damage) {
+    std::array<int, 2> ends{};
+    REQUIRE(pipe(ends.data()) == 0);
+    const pid_t child = fork();
+    if (child == 0) {
+        std::signal(SIGABRT, SIG_DFL);
+        dup2(ends[1], STDERR_FILENO);
+        const auto relay = rank_kind("relay", [](ProcessEnvironment& environment) { test::relay(environment, 10); });
+        on_ranks(2, test::ring_of(2, "relay"), {relay}, {.damage = damage});
+        _exit(0);
+    }
+    close(ends[1]);
+    Aborted result;
+    std::array<char, 500> bytes;
+    for (ssize_t read_now = 0; (read_now = read(ends[0], bytes.data(), bytes.size())) > 0;)
+        result.printed.append(bytes.data(), static_cast<std::size_t>(read_now));
+    close(ends[0]);
+    int status = 0;
+    waitpid(child, &status, 0);
+    result.is_aborted = WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT;
+    return result;
+}
+
+using Letter = std::vector<std::uint8_t>;
+constexpr std::uint8_t of_a_process = 0; // the kind of a letter with a message
+
+} // namespace
+
+TEST_CASE("a damaged letter ends the program, with the ranks and what is wrong") {
+    const std::pair<std::function<void(Letter&)>, std::string> damages[] = {
+        {[](Letter& letter) { letter.clear(); }, "received a damaged letter of 0 bytes from rank"},
+        {[](Letter& letter) { letter[0] = 200; }, "its kind does not exist"},
+        {[](Letter& letter) { letter[0] == of_a_process ? letter.resize(3) : void(); },
+         "damaged letter of 3 bytes from rank"},
+        {[](Letter& letter) { letter[0] == of_a_process ? void(letter[2] = 77) : void(); },
+         "channel 19712 does not lead to this rank"},
+    };
+    for (const auto& [damage, message] : damages) {
+        const Aborted run = run_damaged(damage);
+        CHECK(run.is_aborted);
+        CHECK_MESSAGE(run.printed.find(message) != std::string::npos, run.printed);
+    }
+}
+
+TEST_CASE("a message that was cut off on the way ends the run, and names the process that inputs it") {
+    const auto relay = rank_kind("relay", [](ProcessEnvironment& environment) { test::relay(environment, 10); });
+    const auto cut = [](Letter& letter) { letter[0] == of_a_process ? letter.resize(7) : void(); };
+    const std::string what =
+        what_was_thrown(on_ranks(2, test::ring_of(2, "relay"), {relay}, {.damage = cut}));
+    CHECK_MESSAGE(what.find("a message that is cut off") != std::string::npos, what);
+    CHECK_MESSAGE(what.find("process p[") != std::string::npos, what);
 }

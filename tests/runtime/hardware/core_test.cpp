@@ -93,6 +93,38 @@ TEST_CASE("a core that has had nothing to do for longer than its patience takes 
     CHECK(far - near == 2 * 50us); // pong wakes, and ping has fallen asleep meanwhile
 }
 
+TEST_CASE("a core that no message wakes finds it at the end of a pause") {
+    CoreCosts rank = costs_of_core;
+    rank.waking = Cycles{0};
+    rank.oversleeping = Cycles{5'000};
+    // The pauses of a rank that waits end at 20, 45, 70, 95, 120, 145, 170, 195.25 us and so on: each lasts an eighth of
+    // the time before it, at least 20 us, and 5 us more.
+    for (const auto& [sent, found] : {std::pair(15us, 15us), std::pair(21us, 45us), std::pair(69us, 70us)}) {
+        Simulation simulation;
+        auto &a = simulation.add<ComputerCore>("a", CoreCosts{}), &b = simulation.add<ComputerCore>("b", rank);
+        Channel<int> channel("c");
+        channel.put_on(simulation.add<CoreLane>(b, 1'000'000'000'000));
+        Time inputs{};
+        simulation.process(
+            "sender",
+            [&] {
+                wait_for(sent);
+                channel.out().output(1);
+            },
+            &a);
+        simulation.process(
+            "receiver",
+            [&] {
+                channel.in().input();
+                inputs = now();
+            },
+            &b);
+        simulation.run();
+        CHECK(inputs >= Time(found));
+        CHECK(inputs < Time(found) + 2us);
+    }
+}
+
 TEST_CASE("no process of a core interrupts another, whatever their priorities and however long they compute") {
     Simulation simulation;
     ComputerCore& core = simulation.add<ComputerCore>("c", CoreCosts{});
