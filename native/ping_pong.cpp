@@ -155,9 +155,7 @@ double run_switches(Simulation& simulation, long times) {
 /// Rank 0 tells rank 1 this after the last match.
 constexpr const char* no_more = "no more";
 
-std::string text_of(const PingPong& match) {
-    return fmt::format("{} {} {}", match.kernels, match.times, match.bytes);
-}
+std::string text_of(const PingPong& match) { return fmt::format("{} {} {}", match.kernels, match.times, match.bytes); }
 
 PingPong match_of(const std::string& text) {
     PingPong match;

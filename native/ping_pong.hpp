@@ -30,8 +30,8 @@ double nanoseconds_of_switch(long times);
 
 /// Measures the same on rank 0 and rank 1 of mpirun. Rank 0 measures, and rank 1 plays with it.
 ///
-/// REQUIRES: there are two ranks. Rank 1 calls play_with_rank_zero() when rank 0 makes an object of this class; the call
-/// returns when the object is destroyed.
+/// REQUIRES: there are two ranks. Rank 1 calls play_with_rank_zero() when rank 0 makes an object of this class; the
+/// call returns when the object is destroyed.
 class RankMatches {
 public:
     explicit RankMatches(Ranks&);

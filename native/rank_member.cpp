@@ -130,9 +130,7 @@ bool RankMember::handle_at_once(const RankLetter& letter) {
         others_stop_ = true;
         interrupt();
         return true;
-    case Kind::note:
-        mail_.expect_parcel(letter.from, note_parcel, PackedForm<std::uint64_t>::read(from));
-        return true;
+    case Kind::note: mail_.expect_parcel(letter.from, note_parcel, PackedForm<std::uint64_t>::read(from)); return true;
     }
     throw NoMessage("its kind does not exist");
 }

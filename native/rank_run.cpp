@@ -39,7 +39,8 @@ constexpr std::size_t most_ranks = std::numeric_limits<std::size_t>::max(); // a
 
 /// Returns the rank of each node.
 std::vector<std::size_t> ranks_of_nodes(const Network& network, const RankRunSettings& settings, std::size_t ranks) {
-    return place_nodes(network, {ranks, "rank", "mpirun -n", most_ranks}, settings.loads ? settings.loads() : std::vector<Time>{});
+    return place_nodes(network, {ranks, "rank", "mpirun -n", most_ranks},
+                       settings.loads ? settings.loads() : std::vector<Time>{});
 }
 
 /// Throws UserError if messages of the channel cannot travel to another rank.

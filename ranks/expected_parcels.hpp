@@ -10,8 +10,8 @@
 
 namespace placedpar {
 
-/// The parcels that a rank expects, each with the request by which its bytes come. Parcels of one sender with one number
-/// are taken in the order in which they were expected: a later request may be complete first.
+/// The parcels that a rank expects, each with the request by which its bytes come. Parcels of one sender with one
+/// number are taken in the order in which they were expected: a later request may be complete first.
 template <class Request>
 class ExpectedParcels {
 public:

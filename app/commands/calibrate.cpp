@@ -81,27 +81,33 @@ std::unique_ptr<Ranks> two_ranks() {
     return ranks && ranks->count() > 1 ? std::move(ranks) : nullptr;
 }
 
+/// Checks the options, and returns the problems to measure.
+std::vector<std::string> prepare(const CalibrateOptions& options) {
+    require_writable(options.out);
+    require_apart(std::array<std::filesystem::path, 1>{options.out}, options.netlist);
+    return problems_to_measure(options);
+}
+
+ExitCode calibrate_with_ranks(const CalibrateOptions& options, Ranks& ranks, const Interruption& interruption) {
+    std::vector<std::string> problems;
+    const auto prepare_here = [&] {
+        if (ranks.own() == 0)
+            problems = prepare(options);
+        return version_text();
+    };
+    if (ranks.count() > 2 || !all_prepared(ranks, prepare_here))
+        return ExitCode::success;
+    if (ranks.own() == 0)
+        return measure_and_write(options, problems, &ranks, interruption);
+    help_to_measure(ranks);
+    return ExitCode::success;
+}
+
 ExitCode calibrate_computer(const CalibrateOptions& options) {
     const std::unique_ptr<Ranks> ranks = two_ranks();
     const InterruptedBySignals interruption;
-    std::vector<std::string> problems;
-    const auto prepare = [&] {
-        if (!ranks || ranks->own() == 0) {
-            require_writable(options.out);
-            require_apart(std::array<std::filesystem::path, 1>{options.out}, options.netlist);
-            problems = problems_to_measure(options);
-        }
-        return version_text();
-    };
-    if (!ranks)
-        prepare();
-    else if (ranks->count() > 2 || !all_prepared(*ranks, prepare))
-        return ExitCode::success;
-    if (ranks && ranks->own() > 0) {
-        help_to_measure(*ranks);
-        return ExitCode::success;
-    }
-    return measure_and_write(options, problems, ranks.get(), interruption);
+    return ranks ? calibrate_with_ranks(options, *ranks, interruption)
+                 : measure_and_write(options, prepare(options), nullptr, interruption);
 }
 
 Action declare_calibrate(Options& command, const std::string&) {

@@ -1,6 +1,7 @@
 // This program evolves an archipelago of pagmo on Rastrigin's function in 20 dimensions: two islands in a ring, each on
-// a thread of its own, with 100 individuals of the genetic algorithm `sga`, which exchange after every third generation.
-// It prints the seconds of the wall clock, the evaluations and the best value. It uses nothing of PlacedPar.
+// a thread of its own, with 100 individuals of the genetic algorithm `sga`, which exchange after every third
+// generation. It prints the seconds of the wall clock, the evaluations and the best value. It uses nothing of
+// PlacedPar.
 //
 // usage: rastrigin_archipelago GENERATIONS
 

@@ -123,16 +123,16 @@ private:
     template <class Switches, class Matches>
     MessageCosts measure_messages(const std::string& where, Switches switches, Matches matches) {
         constexpr std::size_t large = 256 * 1024;
-        return {
-            .switching = repeat("switches of " + where, [&] { return switches(often); }),
-            .there_and_back = repeat("messages in one of " + where, [&] { return matches({.kernels = 1, .times = often}); }),
-            .across = repeat("messages between " + where, [&] { return matches({.times = often}); }),
-            .kilobyte = repeat("large messages between " + where, [&] {
-                const auto one_way = [&](std::size_t kernels) {
-                    return matches({.kernels = kernels, .times = seldom, .bytes = large}) / 2;
-                };
-                return std::max((one_way(2) - one_way(1)) / (large / 1024.0), 0.0);
-            })};
+        return {.switching = repeat("switches of " + where, [&] { return switches(often); }),
+                .there_and_back =
+                    repeat("messages in one of " + where, [&] { return matches({.kernels = 1, .times = often}); }),
+                .across = repeat("messages between " + where, [&] { return matches({.times = often}); }),
+                .kilobyte = repeat("large messages between " + where, [&] {
+                    const auto one_way = [&](std::size_t kernels) {
+                        return matches({.kernels = kernels, .times = seldom, .bytes = large}) / 2;
+                    };
+                    return std::max((one_way(2) - one_way(1)) / (large / 1024.0), 0.0);
+                })};
     }
 
     void measure_threads(Calibration& result) {

@@ -56,8 +56,8 @@ struct CalibrationSettings {
     std::function<void(const std::string&)> progress = [](const std::string&) {}; ///< called with what is measured next
     /// Asked between measurements.
     std::function<bool()> is_interrupted = [] { return false; };
-    /// Two ranks of mpirun, between which messages are measured, too; null: only threads are measured. REQUIRES: this is
-    /// rank 0, and rank 1 calls help_to_measure().
+    /// Two ranks of mpirun, between which messages are measured, too; null: only threads are measured. REQUIRES: this
+    /// is rank 0, and rank 1 calls help_to_measure().
     Ranks* ranks = nullptr;
 };
 

@@ -148,8 +148,8 @@ Network on_cores(const Network& network, const PredictedPlaces& predicted) {
     const std::string name = free_name(words.node, network);
     for (std::size_t i = 0; i < count; ++i)
         result.nodes.push_back(node_of(devices, "core", words.core, fmt::format("{}[{}]", name, i)));
-    result.nodes.push_back(node_of(devices, "shared_memory", words.memory,
-                                   free_name(fmt::format("memory_of_{}s", words.node), network)));
+    result.nodes.push_back(
+        node_of(devices, "shared_memory", words.memory, free_name(fmt::format("memory_of_{}s", words.node), network)));
     for (std::size_t i = 0; i < count; ++i)
         result.attachments.push_back(
             {.node = i, .bus = count, .slot = static_cast<int>(i) + 1, .name = {}, .connected = {}});

@@ -53,8 +53,8 @@ std::string print_memory(const MessageCosts& c, const char* name) {
 }
 
 std::string print_threads(const Calibration& c) {
-    return print_core(c.threads, native::most_patience) + fmt::format("waking = {}) this_core;\n", cycles(waking_ns(c))) +
-           print_memory(c.threads, "this_memory");
+    return print_core(c.threads, native::most_patience) +
+           fmt::format("waking = {}) this_core;\n", cycles(waking_ns(c))) + print_memory(c.threads, "this_memory");
 }
 
 std::string print_ranks(const Calibration& c) {

@@ -30,8 +30,8 @@ OperationCosts costs_of(const CoreCosts& core) {
 
 ComputerCore::ComputerCore(Kernel& kernel, std::string name, const CoreCosts& costs)
     : Executive(std::move(name), costs_of(costs)), kernel_(kernel), core_(costs) {
-    const auto least = std::min({costs.communication, costs.crossing, costs.switching, costs.patience, costs.waking,
-                                 costs.oversleeping});
+    const auto least = std::min(
+        {costs.communication, costs.crossing, costs.switching, costs.patience, costs.waking, costs.oversleeping});
     if (costs.clock_hz <= 0 || least < Cycles{0})
         throw std::logic_error("core " + this->name() + ": its clock must be positive, and no cost negative");
 }
@@ -112,11 +112,13 @@ void ComputerCore::take_next() {
         if (!current_) {
             current_ = ready_.pop_front();
             std::swap(batch_, woken_);
-            if (!current_) current_ = batch_.pop_front();
+            if (!current_)
+                current_ = batch_.pop_front();
         }
     } else if (policy == 2) { // woken first
         current_ = woken_.pop_front();
-        if (!current_) current_ = ready_.pop_front();
+        if (!current_)
+            current_ = ready_.pop_front();
     } else if (policy == 3) { // both: all ordinary so far as a batch as well
         current_ = batch_.pop_front();
         for (int i = 0; i < 2 && !current_; ++i) {
@@ -127,8 +129,17 @@ void ComputerCore::take_next() {
     } else if (policy == 4) { // one queue, first in, first out: see make_ready
         current_ = ready_.pop_front();
     } else { // woken first, until an ordinary process has waited for some turns
-        if (!ready_.empty() && in_a_row_ >= policy) { in_a_row_ = 0; current_ = ready_.pop_front(); }
-        else { current_ = woken_.pop_front(); ++in_a_row_; if (!current_) { current_ = ready_.pop_front(); in_a_row_ = 0; } }
+        if (!ready_.empty() && in_a_row_ >= policy) {
+            in_a_row_ = 0;
+            current_ = ready_.pop_front();
+        } else {
+            current_ = woken_.pop_front();
+            ++in_a_row_;
+            if (!current_) {
+                current_ = ready_.pop_front();
+                in_a_row_ = 0;
+            }
+        }
     }
     if (!current_)
         return;

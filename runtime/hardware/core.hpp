@@ -72,8 +72,9 @@ private:
 
     Kernel& kernel_;
     CoreCosts core_;
-    ProcessQueue ready_, woken_, batch_; int in_a_row_ = 0; ///< `woken_`: by another core
-    bool is_woken_ = false;      ///< another core makes processes ready
+    ProcessQueue ready_, woken_, batch_;
+    int in_a_row_ = 0;      ///< `woken_`: by another core
+    bool is_woken_ = false; ///< another core makes processes ready
     bool is_turn_of_woken_ = false;
     Process* current_ = nullptr; ///< the process that has the core
     bool works_ = false;         ///< the process computes; else it has not started yet

@@ -9,7 +9,7 @@
 namespace placedpar::test {
 
 /// The body of a process of a ring in which a token goes round: each process adds 1 to it.
-inline void relay(ProcessEnvironment& environment, int rounds) {
+inline void relay_token(ProcessEnvironment& environment, int rounds) {
     const auto in = environment.input<int>("in");
     const auto out = environment.output<int>("out");
     int token = 0;

@@ -203,7 +203,8 @@ TEST_CASE("a path that the language cannot write is refused") {
 
 TEST_CASE("a calibration with random changes is accepted or refused, and no more") {
     const std::string text = KnownCalibration().text();
-    const std::string pieces[] = {"", "0", "-1", "99999999999999999999", "*/", "/*", "\"", ";", "val ", "this_core", "\n", "\xff"};
+    const std::string pieces[] = {"",          "0",  "-1",  "99999999999999999999", "*/", "/*", "\"", ";", "val ",
+                                  "this_core", "\n", "\xff"};
     std::size_t refused = 0;
     constexpr std::uint64_t changed = 200;
     for (const std::uint64_t seed : test::seeds(changed)) {

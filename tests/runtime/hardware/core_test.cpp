@@ -10,6 +10,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace placedpar;
@@ -97,31 +98,30 @@ TEST_CASE("a core that no message wakes finds it at the end of a pause") {
     CoreCosts rank = costs_of_core;
     rank.waking = Cycles{0};
     rank.oversleeping = Cycles{5'000};
-    // The pauses of a rank that waits end at 20, 45, 70, 95, 120, 145, 170, 195.25 us and so on: each lasts an eighth of
-    // the time before it, at least 20 us, and 5 us more.
-    for (const auto& [sent, found] : {std::pair(15us, 15us), std::pair(21us, 45us), std::pair(69us, 70us)}) {
+    // The pauses of a rank that waits end at 20, 45, 70, 95, 120, 145, 170, 195.25 us and so on: each lasts an eighth
+    // of the time before it, at least 20 us, and 5 us more.
+    const auto input_of = [&](Time sent) {
         Simulation simulation;
         auto &a = simulation.add<ComputerCore>("a", CoreCosts{}), &b = simulation.add<ComputerCore>("b", rank);
         Channel<int> channel("c");
         channel.put_on(simulation.add<CoreLane>(b, 1'000'000'000'000));
-        Time inputs{};
-        simulation.process(
-            "sender",
-            [&] {
-                wait_for(sent);
-                channel.out().output(1);
-            },
-            &a);
-        simulation.process(
-            "receiver",
-            [&] {
-                channel.in().input();
-                inputs = now();
-            },
-            &b);
+        Time input{};
+        const auto send = [&] {
+            wait_for(sent);
+            channel.out().output(1);
+        };
+        const auto receive = [&] {
+            channel.in().input();
+            input = now();
+        };
+        simulation.process("sender", send, &a);
+        simulation.process("receiver", receive, &b);
         simulation.run();
-        CHECK(inputs >= Time(found));
-        CHECK(inputs < Time(found) + 2us);
+        return input;
+    };
+    for (const auto& [sent, found] : {std::pair(15us, 15us), std::pair(21us, 45us), std::pair(69us, 70us)}) {
+        CHECK(input_of(sent) >= Time(found));
+        CHECK(input_of(sent) < Time(found) + 2us);
     }
 }
 
