@@ -6,7 +6,6 @@
 #include "runtime/trace.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -69,8 +68,7 @@ void ComputerCore::end_turn() {
 }
 
 void ComputerCore::make_ready(Process& p) {
-    static const bool fifo = std::getenv("POLICY") && std::atoi(std::getenv("POLICY")) == 4;
-    (is_woken_ && !fifo ? woken_ : ready_).push_back(p);
+    (is_woken_ ? woken_ : ready_).push_back(p);
     if (!current_)
         take_next();
 }
@@ -101,46 +99,9 @@ Time ComputerCore::time_to_start() const {
 }
 
 void ComputerCore::take_next() {
-    static const int policy = std::getenv("POLICY") ? std::atoi(std::getenv("POLICY")) : 0;
-    if (policy == 0) {
-        is_turn_of_woken_ = !is_turn_of_woken_;
-        current_ = (is_turn_of_woken_ ? woken_ : ready_).pop_front();
-        if (!current_)
-            current_ = (is_turn_of_woken_ ? ready_ : woken_).pop_front();
-    } else if (policy == 1) { // batch, then one
-        current_ = batch_.pop_front();
-        if (!current_) {
-            current_ = ready_.pop_front();
-            std::swap(batch_, woken_);
-            if (!current_)
-                current_ = batch_.pop_front();
-        }
-    } else if (policy == 2) { // woken first
-        current_ = woken_.pop_front();
-        if (!current_)
-            current_ = ready_.pop_front();
-    } else if (policy == 3) { // both: all ordinary so far as a batch as well
-        current_ = batch_.pop_front();
-        for (int i = 0; i < 2 && !current_; ++i) {
-            is_turn_of_woken_ = !is_turn_of_woken_;
-            std::swap(batch_, is_turn_of_woken_ ? woken_ : ready_);
-            current_ = batch_.pop_front();
-        }
-    } else if (policy == 4) { // one queue, first in, first out: see make_ready
+    current_ = turns_.next(woken_, !ready_.empty());
+    if (!current_)
         current_ = ready_.pop_front();
-    } else { // woken first, until an ordinary process has waited for some turns
-        if (!ready_.empty() && in_a_row_ >= policy) {
-            in_a_row_ = 0;
-            current_ = ready_.pop_front();
-        } else {
-            current_ = woken_.pop_front();
-            ++in_a_row_;
-            if (!current_) {
-                current_ = ready_.pop_front();
-                in_a_row_ = 0;
-            }
-        }
-    }
     if (!current_)
         return;
     if (const Time start = time_to_start(); start > Time{})

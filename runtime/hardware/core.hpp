@@ -31,7 +31,7 @@ struct CoreCosts {
 /// A core of a computer that runs one thread of a native run (native/group.hpp), by the rules of the threads:
 ///
 /// 1. A process runs until it waits or ends. Then the process that has been ready longest runs, whatever its priority.
-/// Processes that another core has woken have every second turn.
+/// Processes that another core has woken come first (TurnsOfWoken).
 /// 2. If the core has had nothing to do for longer than its patience, the thread sleeps, and takes time to wake.
 /// 3. A core with `oversleeping` is a rank of MPI, which no message can wake: it sleeps in pauses, and finds a message
 /// at the end of a pause.
@@ -72,10 +72,9 @@ private:
 
     Kernel& kernel_;
     CoreCosts core_;
-    ProcessQueue ready_, woken_, batch_;
-    int in_a_row_ = 0;      ///< `woken_`: by another core
-    bool is_woken_ = false; ///< another core makes processes ready
-    bool is_turn_of_woken_ = false;
+    ProcessQueue ready_, woken_; ///< `woken_`: by another core
+    bool is_woken_ = false;      ///< another core makes processes ready
+    TurnsOfWoken turns_;
     Process* current_ = nullptr; ///< the process that has the core
     bool works_ = false;         ///< the process computes; else it has not started yet
     Time idle_since_{}, began_{}, busy_{};

@@ -8,6 +8,7 @@
 
 #include <doctest/doctest.h>
 
+#include <deque>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -144,7 +145,7 @@ TEST_CASE("no process of a core interrupts another, whatever their priorities an
     CHECK(core.time_busy() == 300ms);
 }
 
-TEST_CASE("a process that another core has woken has every second turn") {
+TEST_CASE("a process that another core has woken does not wait for the others that are ready") {
     CorePair pair(true, 1'000'000'000'000);
     for (int i = 0; i < 10; ++i)
         pair.simulation.process(
@@ -159,6 +160,41 @@ TEST_CASE("a process that another core has woken has every second turn") {
     // Ten processes compute for a millisecond in turn, but at most one of them comes before each of the two turns of
     // pong.
     CHECK(pair.last_round(10) < 3ms);
+}
+
+TEST_CASE("a process that is always ready has a turn after eight turns of processes that another core wakes") {
+    Simulation simulation;
+    auto &a = simulation.add<ComputerCore>("a", CoreCosts{}), &b = simulation.add<ComputerCore>("b", CoreCosts{});
+    CoreLane& lane = simulation.add<CoreLane>(b, 1'000'000'000'000);
+    constexpr int pairs = 20, messages = 100;
+    std::deque<Channel<int>> channels;
+    for (int i = 0; i < pairs; ++i) {
+        Channel<int>& channel = channels.emplace_back("c");
+        channel.put_on(lane);
+        const auto send = [&] {
+            for (int j = 0; j < messages; ++j)
+                channel.out().output(j);
+        };
+        const auto receive = [&] {
+            for (int j = 0; j < messages; ++j) {
+                channel.in().input();
+                compute(Cycles{10'000});
+            }
+        };
+        simulation.process("sender", send, &a);
+        simulation.process("receiver", receive, &b);
+    }
+    Time done{};
+    const auto busy = [&] {
+        for (int turn = 0; turn < 10; ++turn)
+            wait_until(Time{}); // gives the others a turn
+        done = now();
+    };
+    simulation.process("busy", busy, &b);
+    // The receivers keep the core busy for 20 ms. Between two turns of the busy process are eight of theirs.
+    CHECK(simulation.run().time >= 20ms);
+    CHECK(done >= 10 * 8 * 10us / 2);
+    CHECK(done <= 11 * 8 * 10us + 20 * 10us); // at first all receivers are ready, and none is woken
 }
 
 TEST_CASE("a core refuses costs without sense") {
