@@ -45,8 +45,8 @@ struct Calibration {
     std::optional<MessageCosts> ranks; ///< set if they were measured
     MeasuredCost oversleeping;         ///< by how much a pause of a rank lasts longer than asked
 
-    /// Returns whether threads that are awake take so long to answer that they fall asleep. Other programs then use the
-    /// cores, and the costs predict nothing.
+    /// Returns whether threads or ranks that are awake take so long to answer that they fall asleep. Other programs
+    /// then use the cores, and the costs predict nothing.
     bool is_disturbed() const;
 };
 

@@ -83,7 +83,10 @@ std::string print_problem(const ProblemCost& cost) {
 
 } // namespace
 
-bool Calibration::is_disturbed() const { return threads.across.median > 2 * nanoseconds(native::most_patience); }
+bool Calibration::is_disturbed() const {
+    return threads.across.median > 2 * nanoseconds(native::most_patience) ||
+           (ranks && ranks->across.median > 2 * nanoseconds(native::most_patience_of_rank));
+}
 
 std::string val_of_problem(const std::string& what, const std::string& problem) {
     std::string name = what + "_";

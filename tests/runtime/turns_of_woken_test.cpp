@@ -1,15 +1,16 @@
 // Tests the order of turns on a kernel of a native run: neither processes that others wake nor those that are always
 // ready wait for ever.
 
+#include "runtime/channel.hpp"
 #include "runtime/kernel.hpp"
 #include "runtime/process.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/surroundings.hpp"
-#include "runtime/timer.hpp"
 
 #include <doctest/doctest.h>
 
 #include <chrono>
+#include <deque>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,41 +45,54 @@ private:
     std::vector<Process*> waiting_;
 };
 
-/// Runs processes that others always wake, and processes that are always ready. Returns a letter for each turn.
-std::string turns_of(int woken, int ready) {
-    constexpr int rounds = 40;
+/// Runs processes that others always wake, and pairs of processes of which one is always ready, since they communicate.
+/// Returns a letter for each message. In a turn, one of a pair receives or sends at most two.
+std::string messages_of(int woken, int pairs) {
+    constexpr int messages = 40;
     Simulation simulation;
     EagerSurroundings others(simulation);
-    std::string turns;
+    std::deque<Channel<int>> channels;
+    std::string course;
     const auto is_woken = [&] {
-        for (int i = 0; i < rounds; ++i) {
+        for (int i = 0; i < messages; ++i) {
             others.wait_for_message();
-            turns += 'w';
-        }
-    };
-    const auto is_ready = [&] {
-        for (int i = 0; i < rounds; ++i) {
-            wait_until(Time{});
-            turns += 'r';
+            course += 'w';
         }
     };
     for (int i = 0; i < woken; ++i)
         simulation.process("woken", is_woken);
-    for (int i = 0; i < ready; ++i)
-        simulation.process("ready", is_ready);
+    for (int i = 0; i < pairs; ++i) {
+        Channel<int>& channel = channels.emplace_back("between two");
+        simulation.process("sender", [&] {
+            for (int j = 0; j < messages; ++j) {
+                channel.out().output(j);
+                course += 'r';
+            }
+        });
+        simulation.process("receiver", [&] {
+            for (int j = 0; j < messages; ++j) {
+                channel.in().input();
+                course += 'r';
+            }
+        });
+    }
     CHECK(simulation.run().ending == Ending::completed);
-    CHECK(turns.size() == static_cast<std::size_t>(rounds * (woken + ready)));
-    return turns;
+    CHECK(course.size() == static_cast<std::size_t>(messages * (woken + 2 * pairs)));
+    return course;
 }
 
 } // namespace
 
-TEST_CASE("a process that is always ready has every ninth turn among processes that others always wake") {
-    CHECK(turns_of(10, 1).substr(0, 36) == "wwwwwwwwrwwwwwwwwrwwwwwwwwrwwwwwwwwr");
+TEST_CASE("processes that are always ready have every ninth turn among processes that others always wake") {
+    const std::string course = messages_of(20, 1);
+    const std::size_t first = course.find('r'), last = course.rfind('r');
+    const std::string while_both = course.substr(first, last - first);
+    CHECK(while_both.find("wwwwwwww") != std::string::npos);
+    CHECK(while_both.find("wwwwwwwww") == std::string::npos);
 }
 
 TEST_CASE("a process that others wake is next, however many processes are always ready") {
-    const std::string turns = turns_of(1, 10).substr(0, 78);
-    for (std::size_t i = 0; i < turns.size(); i += 2)
-        CHECK(turns.substr(i, 2) == "wr");
+    const std::string course = messages_of(1, 20);
+    const std::string while_both = course.substr(0, course.rfind('w'));
+    CHECK(while_both.find("rrr", while_both.find('w')) == std::string::npos);
 }

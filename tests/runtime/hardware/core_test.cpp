@@ -187,7 +187,7 @@ TEST_CASE("a process that is always ready has a turn after eight turns of proces
     Time done{};
     const auto busy = [&] {
         for (int turn = 0; turn < 10; ++turn)
-            wait_until(Time{}); // gives the others a turn
+            wait_for(1ns); // gives the others a turn
         done = now();
     };
     simulation.process("busy", busy, &b);
