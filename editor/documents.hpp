@@ -1,9 +1,9 @@
 #pragma once
 
-#include "editor/language/cycles.hpp"
-#include "editor/language/netlist_names.hpp"
-#include "editor/protocol/positions.hpp"
+#include "explore/check/line_cycles.hpp"
 #include "explore/check/occam_check.hpp"
+#include "netlist/language/names_in_text.hpp"
+#include "text/positions.hpp"
 #include "text/texts_in_memory.hpp"
 
 #include <boost/json/fwd.hpp>

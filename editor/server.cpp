@@ -2,11 +2,12 @@
 
 #include "editor/diagnosis.hpp"
 #include "editor/language/completion.hpp"
-#include "editor/language/layout.hpp"
 #include "editor/language/navigation.hpp"
 #include "editor/protocol/json_members.hpp"
 #include "editor/protocol/message_stream.hpp"
 #include "explore/problems.hpp"
+#include "netlist/language/layout.hpp"
+#include "occam/language/blanks.hpp"
 #include "report/manifest.hpp"
 #include "text/user_error.hpp"
 #include "text/utf8.hpp"
@@ -275,7 +276,7 @@ json::value LanguageServer::State::lay_out(const json::object& params) {
     const Document& document = document_of(params);
     const auto text = document.language == Language::netlist ? laid_out_netlist(document.file)
                       : document.language == Language::study ? std::nullopt
-                                                             : laid_out_occam(document.file);
+                                                             : occam::with_tidy_blanks(document.file);
     return text ? json::value(edits_between(document.file->text(), *text)) : json::value(nullptr);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "editor/language/netlist_names.hpp"
 #include "netlist/kinds/catalogue.hpp"
+#include "netlist/language/names_in_text.hpp"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "editor/protocol/positions.hpp"
+#include "text/positions.hpp"
 
 #include <boost/json/fwd.hpp>
 

@@ -8,7 +8,7 @@
 #include <map>
 #include <string>
 
-namespace placedpar::editor {
+namespace placedpar {
 
 /// The instructions that the compiler makes of a line of occam, with the cycles that `placedpar disassemble` counts for
 /// them: each once, with code and data on the chip.
@@ -26,4 +26,4 @@ std::map<std::size_t, LineCycles> cycles_of_lines(const occam::Program&, std::ve
 /// Returns a sentence such as "7 instructions, 20 to 35 cycles on a T800".
 std::string text_of_cycles(const LineCycles&, transputer::Model);
 
-} // namespace placedpar::editor
+} // namespace placedpar

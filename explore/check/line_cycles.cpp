@@ -1,4 +1,4 @@
-#include "editor/language/cycles.hpp"
+#include "explore/check/line_cycles.hpp"
 
 #include "explore/check/occam_check.hpp"
 #include "occam/code/compile.hpp"
@@ -11,7 +11,7 @@
 #include <span>
 #include <utility>
 
-namespace placedpar::editor {
+namespace placedpar {
 
 namespace {
 
@@ -98,4 +98,4 @@ std::string text_of_cycles(const LineCycles& line, transputer::Model model) {
                        transputer::traits_of(model).name);
 }
 
-} // namespace placedpar::editor
+} // namespace placedpar

@@ -1,6 +1,6 @@
-#include "editor/language/layout.hpp"
+#include "netlist/language/layout.hpp"
 
-#include "editor/language/netlist_names.hpp"
+#include "netlist/language/names_in_text.hpp"
 
 #include <algorithm>
 #include <map>
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace placedpar::editor {
+namespace placedpar {
 
 namespace {
 
@@ -229,4 +229,4 @@ std::optional<std::string> laid_out_netlist(const std::shared_ptr<const SourceFi
     return is_refused ? std::nullopt : std::optional(NetlistLayout(syntax).written());
 }
 
-} // namespace placedpar::editor
+} // namespace placedpar

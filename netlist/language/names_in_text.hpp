@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace placedpar::editor {
+namespace placedpar {
 
 /// A name that a netlist declares.
 struct NetlistName {
@@ -54,4 +54,4 @@ std::vector<Token> tokens_of(const std::shared_ptr<const SourceFile>&);
 /// Returns the index of the token that has a place, or that ends there; nothing if there is none.
 std::optional<std::size_t> token_at(const std::vector<Token>&, const Location&);
 
-} // namespace placedpar::editor
+} // namespace placedpar

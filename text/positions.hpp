@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace placedpar::editor {
+namespace placedpar {
 
 /// A place in a text as editors count it: lines from 0, characters from 0 in units of UTF-16. Characters beyond the
 /// Basic Multilingual Plane have two units.
@@ -31,4 +31,4 @@ private:
     std::vector<std::size_t> starts_;
 };
 
-} // namespace placedpar::editor
+} // namespace placedpar

@@ -1,4 +1,4 @@
-#include "editor/protocol/positions.hpp"
+#include "text/positions.hpp"
 
 #include "text/utf8.hpp"
 
@@ -6,7 +6,7 @@
 #include <iterator>
 #include <stdexcept>
 
-namespace placedpar::editor {
+namespace placedpar {
 
 namespace {
 
@@ -58,4 +58,4 @@ Position Positions::position(std::size_t offset) const {
     return found;
 }
 
-} // namespace placedpar::editor
+} // namespace placedpar

@@ -1,21 +1,21 @@
-#include "editor/language/layout.hpp"
+#include "occam/language/blanks.hpp"
 
 #include "occam/language/words.hpp"
 
 #include <string_view>
 #include <vector>
 
-namespace placedpar::editor {
+namespace placedpar::occam {
 
 namespace {
 
 /// Returns the words of a program, each as its text behind its indentation.
 std::vector<std::string> occam_words(const std::shared_ptr<const SourceFile>& file) {
-    occam::Program program;
+    Program program;
     program.files.push_back(file);
     Reporter ignored;
-    occam::WordScanner scanner(program, ignored);
-    std::vector<occam::Word> words;
+    WordScanner scanner(program, ignored);
+    std::vector<Word> words;
     std::vector<std::string> texts;
     bool in_string = false;
     std::string_view rest = file->text();
@@ -23,9 +23,9 @@ std::vector<std::string> occam_words(const std::shared_ptr<const SourceFile>& fi
         const auto end = std::min(rest.find('\n'), rest.size());
         if (!in_string) // else the string goes on
             words.clear();
-        const auto scan = in_string ? &occam::WordScanner::continue_string : &occam::WordScanner::scan;
+        const auto scan = in_string ? &WordScanner::continue_string : &WordScanner::scan;
         in_string = (scanner.*scan)(file->line(line), {0, line, 1}, 0, words);
-        for (const occam::Word& word : words)
+        for (const Word& word : words)
             texts.push_back(std::to_string(word.indentation) + " " + std::string(word.text) + word.bytes);
         rest.remove_prefix(std::min(end + 1, rest.size()));
     }
@@ -46,7 +46,7 @@ std::string laid_out_line(std::string_view line) {
 
 } // namespace
 
-std::optional<std::string> laid_out_occam(const std::shared_ptr<const SourceFile>& file) {
+std::optional<std::string> with_tidy_blanks(const std::shared_ptr<const SourceFile>& file) {
     std::string text;
     std::string_view rest = file->text();
     while (!rest.empty()) {
@@ -62,4 +62,4 @@ std::optional<std::string> laid_out_occam(const std::shared_ptr<const SourceFile
     }
 }
 
-} // namespace placedpar::editor
+} // namespace placedpar::occam

@@ -1,4 +1,4 @@
-#include "editor/language/netlist_names.hpp"
+#include "netlist/language/names_in_text.hpp"
 
 #include "netlist/language/parser.hpp"
 
@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-namespace placedpar::editor {
+namespace placedpar {
 
 namespace {
 
@@ -17,12 +17,7 @@ using Category = NetlistName::Category;
 /// Finds the names that statements declare and use. A name is visible from its declaration to the end of its block.
 class NameWalk {
 public:
-    explicit NameWalk(NetlistSyntax& syntax) : syntax_(syntax) {}
-
-    void walk(const Statements& statements) {
-        for (const Statement& each : statements)
-            walk(each);
-    }
+    explicit NameWalk(NetlistSyntax& syntax) : syntax_(syntax) { walk(syntax.statements); }
 
 private:
     void walk(const Statement& statement) {
@@ -30,7 +25,7 @@ private:
     }
 
     void walk(const ValStatement& form, const Location& at) {
-        walk(form.value.get());
+        walk(form.value);
         declare({.name = form.name, .at = at, .category = Category::val});
         if (const auto* text = std::get_if<TextLiteral>(&form.value->form))
             texts_[form.name] = text->value;
@@ -75,22 +70,15 @@ private:
         declare_all(form.names, {.name = "", .at = {}, .category = Category::edge_channel});
     }
 
-    void walk(const ParameterSetting& form, const Location&) {
-        walk(form.process);
-        walk(form.values);
-    }
-
+    void walk(const ConnectStatement& form, const Location&) { walk_all(form.a, form.b, form.by); }
+    void walk(const PlaceStatement& form, const Location&) { walk_all(form.what, form.where); }
+    void walk(const FaultStatement& form, const Location&) { walk_all(form.what, form.attributes); }
+    void walk(const ParameterSetting& form, const Location&) { walk_all(form.process, form.values); }
+    void walk(const IfStatement& form, const Location&) { walk_all(form.condition, form.then, form.otherwise); }
     void walk(const SetStatement&, const Location&) const {} // of options only
 
-    void walk(const ConnectStatement& form, const Location&) {
-        walk(form.a);
-        walk(form.b);
-        if (form.by)
-            walk(*form.by);
-    }
-
     void walk(const UseStatement& form, const Location&) {
-        walk(form.program.get());
+        walk(form.program);
         if (!form.process) {
             default_program_ = text_of(*form.program);
             return;
@@ -100,30 +88,12 @@ private:
             process->program = text_of(*form.program);
     }
 
-    void walk(const PlaceStatement& form, const Location&) {
-        walk(form.what);
-        walk(form.where);
-    }
-
-    void walk(const FaultStatement& form, const Location&) {
-        walk(form.what);
-        walk(form.attributes);
-    }
-
     void walk(const RepStatement& form, const Location&) {
-        for (const Expression* each : {form.first.get(), form.count.get(), form.last.get()})
-            walk(each);
+        walk_all(form.first, form.count, form.last);
         const std::size_t mark = declared_.size();
         declare({.name = form.name, .at = form.name_at, .category = Category::replicator});
         walk(*form.body);
         leave(mark);
-    }
-
-    void walk(const IfStatement& form, const Location&) {
-        walk(form.condition.get());
-        walk(*form.then);
-        if (form.otherwise)
-            walk(*form.otherwise);
     }
 
     void walk(const BlockStatement& form, const Location&) {
@@ -132,59 +102,48 @@ private:
         leave(mark);
     }
 
-    void walk(const Reference& reference) {
-        use(reference.name, reference.at);
-        for (const ExpressionPointer& each : reference.subscripts)
-            walk(each.get());
-        for (const ExpressionPointer& each : reference.field_subscripts)
-            walk(each.get());
+    template <class... Parts>
+    void walk_all(const Parts&... parts) {
+        (walk(parts), ...);
     }
-
-    void walk(const std::vector<Attribute>& attributes) {
-        for (const Attribute& each : attributes) {
-            walk(each.value.get());
-            walk(each.group);
-        }
-    }
-
-    void walk(const DeclarationAttributes& attributes) {
-        walk(attributes.attributes);
-        if (!attributes.interface)
-            return;
-        for (const InterfaceEntry& each : *attributes.interface) {
-            walk(each.default_value.get());
-            for (const ExpressionPointer& size : each.declarator.dimensions)
-                walk(size.get());
-        }
-    }
-
-    void walk(const Expression* expression) {
-        if (expression)
-            std::visit([&](const auto& form) { walk_form(form, expression->at); }, expression->form);
-    }
-
-    void walk_form(const IntegerLiteral&, const Location&) const {}
-    void walk_form(const RealLiteral&, const Location&) const {}
-    void walk_form(const TextLiteral&, const Location&) const {}
-    void walk_form(const NameUse& form, const Location& at) { use(form.name, at); }
-    void walk_form(const UnaryOperation& form, const Location&) { walk(form.operand.get()); }
-    void walk_form(const CastOperation& form, const Location&) { walk(form.operand.get()); }
-    void walk_form(const SizeOperation& form, const Location&) { walk(form.array.get()); }
-    void walk_form(const BinaryOperation& form, const Location&) {
-        walk(form.left.get());
-        walk(form.right.get());
-    }
-    void walk_form(const SubscriptOperation& form, const Location&) {
-        walk(form.array.get());
-        walk(form.subscript.get());
-    }
-    void walk_form(const ConditionalOperation& form, const Location&) {
-        for (const Expression* each : {form.condition.get(), form.then.get(), form.otherwise.get()})
+    template <class Part>
+    void walk(const std::vector<Part>& parts) {
+        for (const Part& each : parts)
             walk(each);
     }
-    void walk_form(const ArrayConstant& form, const Location&) {
-        for (const ExpressionPointer& each : form.elements)
-            walk(each.get());
+    template <class Part>
+    void walk(const std::optional<Part>& part) {
+        if (part)
+            walk(*part);
+    }
+    template <class Part>
+    void walk(const std::unique_ptr<Part>& part) {
+        if (part)
+            walk(*part);
+    }
+
+    void walk(const Reference& reference) {
+        use(reference.name, reference.at);
+        walk_all(reference.subscripts, reference.field_subscripts);
+    }
+    void walk(const Attribute& attribute) { walk_all(attribute.value, attribute.group); }
+    void walk(const DeclarationAttributes& all) { walk_all(all.attributes, all.interface); }
+    void walk(const InterfaceEntry& entry) { walk_all(entry.default_value, entry.declarator.dimensions); }
+
+    void walk(const Expression& expression) {
+        std::visit([&](const auto& form) { walk_form(form, expression.at); }, expression.form);
+    }
+    template <class Literal>
+    void walk_form(const Literal&, const Location&) const {}
+    void walk_form(const NameUse& form, const Location& at) { use(form.name, at); }
+    void walk_form(const UnaryOperation& form, const Location&) { walk(form.operand); }
+    void walk_form(const CastOperation& form, const Location&) { walk(form.operand); }
+    void walk_form(const SizeOperation& form, const Location&) { walk(form.array); }
+    void walk_form(const BinaryOperation& form, const Location&) { walk_all(form.left, form.right); }
+    void walk_form(const SubscriptOperation& form, const Location&) { walk_all(form.array, form.subscript); }
+    void walk_form(const ArrayConstant& form, const Location&) { walk(form.elements); }
+    void walk_form(const ConditionalOperation& form, const Location&) {
+        walk_all(form.condition, form.then, form.otherwise);
     }
 
     static bool is_process_type(std::string_view type) {
@@ -212,8 +171,7 @@ private:
 
     void declare_all(const std::vector<Declarator>& names, NetlistName name) {
         for (const Declarator& each : names) {
-            for (const ExpressionPointer& size : each.dimensions)
-                walk(size.get());
+            walk(each.dimensions);
             name.name = each.name;
             name.at = each.at;
             if (name.category == Category::process)
@@ -281,7 +239,7 @@ NetlistSyntax read_syntax(std::shared_ptr<const SourceFile> file, std::vector<st
     }
     syntax.included = tokens.take_included();
     syntax.diagnostics = reporter.take();
-    NameWalk(syntax).walk(syntax.statements);
+    NameWalk walk(syntax);
     return syntax;
 }
 
@@ -316,4 +274,4 @@ std::optional<std::size_t> token_at(const std::vector<Token>& tokens, const Loca
     return touches ? std::optional(static_cast<std::size_t>(found - tokens.begin())) : std::nullopt;
 }
 
-} // namespace placedpar::editor
+} // namespace placedpar
