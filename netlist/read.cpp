@@ -203,8 +203,6 @@ ParsedNetlist ParsedNetlist::of_text(const std::string& text, const std::string&
     return ParsedNetlist(std::make_shared<const Syntax>(check_source(shown_path, text), shown_path, options));
 }
 
-const std::vector<std::string>& ParsedNetlist::included_paths() const { return syntax_->included_paths; }
-
 ReadResult ParsedNetlist::read(const Catalogue& catalogue, const Overrides& overrides) const {
     Reporter reporter = syntax_->found;
     ReadResult result;

@@ -56,8 +56,6 @@ public:
     /// Elaborates and checks the netlist with these overrides. Errors in the text or in the overrides are reported in
     /// the result, not thrown.
     ReadResult read(const Catalogue& catalogue, const Overrides& overrides = {}) const;
-    /// Returns the paths of the files that were included, also if the text has errors.
-    const std::vector<std::string>& included_paths() const;
 
 private:
     struct Syntax;

@@ -98,10 +98,6 @@ std::string render(const std::vector<Diagnostic>& diagnostics) {
     return text;
 }
 
-RefusedText::RefusedText(std::vector<Diagnostic> diagnostics)
-    : RefusedInput(render(diagnostics)),
-      diagnostics_(std::make_shared<const std::vector<Diagnostic>>(std::move(diagnostics))) {}
-
 std::string not_shown(std::size_t count, Severity severity) {
     auto word = severity == Severity::error ? "error" : "warning";
     return count == 0 ? "" : fmt::format("... {} more {}{} not shown\n", count, word, count == 1 ? "" : "s");

@@ -1,10 +1,8 @@
 #pragma once
 
 #include "text/source.hpp"
-#include "text/user_error.hpp"
 
 #include <cstddef>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -41,16 +39,6 @@ bool has_errors(const std::vector<Diagnostic>& diagnostics);
 std::string render(const Diagnostic& diagnostic);
 std::string render(const SecondPlace& other); ///< the note alone
 std::string render(const std::vector<Diagnostic>& diagnostics);
-
-/// Reports that a text was refused, with its diagnostics. what() is their rendered text.
-class RefusedText : public RefusedInput {
-public:
-    explicit RefusedText(std::vector<Diagnostic>);
-    const std::vector<Diagnostic>& diagnostics() const { return *diagnostics_; }
-
-private:
-    std::shared_ptr<const std::vector<Diagnostic>> diagnostics_; ///< shared, since copying an exception must not fail
-};
 
 /// Returns `... 3 more errors not shown`, with a newline; "" if the count is 0.
 std::string not_shown(std::size_t count, Severity severity);

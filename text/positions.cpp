@@ -3,6 +3,7 @@
 #include "text/utf8.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <iterator>
 #include <stdexcept>
 
@@ -19,6 +20,24 @@ CharacterSize size_of(std::string_view rest) {
         return {};
     const Utf8Character character = first_character(rest);
     return {std::max<std::size_t>(character.bytes, 1), character.code > 0xffff ? 2U : 1U};
+}
+
+bool is_in_word(char c, bool with_dots) {
+    const auto byte = static_cast<unsigned char>(c);
+    return (byte < 0x80 && std::isalnum(byte) != 0) || c == '_' || (with_dots && c == '.');
+}
+
+std::size_t length_of_word(std::string_view rest, bool with_dots) {
+    if (rest.empty())
+        return 0;
+    if (rest.front() == '"')
+        return std::min(rest.find('"', 1), rest.size() - 1) + 1;
+    std::size_t length = 0;
+    while (length < rest.size() && is_in_word(rest[length], with_dots))
+        ++length;
+    while (length > 0 && rest[length - 1] == '.') // a dot at the end belongs to the text behind it
+        --length;
+    return length > 0 ? length : size_of(rest).bytes;
 }
 
 } // namespace
@@ -56,6 +75,14 @@ Position Positions::position(std::size_t offset) const {
         at += size.bytes;
     }
     return found;
+}
+
+Location end_of_word(const Location& at) {
+    if (!at.file || at.line == 0 || at.column == 0)
+        return at;
+    const std::string_view line = at.file->line(at.line);
+    const std::string_view rest = line.substr(std::min(at.column - 1, line.size()));
+    return {at.file, at.line, at.column + length_of_word(rest, !at.file->path().ends_with(".cfs"))};
 }
 
 } // namespace placedpar

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "text/source.hpp"
+
 #include <cstddef>
 #include <string_view>
 #include <vector>
@@ -30,5 +32,10 @@ private:
     std::string_view text_;
     std::vector<std::size_t> starts_;
 };
+
+/// Returns the place behind the word that begins at a location: behind a name, a number or a string in quotes, or
+/// behind one other character. In a netlist (.cfs) a dot ends a name; in other languages it is part of a name. At the
+/// end of a line, and for line 0, returns the location itself.
+Location end_of_word(const Location&);
 
 } // namespace placedpar

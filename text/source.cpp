@@ -1,11 +1,6 @@
 #include "text/source.hpp"
 
-#include "text/utf8.hpp"
-
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cctype>
 
 namespace placedpar {
 
@@ -34,42 +29,6 @@ std::string Location::text() const {
     if (line == 0)
         return file->path();
     return fmt::format("{}:{}:{}", file->path(), line, column);
-}
-
-namespace {
-
-bool is_in_word(char c, bool with_dots) {
-    const auto byte = static_cast<unsigned char>(c);
-    return (byte < 0x80 && std::isalnum(byte) != 0) || c == '_' || (with_dots && c == '.');
-}
-
-/// Returns the number of bytes up to the closing quote, or of the whole rest if it is missing.
-std::size_t length_in_quotes(std::string_view rest) {
-    const auto closing = rest.find(rest.front(), 1);
-    return closing == std::string_view::npos ? rest.size() : closing + 1;
-}
-
-std::size_t length_of_word(std::string_view rest, bool with_dots) {
-    if (rest.empty())
-        return 0;
-    if (rest.front() == '"')
-        return length_in_quotes(rest);
-    std::size_t length = 0;
-    while (length < rest.size() && is_in_word(rest[length], with_dots))
-        ++length;
-    while (length > 0 && rest[length - 1] == '.') // a dot at the end belongs to the text behind it
-        --length;
-    return length > 0 ? length : std::max<std::size_t>(first_character(rest).bytes, 1);
-}
-
-} // namespace
-
-Location end_of_word(const Location& at) {
-    if (!at.file || at.line == 0 || at.column == 0)
-        return at;
-    const std::string_view line = at.file->line(at.line);
-    const std::string_view rest = line.substr(std::min(at.column - 1, line.size()));
-    return {at.file, at.line, at.column + length_of_word(rest, !at.file->path().ends_with(".cfs"))};
 }
 
 } // namespace placedpar

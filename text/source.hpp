@@ -42,9 +42,4 @@ struct Location {
     bool operator==(const Location&) const = default;
 };
 
-/// Returns the place behind the word that begins at a location: behind a name, a number or a string in quotes, or
-/// behind one other character. In a netlist (.cfs) a dot ends a name; in other languages it is part of a name. At the
-/// end of a line, and for line 0, returns the location itself.
-Location end_of_word(const Location&);
-
 } // namespace placedpar

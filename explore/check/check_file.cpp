@@ -3,11 +3,13 @@
 #include "explore/check/occam_check.hpp"
 #include "explore/study/study_file.hpp"
 #include "netlist/kinds/device_kind.hpp"
+#include "netlist/language/names_in_text.hpp"
 #include "occam/configuration/configuration.hpp"
 #include "text/counted.hpp"
 #include "text/load_source.hpp"
 #include "text/nearest.hpp"
 #include "text/program_name.hpp"
+#include "text/refused_text.hpp"
 
 #include <fmt/format.h>
 
@@ -33,14 +35,13 @@ std::string summary_of(const Network& network) {
 
 CheckedFile check_netlist(const std::filesystem::path& path, const Catalogue& catalogue, const Overrides& set,
                           const ReadOptions& read) {
-    const ParsedNetlist parsed(path, read);
-    ReadResult result = parsed.read(catalogue, set);
-    CheckedFile checked{.language = "netlist",
-                        .diagnostics = std::move(result.diagnostics),
-                        .not_shown = std::move(result.not_shown),
-                        .included = parsed.included_paths()};
-    if (!result.network)
+    ReadResult result = read_netlist(path, catalogue, set, read);
+    CheckedFile checked{
+        .language = "netlist", .diagnostics = std::move(result.diagnostics), .not_shown = std::move(result.not_shown)};
+    if (!result.network) {
+        checked.included = read_syntax(load_input(path).file, read.include_folders).included;
         return checked;
+    }
     checked.included = result.network->included_paths;
     checked.summary = summary_of(*result.network);
     if (result.network->nodes.empty() && result.network->processes.empty())

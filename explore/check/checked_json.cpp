@@ -1,5 +1,7 @@
 #include "explore/check/check_file.hpp"
 
+#include "text/positions.hpp"
+
 #include <boost/json.hpp>
 
 namespace placedpar {

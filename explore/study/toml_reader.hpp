@@ -13,8 +13,8 @@
 #include "text/load_source.hpp"
 #include "text/nearest.hpp"
 #include "text/paint.hpp"
+#include "text/refused_text.hpp"
 #include "text/reporter.hpp"
-#include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
