@@ -1,11 +1,13 @@
 #include "app/command.hpp"
 #include "app/options/netlist_options.hpp"
 #include "app/options/occam_options.hpp"
-#include "netlist/kinds/device_kind.hpp"
-#include "text/counted.hpp"
+#include "explore/check/check_file.hpp"
+#include "explore/problems.hpp"
+#include "report/manifest.hpp"
 #include "text/output_file.hpp"
+#include "text/user_error.hpp"
 
-#include <fmt/format.h>
+#include <boost/json.hpp>
 
 #include <memory>
 
@@ -13,37 +15,49 @@ namespace placedpar {
 
 namespace {
 
-ExitCode check_program(const NetlistOptions& options, const OccamOptions& occam) {
-    const std::string main = check_occam(options.file, options.read.include, occam);
-    print_out(fmt::format("{}: no errors; {}\n", options.file,
-                          main.empty() ? "it has no procedure" : fmt::format("PROC {} would be run", main)));
-    return ExitCode::success;
+struct CheckCommandOptions {
+    NetlistOptions netlist;
+    OccamOptions occam;
+    std::string format = "text";
+};
+
+/// Throws RefusedInput with the errors of the file.
+void print_checked(const CheckedFile& checked) {
+    const std::string text = render(checked.diagnostics) + checked.not_shown;
+    if (checked.failed())
+        throw RefusedInput(text);
+    print_error(text);
+    print_out(checked.summary);
 }
 
-ExitCode check(const NetlistOptions& options, const OccamOptions& occam) {
-    if (is_occam(options.file))
-        return check_program(options, occam);
-    Network network = load_network(options);
-    print_out(fmt::format("{}: {}, {}, {}, {}; hash {:016x}\n", network.source_path,
-                          counted(count_processors(network), "processor"), counted(network.count_wires(), "connection"),
-                          counted(network.processes.size(), "process", "processes"),
-                          counted(network.channels.size(), "channel"), network.hash));
-    return ExitCode::success;
+ExitCode check(const CheckCommandOptions& options) {
+    const ProblemRegistry problems = known_problems(0);
+    const CheckedFile checked = check_file(options.netlist.file, known_kinds(problems),
+                                           {.set = overrides_of(options.netlist.set),
+                                            .read = read_options_of(options.netlist.read),
+                                            .program = wanted_checks(options.occam)});
+    if (options.format == "json")
+        print_out(print_pretty(checked_json(options.netlist.file, checked)));
+    else
+        print_checked(checked);
+    return checked.failed() ? ExitCode::bad_input : ExitCode::success;
 }
 
 Action declare_check(Options& command, const std::string&) {
-    auto options = std::make_shared<NetlistOptions>();
-    auto occam = std::make_shared<OccamOptions>();
-    add_netlist(command, *options);
-    add_occam(command, *occam);
-    return [options, occam] { return check(*options, *occam); };
+    auto options = std::make_shared<CheckCommandOptions>();
+    add_netlist(command, options->netlist);
+    command.add("--format", options->format, "text, or JSON for programs: every error with its place and hint")
+        .one_of({"text", "json"})
+        .show_default();
+    add_occam(command, options->occam);
+    return [options] { return check(*options); };
 }
 
 } // namespace
 
 extern const Command check_command{
     .name = "check",
-    .about = "Reads and checks a netlist, or a program in occam",
+    .about = "Reads and checks a netlist, a program in occam, or a study",
     .place = 30,
     .declare = declare_check,
 };

@@ -4,6 +4,7 @@
 #include "app/options/booted_options.hpp"
 #include "app/options/occam_options.hpp"
 #include "app/signals.hpp"
+#include "explore/check/check_file.hpp"
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
 

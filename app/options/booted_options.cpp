@@ -2,6 +2,7 @@
 
 #include "app/options/common_options.hpp"
 #include "app/standard_error.hpp"
+#include "explore/check/check_file.hpp"
 #include "explore/load.hpp"
 #include "explore/problems.hpp"
 #include "iserver/console.hpp"

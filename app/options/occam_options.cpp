@@ -1,10 +1,8 @@
 #include "app/options/occam_options.hpp"
 
 #include "app/options/common_options.hpp"
-#include "occam/check/check.hpp"
+#include "explore/check/occam_check.hpp"
 #include "occam/code/place_table.hpp"
-#include "occam/configuration/configuration.hpp"
-#include "occam/library/library.hpp"
 #include "text/load_source.hpp"
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
@@ -36,33 +34,15 @@ bool leaves_out(const OccamOptions& options, std::string_view name) {
     return found;
 }
 
-struct CheckedProgram {
-    std::unique_ptr<occam::Program> program;
-    occam::SourceOptions options;
-    const occam::Declaration* main;
-};
-
-CheckedProgram checked(const std::shared_ptr<const SourceFile>& file, std::span<const std::string> folders,
-                       const OccamOptions& typed) {
-    Reporter reporter;
-    occam::ParseOptions options;
-    options.folders.assign(folders.begin(), folders.end());
-    options.built_in = [](const std::string& name) { return occam::library_text(name); };
-    occam::Parsed parsed = occam::parse(file, options, reporter);
-    if (!reporter.failed()) {
-        parsed.options.usage_checks &= !leaves_out(typed, "usage");
-        parsed.options.alias_checks &= !leaves_out(typed, "alias");
-        parsed.options.range_checks &= !leaves_out(typed, "range");
-        parsed.options.run_time_checks &= !leaves_out(typed, "all");
-        occam::check(*parsed.program, parsed.options, reporter);
-    }
-    const bool failed = reporter.failed();
-    const std::string text = render(reporter.take()) + reporter.not_shown();
-    if (failed)
+/// Reads and checks a program. Prints warnings to standard error. Throws RefusedInput.
+OccamCheck checked(const std::shared_ptr<const SourceFile>& file, std::span<const std::string> folders,
+                   const OccamOptions& typed) {
+    OccamCheck program = check_occam_source(file, {folders.begin(), folders.end()}, wanted_checks(typed));
+    const std::string text = render(program.diagnostics) + program.not_shown;
+    if (program.failed)
         throw RefusedInput(text);
     print_error(text);
-    const occam::Declaration* main = occam::main_procedure(*parsed.program);
-    return {std::move(parsed.program), parsed.options, main};
+    return program;
 }
 
 std::shared_ptr<const SourceFile> loaded(const std::filesystem::path& path) {
@@ -131,19 +111,16 @@ CompileChoices choices_of(const OccamOptions& options) {
     return {options.mode, !all && !leaves_out(options, "range"), !all};
 }
 
-bool is_occam(const std::filesystem::path& path) {
-    return path.extension() == ".occ" && !occam::is_configuration(path);
-}
-
-std::string check_occam(const std::filesystem::path& path, std::span<const std::string> folders,
-                        const OccamOptions& options) {
-    const CheckedProgram program = checked(loaded(path), folders, options);
-    return program.main ? program.main->name : "";
+occam::SourceOptions wanted_checks(const OccamOptions& options) {
+    return {.alias_checks = !leaves_out(options, "alias"),
+            .usage_checks = !leaves_out(options, "usage"),
+            .range_checks = !leaves_out(options, "range"),
+            .run_time_checks = !leaves_out(options, "all")};
 }
 
 CompiledOccam compile_occam(const std::filesystem::path& path, std::span<const std::string> folders,
                             const OccamOptions& typed, transputer::Model model) {
-    CheckedProgram program = checked(loaded(path), folders, typed);
+    OccamCheck program = checked(loaded(path), folders, typed);
     if (program.program->is_configuration)
         throw UserError(fmt::format("{}: the file is a configuration; compile makes a program for one transputer, and "
                                     "run takes a configuration",

@@ -3,6 +3,7 @@
 #include "app/options.hpp"
 #include "netlist/kinds/file_kinds.hpp"
 #include "occam/code/compile.hpp"
+#include "occam/language/parse.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -23,12 +24,8 @@ void add_occam(Options&, OccamOptions&);
 /// cannot leave out, and for an unknown one.
 CompileChoices choices_of(const OccamOptions&);
 
-/// Returns whether a file is a program in occam, by its name.
-bool is_occam(const std::filesystem::path&);
-
-/// Reads and checks a program, with libraries of ours and with files from these folders. Prints warnings to standard
-/// error, and returns the name of the main procedure; "" if there is none. Throws RefusedInput.
-std::string check_occam(const std::filesystem::path&, std::span<const std::string> folders, const OccamOptions&);
+/// Returns the checks that the option --no-checks does not leave out. Throws UserError if it names an unknown one.
+occam::SourceOptions wanted_checks(const OccamOptions&);
 
 struct CompiledOccam {
     std::vector<std::uint8_t> file; ///< a bootable file

@@ -13,8 +13,8 @@
 #include "text/load_source.hpp"
 #include "text/nearest.hpp"
 #include "text/paint.hpp"
+#include "text/refused_text.hpp"
 #include "text/reporter.hpp"
-#include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
@@ -41,7 +41,7 @@ protected:
         LoadedSource loaded = load_input(path);
         source_ = loaded.file;
         if (has_errors(loaded.problems))
-            throw RefusedInput(render(loaded.problems));
+            throw RefusedText(std::move(loaded.problems));
     }
 
     using Handler = std::function<void(const toml::node&)>;
@@ -192,7 +192,7 @@ protected:
 
     void refuse_if_failed() {
         if (reporter_.failed())
-            throw RefusedInput(render(reporter_.take()));
+            throw RefusedText(reporter_.take());
     }
 
 private:

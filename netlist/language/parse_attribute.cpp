@@ -7,11 +7,16 @@
 
 namespace placedpar {
 
+std::span<const std::string_view> parameter_types() {
+    static constexpr std::array<std::string_view, 7> types{"int",   "char",   "short",   "long",
+                                                           "float", "double", "unsigned"};
+    return types;
+}
+
 namespace {
 
 bool is_parameter_type(std::string_view word) {
-    static constexpr std::array types{"int", "char", "short", "long", "float", "double", "unsigned"};
-    return std::find(types.begin(), types.end(), word) != types.end();
+    return std::ranges::find(parameter_types(), word) != parameter_types().end();
 }
 
 } // namespace

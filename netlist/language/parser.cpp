@@ -14,25 +14,26 @@
 
 namespace placedpar {
 
-bool is_reserved(std::string_view word) {
-    static constexpr std::array words{"val",    "define", "connection", "connect", "process",  "input",
-                                      "output", "use",    "place",      "rep",     "if",       "else",
-                                      "for",    "to",     "by",         "on",      "interface"};
-    return std::find(words.begin(), words.end(), word) != words.end();
+std::span<const std::string_view> reserved_words() {
+    static constexpr std::array<std::string_view, 17> words{
+        "val", "define", "connection", "connect", "process", "input", "output", "use",      "place",
+        "rep", "if",     "else",       "for",     "to",      "by",    "on",     "interface"};
+    return words;
 }
+
+bool is_reserved(std::string_view word) { return std::ranges::find(reserved_words(), word) != reserved_words().end(); }
 
 bool can_be_a_name(std::string_view text) {
     return !text.empty() && starts_name(text.front()) && std::ranges::all_of(text, in_name) && !is_reserved(text);
 }
 
-namespace {
-
-/// Returns the reserved words that begin a statement.
 const std::vector<std::string>& statement_words() {
     static const std::vector<std::string> words{"val",    "define", "connection", "connect", "process", "input",
                                                 "output", "use",    "place",      "rep",     "if"};
     return words;
 }
+
+namespace {
 
 /// Returns a hint for a reserved word that cannot begin a statement.
 std::string_view hint_at_statement(std::string_view word) {

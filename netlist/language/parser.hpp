@@ -4,6 +4,9 @@
 #include "netlist/language/token_stream.hpp"
 
 #include <set>
+#include <span>
+#include <string_view>
+#include <vector>
 
 namespace placedpar {
 
@@ -122,6 +125,12 @@ private:
     std::set<std::string, std::less<>> types_; ///< names of the types that the netlist defines
 };
 
+/// Returns the words that begin or structure statements.
+std::span<const std::string_view> reserved_words();
+/// Returns the words that begin a statement.
+const std::vector<std::string>& statement_words();
+/// Returns the types of parameters in an interface, such as "int".
+std::span<const std::string_view> parameter_types();
 /// Returns whether the word begins or structures statements, so that it cannot be a name.
 bool is_reserved(std::string_view word);
 /// Returns whether a netlist can use the text as a name: a single word that is not reserved.

@@ -100,6 +100,8 @@ bool Checker::is_first(const Declaration* declaration, std::string mistake) {
 Declaration* Checker::find(const std::string& name, const Place& place) {
     if (Declaration* const found = names_.find(name)) {
         used_.insert(found);
+        if (!program_.is_configuration) // its statements are checked again at each repetition
+            program_.resolved.push_back({place, found});
         return found;
     }
     if (Declaration* const found = predefined(name))
@@ -134,6 +136,8 @@ void Checker::add(Declaration& declaration) {
     depths_[&declaration] = routines_.size();
     names_.add(declaration);
     declared_.push_back(&declaration);
+    if (!program_.is_configuration)
+        program_.resolved.push_back({declaration.at, &declaration});
 }
 
 } // namespace placedpar::occam

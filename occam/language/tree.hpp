@@ -448,6 +448,12 @@ struct Unit {
     std::vector<DeclarationBox> declarations;
 };
 
+/// A use of a name, or its declaration, with what it means.
+struct ResolvedName {
+    Place at;
+    const Declaration* meaning = nullptr;
+};
+
 /// A program with all of its files.
 struct Program {
     std::vector<std::shared_ptr<const SourceFile>> files; ///< the first is the main file
@@ -460,6 +466,7 @@ struct Program {
     /// `[c, d]` of channels is an array of them, as an argument. The language has no such tables, but a program that
     /// joins the processes of a network needs them.
     bool has_channel_tables = false;
+    std::vector<ResolvedName> resolved; ///< checked: all names, except those of configurations
     bool is_configuration = false; ///< a ConfigurationPart is among the declarations, so NODE, ARC and EDGE are types
 
     Location location(const Place& place) const { return {files[place.file], place.line, place.column}; }

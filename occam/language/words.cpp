@@ -49,6 +49,8 @@ std::string_view directive_of(std::string_view line) {
     return std::ranges::all_of(name.substr(1), is_hexadecimal) ? "" : name;
 }
 
+std::span<const std::string_view> all_keywords() { return keywords; }
+
 bool is_keyword(std::string_view text) { return std::ranges::find(keywords, text) != keywords.end(); }
 
 std::string describe(const Word& word) {

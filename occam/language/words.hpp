@@ -5,6 +5,7 @@
 #include "text/reporter.hpp"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +43,7 @@ struct Word {
 /// Returns whether the text is a keyword of occam 2. The words of later versions, such as STEP, are words only where
 /// the language expects them, so that old programs can use them as names.
 bool is_keyword(std::string_view text);
+std::span<const std::string_view> all_keywords();
 /// Returns "the name \"x\"", "the keyword \"SEQ\"", "\":=\"", "the end of the line" for messages.
 std::string describe(const Word&);
 /// Returns whether a line goes on below this word: it is an operator, `,`, `:=`, `IS` or the like.

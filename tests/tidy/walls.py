@@ -59,7 +59,11 @@ BELOW = {
     "explore/prediction": ["explore", "native"],
     "explore/explain": ["explore", "observe/critical_path"],
     "explore/study": ["explore", "ranks", "store"],
+    "explore/check": ["explore/study"],
     "explore/optimise": ["explore/explain", "explore/study"],
+    "editor/protocol": ["text"],
+    "editor/language": ["explore/check"],
+    "editor": ["editor/language", "editor/protocol"],
     "experiments/kit": ["explore/study"],
     "experiments/chapter_2": ["experiments/kit"],
     "experiments/chapter_3/kit": ["experiments/kit", "identification/on_line"],
@@ -75,11 +79,11 @@ BELOW = {
     "app": ["explore", "observe/page"],
     "app/generation": ["gaprocs", "picture"],
     "app/record": ["explore/study", "hydraulics/plant"],
-    "app/options": ["app", "explore/prediction"],
+    "app/options": ["app", "explore/check", "explore/prediction"],
     "app/exercise": ["app"],
     "app/identify": ["app/options", "identification/report"],
     "app/mpi": ["ranks"],
-    "app/commands": ["app/exercise", "app/generation", "app/identify", "app/record", "experiments/kit", "explore/generate", "explore/optimise", "explore/prediction", "monitor/service"],
+    "app/commands": ["app/exercise", "editor", "app/generation", "app/identify", "app/record", "experiments/kit", "explore/generate", "explore/optimise", "explore/prediction", "monitor/service"],
 }
 ROOMS = sorted({folder.split("/")[0] for folder in BELOW})
 

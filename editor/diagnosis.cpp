@@ -1,0 +1,135 @@
+#include "editor/diagnosis.hpp"
+
+#include "explore/check/check_file.hpp"
+#include "occam/configuration/configuration.hpp"
+#include "occam/language/parse.hpp"
+#include "occam/library/library.hpp"
+
+#include <boost/json.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace placedpar::editor {
+
+namespace {
+
+namespace json = boost::json;
+
+std::filesystem::path normal(const std::filesystem::path& path) {
+    return std::filesystem::absolute(path).lexically_normal();
+}
+
+/// Notes the files that were read with a document. If the text has errors, some may not have been read, so those of
+/// before stay.
+void note_included(Document& document, const std::vector<std::string>& paths, bool failed) {
+    if (!failed)
+        document.included.clear();
+    for (const std::string& each : paths)
+        document.included.insert(normal(each));
+}
+
+/// Returns the errors in the syntax of a file that others include.
+std::vector<Diagnostic> check_part(Document& document) {
+    if (document.language != Language::occam)
+        return syntax_of(document).diagnostics;
+    Reporter reporter;
+    occam::ParseOptions options;
+    options.built_in = [](const std::string& name) { return occam::library_text(name); };
+    occam::parse(document.file, options, reporter);
+    return reporter.take();
+}
+
+json::object position_json(const Position& position) {
+    return {{"line", position.line}, {"character", position.character}};
+}
+
+std::size_t offset_of(const Location& at) {
+    const std::string_view line = at.file->line(at.line);
+    if (line.data() == nullptr)
+        return at.file->text().size();
+    return static_cast<std::size_t>(line.data() - at.file->text().data()) + std::min(at.column - 1, line.size());
+}
+
+/// Returns whether a place can be shown: its file is one that an editor can open.
+bool is_in_file(const Location& at) { return at.file && std::filesystem::path(at.file->path()).is_absolute(); }
+
+json::array related_json(const Diagnostic& diagnostic, const Documents& documents) {
+    json::array related;
+    for (const SecondPlace& each : diagnostic.others)
+        if (is_in_file(each.location))
+            related.push_back(json::object{
+                {"location",
+                 {{"uri", documents.uri_of(each.location.file->path())}, {"range", range_json(each.location)}}},
+                {"message", each.message}});
+    return related;
+}
+
+} // namespace
+
+const NetlistSyntax& syntax_of(Document& document) {
+    if (!document.syntax)
+        document.syntax = read_syntax(document.file);
+    return *document.syntax;
+}
+
+const OccamCheck& program_of(Document& document) {
+    if (!document.program) {
+        document.program = std::make_shared<const OccamCheck>(check_occam_source(document.file, {}));
+        if (!document.program->failed)
+            document.last_good = document.program;
+    }
+    return *document.program;
+}
+
+std::vector<Diagnostic> check_document(Document& document, const Catalogue& catalogue) {
+    if (document.is_part)
+        return check_part(document);
+    if (document.language == Language::occam) {
+        const OccamCheck& program = program_of(document);
+        std::vector<std::string> paths;
+        for (const auto& file : program.program->files)
+            if (file != document.file && !file->path().starts_with('<'))
+                paths.push_back(file->path());
+        note_included(document, paths, program.failed);
+        return program.diagnostics;
+    }
+    CheckOptions options;
+    options.read.make_netlist = occam::netlist_of_configuration;
+    CheckedFile checked = check_file(document.path, catalogue, options);
+    note_included(document, checked.included, checked.failed());
+    return std::move(checked.diagnostics);
+}
+
+json::object range_json(const Location& at) {
+    const Location end = end_of_word(at);
+    return range_json(at, end.column - at.column);
+}
+
+json::object range_json(const Location& at, std::size_t bytes) {
+    const Positions positions(at.file->text());
+    const std::size_t first = at.line == 0 ? 0 : offset_of(at);
+    return {{"start", position_json(positions.position(first))},
+            {"end", position_json(positions.position(first + bytes))}};
+}
+
+std::map<std::string, json::array> diagnostics_json(const std::vector<Diagnostic>& diagnostics,
+                                                    const Document& document, const Documents& documents) {
+    std::map<std::string, json::array> by_file;
+    for (const Diagnostic& each : diagnostics) {
+        const bool in_file = is_in_file(each.location);
+        const Location at = in_file ? each.location : Location{document.file, 0, 0};
+        const std::string where = in_file || !each.location.file ? "" : each.location.file->path() + ": ";
+        const std::string hint = each.hint.empty() ? "" : "\nhint: " + each.hint;
+        by_file[documents.uri_of(at.file->path())].push_back(
+            json::object{{"range", range_json(at)},
+                         {"severity", each.severity == Severity::error ? 1 : 2},
+                         {"source", "placedpar"},
+                         {"message", where + each.message + hint},
+                         {"relatedInformation", related_json(each, documents)}});
+    }
+    return by_file;
+}
+
+} // namespace placedpar::editor

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "explore/check/line_cycles.hpp"
+#include "explore/check/occam_check.hpp"
+#include "netlist/language/names_in_text.hpp"
+#include "text/positions.hpp"
+#include "text/texts_in_memory.hpp"
+
+#include <boost/json/fwd.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace placedpar::editor {
+
+enum class Language : std::uint8_t { netlist, configuration, occam, study };
+
+/// A text that an editor has open, and what is known about it. What a reader has found is kept until the text changes.
+struct Document {
+    std::string uri;
+    std::filesystem::path path;
+    Language language = Language::netlist;
+    bool is_part = false; ///< it is there to be included: alone, only its syntax is checked
+    std::optional<std::uint64_t> version = {};
+    std::shared_ptr<const SourceFile> file;
+
+    std::set<std::filesystem::path> included = {};    ///< files that were read with it
+    std::optional<NetlistSyntax> syntax = {};         ///< of a netlist
+    std::shared_ptr<const OccamCheck> program = {};   ///< of a program
+    std::shared_ptr<const OccamCheck> last_good = {}; ///< the last version of the program without errors
+    std::optional<std::map<std::size_t, LineCycles>> cycles = {};
+
+    /// Returns the place of a position. Throws RequestError if it is behind the end of the text.
+    Location location(Position) const;
+};
+
+/// The texts that an editor has open.
+class Documents {
+public:
+    /// Opens a text. Its name says in which language it is written, or else `language_id`, or else the text itself.
+    Document& open(const std::string& uri, const std::string& language_id, std::string text);
+    /// Applies the member "contentChanges" of a notification. Throws RequestError if a place is not in the text; the
+    /// text is then as before.
+    void change(Document&, const boost::json::array& changes);
+    void close(const std::string& uri);
+
+    /// Throws RequestError if no text of this URI is open.
+    Document& at(const std::string& uri);
+    std::map<std::string, Document>& all() { return documents_; }
+    const TextsInMemory& texts() const { return texts_; }
+    /// Returns the URI of a file: that by which the editor has opened it, if it has.
+    std::string uri_of(const std::filesystem::path&) const;
+
+private:
+    void set_text(Document&, std::string text);
+
+    std::map<std::string, Document> documents_;
+    TextsInMemory texts_;
+};
+
+} // namespace placedpar::editor

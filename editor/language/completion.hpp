@@ -1,0 +1,29 @@
+#pragma once
+
+#include "netlist/kinds/catalogue.hpp"
+#include "netlist/language/names_in_text.hpp"
+#include "occam/language/tree.hpp"
+
+#include <string>
+#include <vector>
+
+namespace placedpar::editor {
+
+/// A word that can stand at a place.
+struct Completion {
+    enum class Kind { keyword, kind, port, parameter, value, variable, routine, type, file };
+    std::string text;
+    Kind kind = Kind::variable;
+    std::string detail = ""; ///< a few words, such as a range
+    std::string about = "";  ///< a sentence
+};
+
+/// Returns the words that can stand at a place of a netlist, in no particular order. Those of a word that has begun
+/// there are not left out: an editor chooses among them.
+std::vector<Completion> complete_netlist(const NetlistSyntax&, const Catalogue&, const Location&);
+
+/// Returns the words that can stand at a place of a program in occam: keywords, the names that are visible there, and
+/// files of ours behind #USE and #INCLUDE. `checked` is the last version of the program that could be read.
+std::vector<Completion> complete_occam(const SourceFile&, const occam::Program* checked, const Location&);
+
+} // namespace placedpar::editor

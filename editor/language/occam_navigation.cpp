@@ -1,0 +1,158 @@
+#include "editor/language/completion.hpp"
+#include "editor/language/navigation.hpp"
+#include "occam/language/words.hpp"
+#include "occam/library/library.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <set>
+#include <string_view>
+#include <utility>
+
+namespace placedpar::editor {
+
+namespace {
+
+using occam::Declaration;
+using occam::DeclarationBox;
+using occam::Place;
+using occam::Program;
+
+bool is_in_name(char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x80 && (std::isalnum(byte) != 0 || c == '.' || c == '_');
+}
+
+/// Returns the name that a place touches, with the column of its first character.
+std::pair<std::string, std::size_t> name_at(const SourceFile& file, const Location& at) {
+    const std::string_view line = file.line(at.line);
+    std::size_t first = std::min(at.column - 1, line.size()), last = first;
+    while (first > 0 && is_in_name(line[first - 1]))
+        --first;
+    while (last < line.size() && is_in_name(line[last]))
+        ++last;
+    return {std::string(line.substr(first, last - first)), first + 1};
+}
+
+std::string text_of_line(const Program& program, const Place& at) {
+    const std::string_view line = program.files[at.file]->line(at.line);
+    return std::string(line.substr(std::min(line.find_first_not_of(' '), line.size())));
+}
+
+/// Calls the function with each declaration of a list, and with all that a declaration has within it by name.
+template <class Function>
+void for_each_named(const std::vector<DeclarationBox>& declarations, const Function& function) {
+    for (const DeclarationBox& each : declarations)
+        if (!each->name.empty() && each->at.line > 0)
+            function(*each);
+}
+
+bool is_routine(const Declaration& declaration) {
+    return std::holds_alternative<occam::Procedure>(declaration.form) ||
+           std::holds_alternative<occam::Function>(declaration.form);
+}
+
+std::size_t indentation_of(std::string_view line) { return std::min(line.find_first_not_of(' '), line.size()); }
+
+/// Returns whether a declaration in this line is visible at a later line, as far as the indentation between them says:
+/// a line that is indented less ends its scope.
+bool is_visible(const SourceFile& file, std::size_t declared, std::size_t line) {
+    const std::size_t indentation = indentation_of(file.line(declared));
+    for (std::size_t i = declared + 1; i < line; ++i)
+        if (const std::string_view between = file.line(i);
+            indentation_of(between) < std::min(indentation, between.size()))
+            return false;
+    return declared < line;
+}
+
+std::string type_text(const Declaration& declaration) {
+    return declaration.type && !is_routine(declaration) ? occam::name_of(*declaration.type) : "";
+}
+
+/// Returns what the name at a place of the main file means; null if it is none, or not known.
+const Declaration* meaning_at(const Program& program, const Location& at) {
+    const auto [name, column] = name_at(*program.files.front(), at);
+    for (const occam::ResolvedName& each : program.resolved)
+        if (each.at.file == 0 && each.at.line == at.line && each.meaning->name == name && each.at.column == column)
+            return each.meaning;
+    return nullptr;
+}
+
+/// Adds the names of the files that are used, and those of the main file that are visible at a place; each once.
+void add_names(const Program& program, const SourceFile& file, const Location& at, std::vector<Completion>& found) {
+    std::set<std::string> known;
+    const auto add = [&](const Declaration& each) {
+        if (!known.insert(each.name).second)
+            return;
+        const auto kind = is_routine(each) ? Completion::Kind::routine : Completion::Kind::variable;
+        found.push_back({each.name, kind, is_routine(each) ? text_of_line(program, each.at) : type_text(each)});
+    };
+    for (const auto& unit : program.units)
+        for_each_named(unit->declarations, add);
+    for_each_named(program.declarations, [&](const Declaration& each) {
+        if (each.at.file != 0)
+            add(each);
+    });
+    for (const occam::ResolvedName& each : program.resolved)
+        if (each.meaning->at.file == 0 && is_visible(file, each.meaning->at.line, at.line))
+            add(*each.meaning);
+}
+
+} // namespace
+
+std::string hover_occam(const Program& program, const Location& at) {
+    const Declaration* const meaning = meaning_at(program, at);
+    if (!meaning)
+        return "";
+    const std::string type = type_text(*meaning);
+    const std::string what = type.empty() ? "" : fmt::format("{} {}\n", type, meaning->name);
+    if (meaning->at.line == 0)
+        return what.empty() ? fmt::format("{} is predefined\n", meaning->name) : what;
+    return fmt::format("{}\n{}declared in {}, line {}\n", text_of_line(program, meaning->at), what,
+                       program.files[meaning->at.file]->path(), meaning->at.line);
+}
+
+std::optional<Location> definition_in_occam(const Program& program, const Location& at) {
+    const std::string_view line = program.files.front()->line(at.line);
+    if (const auto quote = line.find('"'); line.find_first_not_of(' ') == line.find('#') && quote != line.npos) {
+        const std::filesystem::path name = line.substr(quote + 1, line.find('"', quote + 1) - quote - 1);
+        for (const auto& file : program.files)
+            if (std::filesystem::path(file->path()).stem() == name.stem() && !file->path().starts_with('<'))
+                return Location{file, 1, 1};
+        return std::nullopt;
+    }
+    const Declaration* const meaning = meaning_at(program, at);
+    const bool has_file = meaning && meaning->at.line > 0 && !program.files[meaning->at.file]->path().starts_with('<');
+    return has_file ? std::optional(program.location(meaning->at)) : std::nullopt;
+}
+
+std::vector<OutlineEntry> outline_of(const Program& program) {
+    std::vector<OutlineEntry> entries;
+    for_each_named(program.declarations, [&](const Declaration& each) {
+        if (each.at.file == 0)
+            entries.push_back({each.name, type_text(each), program.location(each.at), is_routine(each)});
+    });
+    return entries;
+}
+
+std::vector<Completion> complete_occam(const SourceFile& file, const Program* checked, const Location& at) {
+    const std::string_view before = file.line(at.line).substr(0, at.column - 1);
+    if (before.find("--") != before.npos)
+        return {};
+    std::vector<Completion> found;
+    if (const auto first = before.find_first_not_of(' '); first != before.npos && before[first] == '#') {
+        for (const std::string& each : occam::library_names())
+            found.push_back({each, Completion::Kind::file, "library"});
+        return found;
+    }
+    for (const std::string_view each : occam::all_keywords())
+        found.push_back({std::string(each), Completion::Kind::keyword});
+    if (checked)
+        add_names(*checked, file, at, found);
+    return found;
+}
+
+} // namespace placedpar::editor

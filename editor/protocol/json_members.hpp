@@ -1,0 +1,41 @@
+#pragma once
+
+#include "text/positions.hpp"
+
+#include <boost/json/fwd.hpp>
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace placedpar::editor {
+
+/// The error codes of JSON-RPC and of the Language Server Protocol.
+enum class ErrorCode : int {
+    parse_error = -32700,
+    invalid_request = -32600,
+    method_not_found = -32601,
+    invalid_params = -32602,
+    internal_error = -32603,
+    not_initialized = -32002,
+    request_failed = -32803
+};
+
+/// Reports that a request cannot be answered.
+struct RequestError : std::runtime_error {
+    RequestError(ErrorCode error, const std::string& why) : std::runtime_error(why), code(error) {}
+    ErrorCode code;
+};
+
+// These functions return a member of an object. They throw RequestError if it is missing or of another type.
+
+const boost::json::object& object_in(const boost::json::object&, std::string_view name);
+const boost::json::array& array_in(const boost::json::object&, std::string_view name);
+std::string text_in(const boost::json::object&, std::string_view name);
+/// Returns a whole number that is not negative.
+std::uint64_t number_in(const boost::json::object&, std::string_view name);
+/// Returns `{"line": 3, "character": 7}`.
+Position position_in(const boost::json::object&, std::string_view name);
+
+} // namespace placedpar::editor

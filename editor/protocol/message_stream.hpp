@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <iosfwd>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace placedpar::editor {
+
+inline constexpr std::size_t largest_message_bytes = std::size_t{64} << 20;
+
+/// Reports a header that does not say how long its message is.
+struct BadHeader : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// The messages between an editor and a language server: a header with `Content-Length: N`, an empty line, N bytes.
+class MessageStream {
+public:
+    /// REQUIRES: the streams outlive this object.
+    MessageStream(std::istream& in, std::ostream& out) : in_(in), out_(out) {}
+
+    /// Returns the next message; nothing at the end of the input. Throws BadHeader; the next call goes on with the next
+    /// header.
+    std::optional<std::string> read();
+    /// Returns whether more input has arrived already.
+    bool has_more() const;
+    void write(std::string_view message);
+
+private:
+    std::optional<std::string> read_line();
+
+    std::istream& in_;
+    std::ostream& out_;
+};
+
+} // namespace placedpar::editor

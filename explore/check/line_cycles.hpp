@@ -1,0 +1,29 @@
+#pragma once
+
+#include "occam/language/tree.hpp"
+#include "runtime/transputer/model.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace placedpar {
+
+/// The instructions that the compiler makes of a line of occam, with the cycles that `placedpar disassemble` counts for
+/// them: each once, with code and data on the chip.
+struct LineCycles {
+    std::size_t instructions = 0;
+    unsigned least = 0, most = 0;
+    bool is_open = false; ///< the time of some instruction depends on the length of a message
+};
+
+/// Compiles all procedures of the main file. Returns what their lines take; nothing if the compiler refuses them.
+/// REQUIRES: the program was checked without errors.
+std::map<std::size_t, LineCycles> cycles_of_lines(const occam::Program&, std::vector<std::filesystem::path> folders,
+                                                  transputer::Model);
+
+/// Returns a sentence such as "7 instructions, 20 to 35 cycles on a T800".
+std::string text_of_cycles(const LineCycles&, transputer::Model);
+
+} // namespace placedpar

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "netlist/language/syntax.hpp"
+#include "netlist/language/token.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace placedpar {
+
+/// A name that a netlist declares.
+struct NetlistName {
+    enum class Category { val, type, node, process, connection, edge_channel, replicator };
+    std::string name;
+    Location at;
+    Category category = Category::val;
+    std::string type = "";    ///< of a node, a process or a type: the word with which it is declared
+    std::string program = ""; ///< of a process: what `use` names; "" if nothing does
+    std::vector<std::string> inputs = {}, outputs = {}, parameters = {}; ///< of a process: those of its interface
+};
+
+/// A place where a netlist uses a name.
+struct NetlistNameUse {
+    Location at;
+    std::size_t name = 0; ///< index in NetlistSyntax::names
+};
+
+/// The syntax of a netlist as an editor needs it: words, statements, and the meaning of names.
+struct NetlistSyntax {
+    std::shared_ptr<const SourceFile> file;
+    std::vector<Token> tokens; ///< of the file itself, without those of included files
+    Statements statements;
+    std::vector<NetlistName> names; ///< also of included files, in the order of the text
+    std::vector<NetlistNameUse> uses;
+    std::vector<Diagnostic> diagnostics; ///< of lexer and parser
+    std::vector<std::string> included;   ///< paths of the included files
+
+    /// Returns the name that is declared or used at a place; null if there is none.
+    const NetlistName* name_at(const Location&) const;
+    /// Returns the name that was declared last under this text; null if there is none.
+    const NetlistName* find(std::string_view name) const;
+};
+
+NetlistSyntax read_syntax(std::shared_ptr<const SourceFile>, std::vector<std::filesystem::path> include_folders = {});
+
+/// Returns the words of a text, with those that the lexer refuses; nothing is reported. The last one is the end.
+std::vector<Token> tokens_of(const std::shared_ptr<const SourceFile>&);
+
+/// Returns the index of the token that has a place, or that ends there; nothing if there is none.
+std::optional<std::size_t> token_at(const std::vector<Token>&, const Location&);
+
+} // namespace placedpar

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "text/source.hpp"
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace placedpar {
+
+/// A place in a text as editors count it: lines from 0, characters from 0 in units of UTF-16. Characters beyond the
+/// Basic Multilingual Plane have two units.
+struct Position {
+    std::size_t line = 0, character = 0;
+};
+
+/// Converts between positions and offsets in bytes. A byte that is not UTF-8 counts as one unit.
+class Positions {
+public:
+    /// REQUIRES: the text outlives this object and does not change.
+    explicit Positions(std::string_view text);
+
+    /// Returns the number of lines. Lines end with a line feed, a carriage return, or both; the last one has no end.
+    std::size_t lines() const { return starts_.size(); }
+    /// Returns the offset of a position. A character beyond the end of its line stands for that end, and a position in
+    /// the middle of a character for its beginning. Throws std::out_of_range for a line behind the last one; the line
+    /// directly behind it stands for the end of the text.
+    std::size_t offset(Position) const;
+    Position position(std::size_t offset) const;
+
+private:
+    std::string_view text_;
+    std::vector<std::size_t> starts_;
+};
+
+/// Returns the place behind the word that begins at a location: behind a name, a number or a string in quotes, or
+/// behind one other character. In a netlist (.cfs) a dot ends a name; in other languages it is part of a name. At the
+/// end of a line, and for line 0, returns the location itself.
+Location end_of_word(const Location&);
+
+} // namespace placedpar
