@@ -1,4 +1,4 @@
-#include "monitor/service/listener.hpp"
+#include "web/listener.hpp"
 
 #include "text/user_error.hpp"
 
@@ -15,7 +15,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace placedpar::monitor {
+namespace placedpar::web {
 
 namespace asio = boost::asio;
 using asio::ip::tcp;
@@ -173,4 +173,4 @@ void Listener::close() {
         ::unlink(path_.c_str());
 }
 
-} // namespace placedpar::monitor
+} // namespace placedpar::web

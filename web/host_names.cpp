@@ -1,6 +1,6 @@
-#include "monitor/service/host_names.hpp"
+#include "web/host_names.hpp"
 
-#include "monitor/service/listener.hpp"
+#include "web/listener.hpp"
 #include "text/user_error.hpp"
 
 #include <boost/asio/ip/address.hpp>
@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace placedpar::monitor {
+namespace placedpar::web {
 
 namespace asio = boost::asio;
 using boost::system::error_code;
@@ -74,4 +74,4 @@ HostNames::HostNames(const std::string& address, const std::vector<std::string>&
     }
 }
 
-} // namespace placedpar::monitor
+} // namespace placedpar::web

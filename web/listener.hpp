@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-namespace placedpar::monitor {
+namespace placedpar::web {
 
 /// Describes the other end of a connection.
 struct Caller {
@@ -62,4 +62,4 @@ boost::asio::ip::address plain_address(const boost::asio::ip::address& address);
 /// Returns whether the address can be reached from this computer only; false if it is not an address.
 bool is_loopback(const std::string& address);
 
-} // namespace placedpar::monitor
+} // namespace placedpar::web
