@@ -1,6 +1,7 @@
 #include "text/load_source.hpp"
 
 #include "text/standard_streams.hpp"
+#include "text/texts_in_memory.hpp"
 
 #include <fmt/format.h>
 
@@ -123,6 +124,8 @@ LoadedSource read_standard_input(const std::string& shown_path) {
 } // namespace
 
 LoadedSource load_source(const std::filesystem::path& path) {
+    if (const std::string* text = text_in_memory(path))
+        return check_source(path.string(), *text);
     if (auto why = why_not_a_file(path); !why.empty())
         return refused(path.string(), why);
     std::ifstream in(path, std::ios::binary);

@@ -1,6 +1,7 @@
 #include "netlist/language/include_path.hpp"
 
 #include "text/nearest.hpp"
+#include "text/texts_in_memory.hpp"
 
 #include <algorithm>
 
@@ -25,7 +26,7 @@ std::optional<fs::path> entry_like(const fs::path& folder, const std::string& na
 
 std::optional<fs::path> find_in(const fs::path& folder, const fs::path& name) {
     std::error_code error;
-    if (fs::exists(folder / name, error))
+    if (text_in_memory(folder / name) || fs::exists(folder / name, error))
         return folder / name;
     fs::path found = folder;
     for (const auto& part : name)

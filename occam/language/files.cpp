@@ -2,6 +2,7 @@
 
 #include "text/load_source.hpp"
 #include "text/nearest.hpp"
+#include "text/texts_in_memory.hpp"
 
 #include <fmt/format.h>
 
@@ -50,7 +51,7 @@ std::vector<Path> folders_of(const Reading& reading, const Place& named_at) {
 std::optional<Path> path_of(const std::vector<Path>& folders, const std::vector<std::string>& names) {
     for (const Path& folder : folders)
         for (const std::string& name : names)
-            if (std::error_code error; std::filesystem::is_regular_file(folder / name, error))
+            if (is_file(folder / name))
                 return folder / name;
     return std::nullopt;
 }

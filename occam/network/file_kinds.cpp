@@ -9,6 +9,7 @@
 #include "runtime/transputer/code_lines.hpp"
 #include "text/load_source.hpp"
 #include "text/nearest.hpp"
+#include "text/texts_in_memory.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -235,7 +236,7 @@ private:
         all.insert(all.end(), folders.begin(), folders.end());
         std::string where;
         for (const FilePath& folder : all) {
-            if (std::error_code error; std::filesystem::is_regular_file(folder / file, error))
+            if (is_file(folder / file))
                 return folder / file;
             where += fmt::format("{}\"{}\"", where.empty() ? "" : ", ", folder.empty() ? "." : folder.string());
         }
