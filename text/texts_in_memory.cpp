@@ -9,7 +9,7 @@ namespace {
 thread_local const TextsInMemory* texts_of_thread = nullptr;
 
 /// Returns one name for each file, however its path is written.
-std::string canonical(const std::filesystem::path& path) {
+std::string key_of(const std::filesystem::path& path) {
     std::error_code error;
     const auto absolute = std::filesystem::absolute(path, error);
     const auto result = std::filesystem::weakly_canonical(absolute, error);
@@ -19,13 +19,13 @@ std::string canonical(const std::filesystem::path& path) {
 } // namespace
 
 void TextsInMemory::put(const std::filesystem::path& path, std::string text) {
-    texts_.insert_or_assign(canonical(path), std::move(text));
+    texts_.insert_or_assign(key_of(path), std::move(text));
 }
 
-void TextsInMemory::remove(const std::filesystem::path& path) { texts_.erase(canonical(path)); }
+void TextsInMemory::remove(const std::filesystem::path& path) { texts_.erase(key_of(path)); }
 
 const std::string* TextsInMemory::find(const std::filesystem::path& path) const {
-    const auto found = texts_.empty() ? texts_.end() : texts_.find(canonical(path));
+    const auto found = texts_.empty() ? texts_.end() : texts_.find(key_of(path));
     return found == texts_.end() ? nullptr : &found->second;
 }
 

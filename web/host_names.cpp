@@ -1,7 +1,7 @@
 #include "web/host_names.hpp"
 
-#include "web/listener.hpp"
 #include "text/user_error.hpp"
+#include "web/listener.hpp"
 
 #include <boost/asio/ip/address.hpp>
 #include <boost/asio/ip/host_name.hpp>

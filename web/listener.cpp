@@ -91,6 +91,10 @@ bool is_loopback(const std::string& address) {
     return !error && plain_address(parsed).is_loopback();
 }
 
+std::string address_in_url(const std::string& address) {
+    return address.find(':') == address.npos ? address : fmt::format("[{}]", address);
+}
+
 Listener Listener::at_port(asio::io_context& io, const std::string& address, std::uint16_t port,
                            const std::string& option) {
     error_code error;

@@ -62,4 +62,7 @@ boost::asio::ip::address plain_address(const boost::asio::ip::address& address);
 /// Returns whether the address can be reached from this computer only; false if it is not an address.
 bool is_loopback(const std::string& address);
 
+/// Returns the address as a URL needs it: IPv6 in brackets.
+std::string address_in_url(const std::string& address);
+
 } // namespace placedpar::web

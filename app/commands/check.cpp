@@ -14,7 +14,7 @@ namespace placedpar {
 namespace {
 
 ExitCode check_program(const NetlistOptions& options, const OccamOptions& occam) {
-    const std::string main = check_occam(options.file, options.read.include, occam);
+    const std::string main = check_occam(options.file, options.read.include, occam, print_warnings);
     print_out(fmt::format("{}: no errors; {}\n", options.file,
                           main.empty() ? "it has no procedure" : fmt::format("PROC {} would be run", main)));
     return ExitCode::success;

@@ -1,7 +1,7 @@
 #include "monitor/service/send_command.hpp"
 
-#include "web/token.hpp"
 #include "text/user_error.hpp"
+#include "web/token.hpp"
 
 #include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/io_context.hpp>

@@ -3,12 +3,12 @@
 #include "monitor/protocol/answers.hpp"
 #include "monitor/service/connection.hpp"
 #include "monitor/service/dispatcher.hpp"
-#include "web/listener.hpp"
 #include "monitor/service/netlist_searches.hpp"
 #include "monitor/service/site.hpp"
 #include "monitor/service/systemd.hpp"
-#include "web/token.hpp"
 #include "text/user_error.hpp"
+#include "web/listener.hpp"
+#include "web/token.hpp"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -94,10 +94,13 @@ public:
 
     void run() {
         for (web::Listener& door : doors_)
-            door.open([this](web::Listener::Socket socket, const web::Caller& caller) { welcome(std::move(socket), caller); });
+            door.open([this](web::Listener::Socket socket, const web::Caller& caller) {
+                welcome(std::move(socket), caller);
+            });
         if (page_door_)
-            page_door_->open(
-                [this](web::Listener::Socket socket, const web::Caller& caller) { site_->welcome(std::move(socket), caller); });
+            page_door_->open([this](web::Listener::Socket socket, const web::Caller& caller) {
+                site_->welcome(std::move(socket), caller);
+            });
         if (std::string trouble = tell_systemd("READY=1"); !trouble.empty())
             log_.say(trouble); // reported once: later calls fail for the same reason
         tick();

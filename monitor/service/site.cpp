@@ -18,8 +18,8 @@ constexpr const char *json_type = "application/json", *html_type = "text/html; c
 
 } // namespace
 
-Site::Site(boost::asio::io_context& io, Dispatcher& dispatcher, StateStore* store, web::Token token, web::HostNames names,
-           std::function<void(const std::string&)> say)
+Site::Site(boost::asio::io_context& io, Dispatcher& dispatcher, StateStore* store, web::Token token,
+           web::HostNames names, std::function<void(const std::string&)> say)
     : io_(io), dispatcher_(dispatcher), store_(store),
       server_(
           {.realm = "placedpar monitor", .token = std::move(token), .names = std::move(names)},

@@ -18,7 +18,9 @@ public:
     Site(boost::asio::io_context& io, Dispatcher& dispatcher, StateStore* store, web::Token token, web::HostNames names,
          std::function<void(const std::string&)> say);
 
-    void welcome(web::Listener::Socket socket, const web::Caller& caller) { server_.welcome(std::move(socket), caller); }
+    void welcome(web::Listener::Socket socket, const web::Caller& caller) {
+        server_.welcome(std::move(socket), caller);
+    }
     void close() { server_.close(); }
 
 private:

@@ -20,15 +20,15 @@
 #include "monitor/memory/state_file.hpp"
 #include "monitor/protocol/bad_message.hpp"
 #include "monitor/protocol/message.hpp"
-#include "web/host_names.hpp"
-#include "web/listener.hpp"
 #include "monitor/service/send_command.hpp"
-#include "web/token.hpp"
-#include "web/server.hpp"
 #include "netlist/read.hpp"
 #include "tests/fuzz/reader.hpp"
 #include "text/number.hpp"
 #include "text/user_error.hpp"
+#include "web/host_names.hpp"
+#include "web/listener.hpp"
+#include "web/server.hpp"
+#include "web/token.hpp"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/json.hpp>

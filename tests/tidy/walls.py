@@ -58,6 +58,7 @@ BELOW = {
     "explore/generate": ["netlist"],
     "explore": ["classics", "identification", "occam", "problems", "report"],
     "explore/prediction": ["explore", "native"],
+    "explore/exercise": ["explore"],
     "explore/explain": ["explore", "observe/critical_path"],
     "explore/study": ["explore", "ranks", "store"],
     "explore/optimise": ["explore/explain", "explore/study"],
@@ -73,14 +74,14 @@ BELOW = {
     "experiments/chapter_6": ["experiments/chapter_6/kit"],
     "experiments/appendix_e": ["experiments/kit"],
     "experiments/machine": ["experiments/kit"],
+    "serve": ["explore/exercise", "explore/explain", "observe/page", "web"],
     "app": ["explore", "observe/page"],
     "app/generation": ["gaprocs", "picture"],
     "app/record": ["explore/study", "hydraulics/plant"],
     "app/options": ["app", "explore/prediction"],
-    "app/exercise": ["app"],
     "app/identify": ["app/options", "identification/report"],
     "app/mpi": ["ranks"],
-    "app/commands": ["app/exercise", "app/generation", "app/identify", "app/record", "experiments/kit", "explore/generate", "explore/optimise", "explore/prediction", "monitor/service"],
+    "app/commands": ["app/generation", "app/identify", "app/record", "experiments/kit", "explore/exercise", "explore/generate", "explore/optimise", "explore/prediction", "monitor/service", "serve"],
 }
 ROOMS = sorted({folder.split("/")[0] for folder in BELOW})
 
