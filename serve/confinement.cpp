@@ -56,7 +56,8 @@ constexpr std::array allowed_calls = {SYS_read,
                                       SYS_sched_getaffinity,
                                       SYS_getcwd,
                                       SYS_uname,
-                                      SYS_getrusage};
+                                      SYS_getrusage,
+                                      SYS_setitimer};
 
 #if defined(__x86_64__)
 constexpr std::uint32_t native_calls = AUDIT_ARCH_X86_64;

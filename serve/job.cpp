@@ -19,6 +19,7 @@
 #include <fmt/format.h>
 
 #include <sys/prctl.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -58,20 +59,28 @@ Job job_of(const std::string& text) {
     return job;
 }
 
-/// Ends the run of a job after a time.
+Interruption* interrupted_by_alarm = nullptr; ///< of the job that is being done
+
+/// Requests an interruption after a time, unless this object is destroyed earlier. REQUIRES: no other object of this
+/// class exists.
 class Deadline {
 public:
-    explicit Deadline(std::uint64_t seconds) {
-        std::signal(SIGALRM, [](int) { interruption_.request(); });
-        ::alarm(static_cast<unsigned>(seconds));
+    Deadline(Interruption& interruption, std::uint64_t seconds) {
+        interrupted_by_alarm = &interruption;
+        std::signal(SIGALRM, [](int) { interrupted_by_alarm->request(); });
+        set_alarm(seconds);
     }
-    static Interruption& interruption() { return interruption_; }
+    ~Deadline() { set_alarm(0); }
+    Deadline(const Deadline&) = delete;
+    Deadline& operator=(const Deadline&) = delete;
 
 private:
-    static Interruption interruption_;
+    /// Does what alarm() does, by a system call that exists on all computers and that confine() allows.
+    static void set_alarm(std::uint64_t seconds) {
+        const itimerval once{.it_interval = {}, .it_value = {.tv_sec = static_cast<time_t>(seconds), .tv_usec = 0}};
+        ::setitimer(ITIMER_REAL, &once, nullptr);
+    }
 };
-
-Interruption Deadline::interruption_;
 
 struct Loaded {
     ParsedNetlist parsed;
@@ -96,6 +105,8 @@ Loaded load(const Job& job, std::string& warnings) {
 /// Collects what programs print, and ends the run if it is too much.
 class Screen {
 public:
+    explicit Screen(Interruption& interruption) : interruption_(interruption) {}
+
     std::function<std::shared_ptr<iserver::Terminal>()> terminal(const std::string& keys) {
         return [this, keys] {
             return std::make_shared<iserver::ScriptedTerminal>(keys, [this](std::string_view text) { print(text); });
@@ -107,9 +118,10 @@ private:
     void print(std::string_view text) {
         output_ += text.substr(0, most_output_bytes - std::min(output_.size(), most_output_bytes));
         if (output_.size() == most_output_bytes)
-            Deadline::interruption().request();
+            interruption_.request();
     }
 
+    Interruption& interruption_;
     std::string output_;
 };
 
@@ -133,16 +145,15 @@ void add_page(json::object& answer, RunPage& page, const PageContent& content, s
 }
 
 /// Runs the network; with "explain", also says why the run takes so long.
-void run(const Job& job, Loaded& loaded, json::object& answer) {
+void run(const Job& job, Loaded& loaded, Interruption& interruption, json::object& answer) {
     const Network& network = loaded.network;
-    Screen screen;
+    Screen screen(interruption);
     loaded.network.host.terminal = screen.terminal(job.keys);
     loaded.network.host.lists_code = job.task == "listing";
     CriticalPath path;
     RunPage page(network, {});
     TraceFork fork({&path, &page.sink()});
     GenerationLog searches = log_of(network);
-    Interruption& interruption = Deadline::interruption();
     RunReport report =
         run_netlist(network, known_problems(job.seed),
                     {.seed = job.seed, .trace = &fork, .observer = &searches, .interruption = &interruption});
@@ -161,14 +172,14 @@ void run(const Job& job, Loaded& loaded, json::object& answer) {
     add_page(answer, page, {network, explanation.report, manifest, searches}, explanation.path);
 }
 
-void check_exercise(const Job& job, const Loaded& loaded, json::object& answer) {
-    const SolutionVerdict verdict = check_solution(loaded.network, exercise_of(job.exercise), Deadline::interruption());
+void check_exercise(const Job& job, const Loaded& loaded, Interruption& interruption, json::object& answer) {
+    const SolutionVerdict verdict = check_solution(loaded.network, exercise_of(job.exercise), interruption);
     const bool interrupted = verdict.end == StudentRun::End::interrupted;
     answer["ended"] = interrupted ? "interrupted" : verdict.wrong.empty() ? "solved" : "not solved";
     answer["verdict"] = interrupted ? "the check took too long" : verdict.text();
 }
 
-json::object answered(const Job& job) {
+json::object answered(const Job& job, Interruption& interruption) {
     const ReadsFromMemory reading(job.files);
     json::object answer{{"faults", faults_json(job.main)}};
     if (job.task == "check")
@@ -177,9 +188,9 @@ json::object answered(const Job& job) {
     try {
         Loaded loaded = load(job, warnings);
         if (job.task == "exercise")
-            check_exercise(job, loaded, answer);
+            check_exercise(job, loaded, interruption, answer);
         else
-            run(job, loaded, answer);
+            run(job, loaded, interruption, answer);
     } catch (const UserError& refused) {
         answer["ended"] = "refused";
         answer["refused"] = unpainted(refused.what());
@@ -191,9 +202,10 @@ json::object answered(const Job& job) {
 } // namespace
 
 std::string answer_of(const std::string& job, const RunLimits& limits) {
-    const Deadline deadline(limits.seconds);
+    Interruption interruption;
+    const Deadline deadline(interruption, limits.seconds);
     try {
-        return json::serialize(answered(job_of(job)));
+        return json::serialize(answered(job_of(job), interruption));
     } catch (const std::bad_alloc&) {
         return json::serialize(json::object{
             {"ended", "refused"},

@@ -29,6 +29,9 @@ public:
     ReadsFromMemory& operator=(const ReadsFromMemory&) = delete;
 };
 
+/// Returns the texts that this thread reads at present; null if it reads files alone.
+const TextsInMemory* texts_of_this_thread();
+
 /// Returns the text that stands in for a file at present; null if the file itself is to be read.
 const std::string* text_in_memory(const std::filesystem::path&);
 

@@ -158,12 +158,15 @@ void Listener::accept() {
             accept();
             return;
         }
-        retry_.expires_after(std::chrono::milliseconds(100)); // most likely too many files are open; some client will
-                                                              // leave
-        retry_.async_wait([this](const error_code&) {
-            if (acceptor_.is_open())
-                accept();
-        });
+        accept_later(); // most likely too many files are open; some client will leave
+    });
+}
+
+void Listener::accept_later() {
+    retry_.expires_after(std::chrono::milliseconds(100));
+    retry_.async_wait([this](const error_code&) {
+        if (acceptor_.is_open())
+            accept();
     });
 }
 

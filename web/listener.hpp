@@ -48,6 +48,7 @@ public:
 private:
     Listener(boost::asio::io_context& io, Acceptor acceptor) : acceptor_(std::move(acceptor)), retry_(io) {}
     void accept();
+    void accept_later();
 
     Acceptor acceptor_;
     boost::asio::steady_timer retry_;

@@ -76,13 +76,13 @@ private:
     void take() {
         if (!server_)
             return;
-        std::optional<Answer> refusal = unwanted();
-        if (!refusal)
-            refusal = foreign();
-        if (refusal) {
+        if (std::optional<Answer> refusal = refused())
             answer(std::move(*refusal));
-            return;
-        }
+        else
+            hand_on();
+    }
+
+    void hand_on() {
         answered_ = false;
         withdraw_ = server_->handler_(request(), [self = shared_from_this()](Answer answer) {
             if (!std::exchange(self->answered_, true))
@@ -92,6 +92,11 @@ private:
             withdraw_ = {};
         else if (withdraw_)
             watch();
+    }
+
+    std::optional<Answer> refused() const {
+        std::optional<Answer> refusal = unwanted();
+        return refusal ? refusal : foreign();
     }
 
     bool posts() const { return parser_->get().method() == http::verb::post; }
@@ -165,19 +170,23 @@ private:
         stream_.socket().cancel(ignored); // ends watch()
         const auto& request = parser_->get();
         response_ = {static_cast<http::status>(answer.status), request.version()};
-        response_.set(http::field::content_type, answer.type);
-        response_.set(http::field::cache_control, "no-store");
-        response_.set("Content-Security-Policy", server_->settings_.policy);
-        response_.set("X-Content-Type-Options", "nosniff");
-        if (answer.status == 401)
-            response_.set(http::field::www_authenticate,
-                          fmt::format("Basic realm=\"{}\", Bearer", server_->settings_.realm));
+        set_fields(answer.type);
         response_.keep_alive(request.keep_alive() && !last_);
         response_.body() = std::move(answer.text);
         response_.prepare_payload();
         if (request.method() == http::verb::head)
             response_.body().clear(); // keeps the length of what GET would return
         write();
+    }
+
+    void set_fields(const std::string& type) {
+        response_.set(http::field::content_type, type);
+        response_.set(http::field::cache_control, "no-store");
+        response_.set("Content-Security-Policy", server_->settings_.policy);
+        response_.set("X-Content-Type-Options", "nosniff");
+        if (response_.result() == http::status::unauthorized)
+            response_.set(http::field::www_authenticate,
+                          fmt::format("Basic realm=\"{}\", Bearer", server_->settings_.realm));
     }
 
     void write() {

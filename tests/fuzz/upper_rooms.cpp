@@ -22,6 +22,7 @@
 #include "monitor/protocol/message.hpp"
 #include "monitor/service/send_command.hpp"
 #include "netlist/read.hpp"
+#include "serve/job.hpp"
 #include "tests/fuzz/reader.hpp"
 #include "text/number.hpp"
 #include "text/user_error.hpp"
@@ -219,6 +220,12 @@ void read_request(const std::string& all) {
     require(answered <= 0 || std::string_view(begin, sizeof begin) == "HTTP/", "what is answered is HTTP");
 }
 
+/// Reads a job as the process of a run does, after it has confined itself. A run is interrupted after a second.
+void read_job(const std::string& text) {
+    const std::string answer = serve::answer_of(text, {.seconds = 1});
+    require(boost::json::parse(answer).is_object(), "the answer of a job is an object");
+}
+
 /// Hides everything written to the standard streams while it exists.
 class Quiet {
 public:
@@ -340,6 +347,7 @@ std::span<const Reader> readers() {
                                  {"answer", read_answer},
                                  {"places", read_place},
                                  {"request", read_request},
+                                 {"job", read_job},
                                  {"command", read_words}};
     return all;
 }
