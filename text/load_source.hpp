@@ -20,7 +20,7 @@ struct LoadedSource {
 };
 
 /// Reads a whole file. It is a problem if the file is missing, a directory, a device, too large, or not text. A Ctrl-Z
-/// ends the text, as it does in DOS. A text in memory (text/texts_in_memory.hpp) is read in place of its file.
+/// ends the text, as it does in DOS.
 LoadedSource load_source(const std::filesystem::path& path);
 /// Does what load_source() does, but "-" is standard input (text/standard_streams.hpp). Standard input is read once;
 /// later calls return the same text.

@@ -18,6 +18,8 @@ function makeEditor(id, mode, label) {
     "Shift-Tab": () => editor.indentSelection("subtract"),
   };
   editor.setOption("extraKeys", keys);
+  editor.getInputField().setAttribute("role", "textbox");
+  editor.getInputField().setAttribute("aria-multiline", "true");
   editor.on("focus", () => editor.setOption("extraKeys", keys));
   return editor;
 }

@@ -13,13 +13,13 @@ T800 (memory = 1M) t[n];
 process (interface (input in, output out)) buffer[n];
 rep i = 0 for n {
 connect t[i].link[1] to t[(i + 1) % n].link[0];
-use "csp.identty" for buffer[i];
+use "csp.identity" for buffer[i];
 connect buffer[i].out to buffer[(i + 1) % n].in;
-place buffer[i] on t[i];
+place bufer[i] on t[i];
 }
 """
 EDITOR = "document.querySelector('#netlist .CodeMirror').CodeMirror"
-MARKS = f"""JSON.stringify({EDITOR}.getAllMarks().map(mark => mark.find())
+MARKS = f"""JSON.stringify({EDITOR}.getAllMarks().filter(mark => /fault/.test(mark.className)).map(mark => mark.find())
   .map(({{from, to}}) => [from.line + 1, {EDITOR}.getRange(from, to)]))"""
 # Where the underline is on the screen: below which letters, as the browser has laid them out.
 SEEN = f"""(() => {{ const box = document.querySelector('#netlist .fault.error').getBoundingClientRect();
@@ -36,23 +36,22 @@ class InChromium:
         """Opens the address in a new tab."""
         target = self.browser.command("Target.createTarget", url="about:blank")["targetId"]
         self.tab = self.browser.command("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
-        self.browser.command("Target.setAutoAttach", self.tab, autoAttach=True, waitForDebuggerOnStart=False, flatten=True)
         for domain in ("Page", "Runtime", "Log"):
             self.browser.command(f"{domain}.enable", self.tab)
         self.browser.command("Page.navigate", self.tab, url=address)
         self.browser.wait_for("Page.loadEventFired", self.tab, [])
 
-    def value(self, expression, session=None):
-        result = self.browser.command("Runtime.evaluate", session or self.tab, expression=expression, returnByValue=True, awaitPromise=True)
+    def value(self, expression, **where):
+        result = self.browser.command("Runtime.evaluate", self.tab, expression=expression, returnByValue=True, awaitPromise=True, **where)
         if "exceptionDetails" in result:
             raise AssertionError(result["exceptionDetails"])
         return result["result"].get("value")
 
     def in_frame(self, expression):
-        """Evaluates an expression in the frame of the run's page, which is a process of its own."""
-        self.browser.command("Runtime.evaluate", self.tab, expression="0")  # reads events
-        frames = [each["params"]["sessionId"] for each in self.browser.events if each.get("method") == "Target.attachedToTarget"]
-        return self.value(expression, frames[-1])
+        """Evaluates an expression in the frame of the run's page."""
+        [frame] = self.browser.command("Page.getFrameTree", self.tab)["frameTree"]["childFrames"]
+        world = self.browser.command("Page.createIsolatedWorld", self.tab, frameId=frame["frame"]["id"])["executionContextId"]
+        return self.value(expression, contextId=world)
 
     def type(self, text):
         self.browser.command("Input.insertText", self.tab, text=text)
@@ -86,6 +85,7 @@ class InFirefox:
         return self.browser.command("WebDriver:ExecuteScript", {"script": f"return {expression}", "args": []})["value"]
 
     def in_frame(self, expression):
+        self.browser.command("WebDriver:SwitchToFrame", {"id": None})
         frame = self.browser.command("WebDriver:FindElement", {"using": "css selector", "value": "iframe"})["value"]
         self.browser.command("WebDriver:SwitchToFrame", {"element": next(iter(frame.values()))})
         return self.run(expression)
@@ -121,14 +121,14 @@ class InBrowsers(ServiceTest):
         tab.value("document.getElementById('new').click()")
         tab.type(RING)
         self.wait_for(tab, "document.querySelector('#netlist .fault.error') !== null")
-        self.assertEqual(json.loads(tab.value(MARKS)), [[6, '"csp.identty"']])
-        self.assertEqual(tab.value(SEEN), [6, 5])
-        self.assertIn('"csp.identity"', tab.value("document.getElementById('faults').textContent"))
+        self.assertEqual(json.loads(tab.value(MARKS)), [[8, "bufer"]])
+        self.assertEqual(tab.value(SEEN), [8, 7])
+        self.assertIn('"bufer"', tab.value("document.getElementById('faults').textContent"))
         tab.value("document.querySelector('#faults button').click()")  # goes to the error
-        tab.value(EDITOR + ".setSelection({line: 5, ch: 5}, {line: 5, ch: 16})")
-        tab.type("csp.identity")
+        tab.value(EDITOR + ".setSelection({line: 7, ch: 6}, {line: 7, ch: 11})")
+        tab.type("buffer")
         self.wait_for(tab, "document.querySelector('.fault') === null && document.getElementById('faults').children.length === 0")
-        self.assertEqual(tab.value(f"{EDITOR}.getValue()"), RING.replace("identty", "identity"))
+        self.assertEqual(tab.value(f"{EDITOR}.getValue()").strip(), RING.replace("bufer", "buffer").strip())
 
     def see_the_deadlock(self, tab):
         """Runs the program by keyboard, and moves through the run's page."""
@@ -138,7 +138,7 @@ class InBrowsers(ServiceTest):
         tab.value("document.getElementById('tab-page').click()")
         self.wait_for(tab, "document.querySelector('iframe') !== null")
         self.wait_for(tab, "document.documentElement.dataset.loaded === 'yes'", tab.in_frame)
-        self.assertRegex(tab.in_frame("document.getElementById('deadlock').textContent"), r"(?s)buffer\[0\].*buffer\[1\].*buffer\[2\]")
+        self.assertRegex(tab.in_frame("document.getElementById('deadlock').textContent"), r"buffer\[0\] → buffer\[2\] → buffer\[1\] → buffer\[0\]")
         self.assertEqual(tab.in_frame("document.querySelectorAll('.arrow.cycle').length"), 3)
         slider = "document.getElementById('slider')"
         tab.in_frame(f"({slider}.value = 0, {slider}.dispatchEvent(new Event('input')))")

@@ -63,7 +63,7 @@ class Hostile(ServiceTest):
             self.assertEqual(status, 400, job)
             self.assertIn("not a job: ", text)
         self.assertEqual(self.service.ask("POST", "/job", "[" * 100000, Content_Type="application/json")[0], 400)
-        self.assertEqual(self.service.ask("POST", "/job", " " * (2 << 20), Content_Type="application/json")[0], 413)
+        self.assertIn(b" 413 ", self.raw(b"POST /job HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 2000000\r\n\r\n"))
 
     def test_scripts_in_names_stay_text(self):
         name = "<script>alert(1)</script>.cfs"

@@ -26,11 +26,11 @@ class Jobs(ServiceTest):
     OPTIONS = ("--jobs", 1, "--seconds", 2)
 
     def test_a_check_names_the_place_of_an_error(self):
-        text = (EXAMPLES / COMMSTIME).read_text().replace('"csp.prefix"', '"csp.prefx"')
+        text = (EXAMPLES / COMMSTIME).read_text().replace("place delta on b;", "place delta on bb;")
         [fault] = self.service.answer("check", "my.cfs", {"my.cfs": text})["faults"]
         line = text.splitlines()[fault["line"] - 1]
-        self.assertEqual((fault["severity"], fault["file"], line[fault["column"] - 1:]), ("error", "my.cfs", '"csp.prefx" for prefix;'))
-        self.assertIn('"csp.prefix"', fault["message"] + fault["hint"])
+        self.assertEqual((fault["severity"], fault["file"], line[fault["column"] - 1:]), ("error", "my.cfs", "bb;"))
+        self.assertIn('"bb"', fault["message"])
         [fault] = self.service.answer("check", "my.occ", {"my.occ": FOREVER.replace("TRUE", "TRU")})["faults"]
         self.assertEqual((fault["line"], fault["column"]), (2, 9))
         self.assertEqual(self.service.answer("check", COMMSTIME)["faults"], [])
@@ -68,10 +68,11 @@ class Jobs(ServiceTest):
         self.assertIn('there is no exercise "99"', answer["refused"])
 
     def test_files_are_those_of_the_job_and_the_examples(self):
-        own = {"a/x.cfs": '#include "../b/y.inc"\nT800 (memory = 1M) t[n];', "b/y.inc": "val n 3;"}
+        own = {"a/x.cfs": '#include "../b/y.inc"\nT800 (memory = 1M) t[n];\nconnect t[0].link[0] to t[1].link[1];', "b/y.inc": "val n 2;"}
         self.assertEqual(self.service.answer("check", "a/x.cfs", own)["faults"], [])
-        of_examples = {"machine/through-routing/x.cfs": '#include "machine.inc"\n'}
-        self.assertEqual(self.service.answer("check", *of_examples, of_examples)["faults"], [])
+        including = (EXAMPLES / "machine/through-routing/farm.cfs").read_text()
+        self.assertIn('#include "machine.inc"', including)
+        self.assertEqual(self.service.answer("check", "machine/through-routing/my.cfs", {"machine/through-routing/my.cfs": including})["faults"], [])
         with tempfile.NamedTemporaryFile("w", suffix=".inc") as secret:
             secret.write("val password 42;")
             secret.flush()
