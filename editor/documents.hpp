@@ -1,7 +1,7 @@
 #pragma once
 
 #include "explore/check/line_cycles.hpp"
-#include "explore/check/occam_check.hpp"
+#include "explore/occam_check.hpp"
 #include "netlist/language/names_in_text.hpp"
 #include "text/positions.hpp"
 #include "text/texts_in_memory.hpp"

@@ -11,7 +11,8 @@ std::size_t count_cores();
 
 /// Calls work(0), work(1) and so on, each in its own thread, and returns when all have ended. Until then, calls
 /// `meanwhile` at intervals of `often` in the thread of the caller. If workers threw exceptions, then rethrows the
-/// exception of the worker with the lowest number.
+/// exception of the worker with the lowest number. The threads read the same texts in memory as the caller's thread
+/// (text/texts_in_memory.hpp).
 void on_workers(
     std::size_t workers, const std::function<void(std::size_t)>& work, const std::function<void()>& meanwhile = [] {},
     std::chrono::milliseconds often = std::chrono::milliseconds(100));

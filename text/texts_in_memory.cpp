@@ -32,11 +32,13 @@ const std::string* TextsInMemory::find(const std::filesystem::path& path) const 
 ReadsFromMemory::ReadsFromMemory(const TextsInMemory& texts) { texts_of_thread = &texts; }
 ReadsFromMemory::~ReadsFromMemory() { texts_of_thread = nullptr; }
 
+const TextsInMemory* texts_of_this_thread() { return texts_of_thread; }
+
 const std::string* text_in_memory(const std::filesystem::path& path) {
     return texts_of_thread ? texts_of_thread->find(path) : nullptr;
 }
 
-bool is_file(const std::filesystem::path& path) {
+bool names_file(const std::filesystem::path& path) {
     std::error_code error;
     return text_in_memory(path) != nullptr || std::filesystem::is_regular_file(path, error);
 }

@@ -19,8 +19,8 @@ private:
     std::map<std::string, std::string, std::less<>> texts_; ///< by canonical path
 };
 
-/// Lets load_source() and is_file() of this thread read texts in memory while this object exists. REQUIRES: the texts
-/// outlive this object, and no other object of this class exists in the thread.
+/// Lets load_source() and names_file() of this thread read texts in memory while this object exists. REQUIRES: the
+/// texts outlive this object, and no other object of this class exists in the thread.
 class ReadsFromMemory {
 public:
     explicit ReadsFromMemory(const TextsInMemory&);
@@ -29,10 +29,13 @@ public:
     ReadsFromMemory& operator=(const ReadsFromMemory&) = delete;
 };
 
+/// Returns the texts that this thread reads at present; null if it reads files alone.
+const TextsInMemory* texts_of_this_thread();
+
 /// Returns the text that stands in for a file at present; null if the file itself is to be read.
 const std::string* text_in_memory(const std::filesystem::path&);
 
 /// Returns whether a path names a file or a text in memory. A directory is not a file.
-bool is_file(const std::filesystem::path&);
+bool names_file(const std::filesystem::path&);
 
 } // namespace placedpar

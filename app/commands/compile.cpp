@@ -1,6 +1,7 @@
 #include "app/command.hpp"
 #include "app/options/common_options.hpp"
 #include "app/options/occam_options.hpp"
+#include "app/standard_error.hpp"
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
 
@@ -27,8 +28,8 @@ ExitCode compile_file(const CompileOptions& options) {
     require_writable(out);
     if (!lines.empty())
         require_writable(lines);
-    const CompiledOccam made =
-        compile_occam(options.file, options.folders, options.occam, *transputer::model_named(options.processor));
+    const CompiledOccam made = compile_occam(options.file, options.folders, options.occam,
+                                             *transputer::model_named(options.processor), print_warnings);
     write_whole(out, std::string(made.file.begin(), made.file.end()));
     if (!lines.empty())
         write_whole(lines, made.lines);

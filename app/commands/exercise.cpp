@@ -1,10 +1,9 @@
 #include "app/command.hpp"
-#include "app/exercise/course.hpp"
-#include "app/exercise/student_run.hpp"
 #include "app/options/booted_options.hpp"
 #include "app/options/occam_options.hpp"
 #include "app/signals.hpp"
-#include "explore/check/check_file.hpp"
+#include "explore/exercise/course.hpp"
+#include "explore/exercise/student_run.hpp"
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
 
@@ -23,9 +22,6 @@ struct ExerciseOptions {
     NetlistOptions program;
 };
 
-/// The number of orders of processes that a solution is tried in, besides the usual one.
-constexpr std::uint64_t orders = 20;
-
 void list_exercises() {
     for (const Exercise& each : exercises())
         print_out(fmt::format("{:>4}  {}\n", each.number, each.title()));
@@ -34,38 +30,24 @@ void list_exercises() {
                           program_name()));
 }
 
-ExitCode report(const std::string& file, const StudentRun& made, const std::string& wrong) {
-    if (made.end == StudentRun::End::interrupted)
-        return ExitCode::interrupted;
-    print_out(fmt::format("{}: not solved: {}\n", file, wrong));
-    return made.end == StudentRun::End::deadlock ? ExitCode::deadlock : ExitCode::bad_input;
-}
-
-ExitCode check_solution(const Options& command, const ExerciseOptions& options) {
+ExitCode check_program(const Options& command, const ExerciseOptions& options) {
     const Exercise exercise = exercise_of(options.number);
     const std::string& file = options.program.file;
     if (!is_occam(file))
         throw UserError(fmt::format("{}: a solution is a program in occam, with a name such as mine.occ", file));
-    const Network network = load_network(command, options.program, {});
     InterruptedBySignals interruption;
-    for (std::uint64_t order = 0; order <= orders; ++order) {
-        const StudentRun made =
-            run_student_program(network, order == 0 ? std::nullopt : std::optional(order), interruption);
-        std::string wrong = what_is_wrong(made, exercise.expected);
-        if (order > 0 && !wrong.empty())
-            wrong = fmt::format("it is right in the usual order of its processes, but not in all orders\nwith "
-                                "--shuffle {}, {}",
-                                order, wrong);
-        if (!wrong.empty() || made.end == StudentRun::End::interrupted)
-            return report(file, made, wrong);
-    }
-    print_out(fmt::format("{}: solved; also in {} other orders of its processes\n", file, orders));
-    return ExitCode::success;
+    const SolutionVerdict verdict = check_solution(load_network(command, options.program, {}), exercise, interruption);
+    if (verdict.end == StudentRun::End::interrupted)
+        return ExitCode::interrupted;
+    print_out(fmt::format("{}: {}\n", file, verdict.text()));
+    if (verdict.wrong.empty())
+        return ExitCode::success;
+    return verdict.end == StudentRun::End::deadlock ? ExitCode::deadlock : ExitCode::bad_input;
 }
 
 ExitCode exercise(const Options& command, const ExerciseOptions& options) {
     if (!options.program.file.empty())
-        return check_solution(command, options);
+        return check_program(command, options);
     if (options.number.empty())
         list_exercises();
     else

@@ -11,6 +11,7 @@
 #include "monitor/service/service.hpp"
 #include "text/number.hpp"
 #include "text/output_file.hpp"
+#include "web/listener.hpp"
 
 #include <fmt/format.h>
 
@@ -171,11 +172,6 @@ auto search_on(const NetlistAsked& netlist, const ServiceSettings& settings) {
     };
 }
 
-/// Returns the address as a URL needs it: IPv6 in brackets.
-std::string for_browsers(const std::string& address) {
-    return address.find(':') == address.npos ? address : fmt::format("[{}]", address);
-}
-
 ExitCode serve(const ServiceSettings& settings) {
     std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is handled like a full disk
     Log log(STDERR_FILENO);
@@ -186,7 +182,7 @@ ExitCode serve(const ServiceSettings& settings) {
     if (!settings.unix_path.empty())
         print_out(fmt::format("placedpar monitor: listening on {}\n", settings.unix_path));
     if (settings.http_port)
-        print_out(fmt::format("placedpar monitor: page at http://{}:{}/\n", for_browsers(settings.address),
+        print_out(fmt::format("placedpar monitor: page at http://{}:{}/\n", web::address_in_url(settings.address),
                               service.http_port()));
     service.run();
     log.say(settings.state.empty() ? "stopped" : fmt::format("stopped; the state was written to {}", settings.state));

@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <filesystem>
 #include <optional>
 
@@ -27,16 +26,6 @@ namespace {
 
 constexpr std::array machine_options = {"--processor", "--memory", "--memorycycles"};
 constexpr std::array occam_options = {"--mode", "--no-checks"};
-
-/// Returns the bytes of a size such as 32K or 2M; nothing if it is none.
-std::optional<std::uint64_t> bytes_of_size(const std::string& text) {
-    const char unit = text.empty() ? ' ' : text.back();
-    const std::optional<std::uint64_t> number =
-        parse_number<std::uint64_t>(unit == 'K' || unit == 'M' ? text.substr(0, text.size() - 1) : text);
-    if (!number)
-        return std::nullopt;
-    return std::min(*number, std::uint64_t{1} << 32) << (unit == 'K' ? 10 : unit == 'M' ? 20 : 0);
-}
 
 /// Says why a text is not the size of a memory; "" if it is.
 std::string not_a_size(const std::string& text) {
@@ -87,15 +76,6 @@ bool is_empty_program(const std::filesystem::path& file) {
     std::error_code error;
     return std::ranges::find(endings, file.extension().string()) != endings.end() &&
            std::filesystem::is_regular_file(file, error) && std::filesystem::is_empty(file, error);
-}
-
-/// Returns a netlist with one transputer that the file boots. In mode stop a process may read outside of the memory
-/// before it stops, which must have no effect.
-std::string netlist_around(const std::filesystem::path& file, const BootedOptions& options) {
-    const bool wraps = is_occam(file) && options.occam.mode == "stop";
-    return fmt::format(
-        "{} (memory = {}, memorycycles = {}{}) root;\nconnect root.link[0] to host;\nuse \"{}\" for root;\n",
-        options.processor, options.memory, options.memory_cycles, wraps ? ", wraps = 1" : "", file.filename().string());
 }
 
 void refuse_for_netlists(const Options& typed, const NetlistOptions& netlist, const BootedOptions& options,
@@ -182,29 +162,13 @@ std::function<std::shared_ptr<iserver::Terminal>()> terminal_for(const BootedOpt
     };
 }
 
-namespace {
-
-CompiledProgram compiled_program(const NetlistOptions& netlist, const BootedOptions& options) {
-    CompiledOccam made =
-        compile_occam(netlist.file, netlist.read.include, options.occam, *transputer::model_named(options.processor));
-    if (made.memory_bytes > *bytes_of_size(options.memory))
-        throw UserError(fmt::format(
-            "{}: the program needs {} bytes of memory, but the transputer has {}\nhint: --memory "
-            "{}M",
-            netlist.file, made.memory_bytes, options.memory, std::bit_ceil((made.memory_bytes + (1 << 20) - 1) >> 20)));
-    return {std::make_shared<const std::vector<std::uint8_t>>(std::move(made.file)),
-            std::make_shared<const SourceFile>("lines of " + netlist.file, std::move(made.lines))};
-}
-
-} // namespace
-
 Network load_network(const Options& typed, const NetlistOptions& netlist, const BootedOptions& options) {
     const bool occam = is_occam(netlist.file);
     const bool bootable =
         occam || (netlist.file != "-" && (looks_bootable(netlist.file) || is_empty_program(netlist.file)));
     ReadOptions read = read_options_of(netlist.read);
     if (occam)
-        read.compiled[netlist.file] = compiled_program(netlist, options);
+        read.compiled[netlist.file] = compiled_program(netlist.file, netlist.read.include, options, netlist.warn);
     else if (bootable)
         read_bootable(netlist.file); // a refusal names the file alone
     const ParsedNetlist parsed = bootable

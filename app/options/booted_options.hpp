@@ -13,13 +13,9 @@
 
 namespace placedpar {
 
-/// The options of a command that runs transputers which execute their own code.
-struct BootedOptions {
-    // These describe the transputer of a bootable file that is run without a netlist.
-    std::string processor = "T800", memory = "2M";
-    std::uint64_t memory_cycles = 3;
-    OccamOptions occam;
-    // These are for the host.
+/// The options of a command that runs transputers which execute their own code: the transputer of a program without a
+/// netlist, and its host.
+struct BootedOptions : ProgramMachine {
     std::string folder;
     std::optional<std::string> keys; ///< nothing: the keys are those of the terminal, or of standard input
     std::vector<std::string> environment;

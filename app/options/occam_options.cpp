@@ -1,91 +1,6 @@
 #include "app/options/occam_options.hpp"
 
-#include "app/options/common_options.hpp"
-#include "explore/check/occam_check.hpp"
-#include "occam/code/place_table.hpp"
-#include "text/load_source.hpp"
-#include "text/output_file.hpp"
-#include "text/user_error.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <optional>
-
 namespace placedpar {
-
-namespace {
-
-constexpr std::array names_of_checks = {"usage", "alias", "range", "all"};
-
-/// Returns whether the option --no-checks names a check. Throws UserError if it names an unknown one.
-bool leaves_out(const OccamOptions& options, std::string_view name) {
-    bool found = false;
-    std::string_view rest = options.no_checks;
-    while (!rest.empty()) {
-        const std::string_view each = rest.substr(0, rest.find(','));
-        rest.remove_prefix(std::min(rest.size(), each.size() + 1));
-        if (std::ranges::find(names_of_checks, each) == names_of_checks.end())
-            throw UserError(fmt::format(
-                "--no-checks: \"{}\" is not the name of a check: the names are usage, alias, range and all", each));
-        found |= each == name;
-    }
-    return found;
-}
-
-/// Reads and checks a program. Prints warnings to standard error. Throws RefusedInput.
-OccamCheck checked(const std::shared_ptr<const SourceFile>& file, std::span<const std::string> folders,
-                   const OccamOptions& typed) {
-    OccamCheck program = check_occam_source(file, {folders.begin(), folders.end()}, wanted_checks(typed));
-    const std::string text = render(program.diagnostics) + program.not_shown;
-    if (program.failed)
-        throw RefusedInput(text);
-    print_error(text);
-    return program;
-}
-
-std::shared_ptr<const SourceFile> loaded(const std::filesystem::path& path) {
-    const LoadedSource source = load_input(path);
-    if (has_errors(source.problems))
-        throw RefusedInput(render(source.problems));
-    return source.file;
-}
-
-/// Returns whether a main procedure gets the channels of a terminal, and no host: keyboard, screen and error.
-bool uses_terminal(const occam::Declaration& main) {
-    const auto& parameters = std::get<occam::Procedure>(main.form).parameters;
-    return parameters.size() == 3 && std::ranges::all_of(parameters, [](const occam::DeclarationBox& each) {
-               return each->type->kind == occam::Type::Kind::channel;
-           });
-}
-
-bool gets_free_memory(const occam::Declaration& main) {
-    return std::get<occam::Procedure>(main.form).parameters.size() == 3;
-}
-
-/// Returns a program around a main procedure that uses a terminal.
-std::shared_ptr<const SourceFile> around(const std::filesystem::path& path, const occam::Declaration& main) {
-    const auto& keyboard = *std::get<occam::Procedure>(main.form).parameters.front();
-    const bool reads = keyboard.direction != occam::Direction::unused;
-    return std::make_shared<SourceFile>((path.parent_path() / ("terminal of " + path.filename().string())).string(),
-                                        fmt::format(R"(#INCLUDE "hostio.inc"
-#USE "terminal.lib"
-#INCLUDE "{}"
-PROC run.with.terminal (CHAN OF SP fs, ts)
-  CHAN OF BYTE keyboard, screen, error:
-  CHAN OF BOOL ended:
-  PAR
-    terminal (fs, ts, keyboard, screen, error, ended, {})
-    SEQ
-      {} (keyboard, screen, error)
-      ended ! TRUE
-:
-)",
-                                                    path.filename().string(), reads ? "TRUE" : "FALSE", main.name));
-}
-
-} // namespace
 
 void add_occam(Options& command, OccamOptions& options) {
     const std::string heading = "Programs in occam";
@@ -98,47 +13,6 @@ void add_occam(Options& command, OccamOptions& options) {
     command.add("--no-checks", options.no_checks, "checks that an occam program does without: usage, alias, range, all")
         .type("CHECKS")
         .group(heading);
-}
-
-CompileChoices choices_of(const OccamOptions& options) {
-    for (const char* check : {"usage", "alias"})
-        if (leaves_out(options, check))
-            throw UserError(
-                fmt::format("--no-checks: a netlist cannot leave out the check \"{}\" of its programs; write "
-                            "#OPTION \"{}\" into the file",
-                            check, check[0] == 'u' ? "N" : "A"));
-    const bool all = leaves_out(options, "all");
-    return {options.mode, !all && !leaves_out(options, "range"), !all};
-}
-
-occam::SourceOptions wanted_checks(const OccamOptions& options) {
-    return {.alias_checks = !leaves_out(options, "alias"),
-            .usage_checks = !leaves_out(options, "usage"),
-            .range_checks = !leaves_out(options, "range"),
-            .run_time_checks = !leaves_out(options, "all")};
-}
-
-CompiledOccam compile_occam(const std::filesystem::path& path, std::span<const std::string> folders,
-                            const OccamOptions& typed, transputer::Model model) {
-    OccamCheck program = checked(loaded(path), folders, typed);
-    if (program.program->is_configuration)
-        throw UserError(fmt::format("{}: the file is a configuration; compile makes a program for one transputer, and "
-                                    "run takes a configuration",
-                                    path.string()));
-    if (!program.main)
-        throw UserError(fmt::format("{}: the file has no PROC that could be run", path.string()));
-    if (uses_terminal(*program.main))
-        program = checked(around(path, *program.main), folders, typed);
-    const occam::CodeOptions options{.model = model,
-                                     .mode = occam::error_mode(typed.mode),
-                                     .range_checks = program.options.range_checks && program.options.run_time_checks,
-                                     .run_time_checks = program.options.run_time_checks,
-                                     .vector_space = program.options.vector_space};
-    const occam::Code code = compile(*program.program, *program.main, options);
-    const std::uint32_t code_at = where_code_is(code, options) - transputer::traits_of(model).memory_start;
-    const std::uint64_t free_bytes = gets_free_memory(*program.main) ? occam::bytes_of_free_memory : 0;
-    return {bootable(code, options), place_table(code, *program.program, code_at),
-            image_of(code, options).bytes + free_bytes};
 }
 
 } // namespace placedpar

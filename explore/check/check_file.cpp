@@ -1,6 +1,7 @@
 #include "explore/check/check_file.hpp"
 
-#include "explore/check/occam_check.hpp"
+#include "explore/occam_check.hpp"
+#include "explore/occam_program.hpp"
 #include "explore/study/study_file.hpp"
 #include "netlist/kinds/device_kind.hpp"
 #include "netlist/language/names_in_text.hpp"
@@ -101,10 +102,6 @@ CheckedFile check_study(const std::filesystem::path& path, const Catalogue& cata
 }
 
 } // namespace
-
-bool is_occam(const std::filesystem::path& path) {
-    return path.extension() == ".occ" && !occam::is_configuration(path);
-}
 
 bool is_study(const std::filesystem::path& path) { return lower_case(path.extension().string()) == ".toml"; }
 

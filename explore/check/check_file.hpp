@@ -11,8 +11,6 @@
 
 namespace placedpar {
 
-/// Returns whether a file is a program in occam, by its name. A configuration is not a program.
-bool is_occam(const std::filesystem::path&);
 /// Returns whether a file is a study, by its name.
 bool is_study(const std::filesystem::path&);
 

@@ -1,6 +1,6 @@
 #include "explore/check/line_cycles.hpp"
 
-#include "explore/check/occam_check.hpp"
+#include "explore/occam_check.hpp"
 #include "occam/code/compile.hpp"
 #include "runtime/transputer/disassembler.hpp"
 #include "text/counted.hpp"

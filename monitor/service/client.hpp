@@ -1,7 +1,7 @@
 #pragma once
 
 #include "monitor/protocol/message.hpp"
-#include "monitor/service/listener.hpp"
+#include "web/listener.hpp"
 
 #include <chrono>
 #include <cstddef>
@@ -27,7 +27,7 @@ public:
     /// Adds `bytes`, which may be negative, to the bytes that wait for the disk and count as queued.
     virtual void hold(std::ptrdiff_t bytes) = 0;
 
-    Caller caller;
+    web::Caller caller;
     bool trusted = false;                            ///< the client has sent the token, or none is required
     std::optional<Hello> hello;                      ///< the hello that the client sent
     std::chrono::steady_clock::time_point last_load; ///< when the last load report was sent to the client

@@ -26,7 +26,7 @@ bool is_http(std::string_view line) { return line.ends_with(" HTTP/1.1") || line
 
 } // namespace
 
-Dispatcher::Dispatcher(Diagnoses& diagnoses, StateStore* store, const ServiceLimits& limits, Token token,
+Dispatcher::Dispatcher(Diagnoses& diagnoses, StateStore* store, const ServiceLimits& limits, web::Token token,
                        std::function<void(const std::string&)> say, NetlistSearches* searches)
     : diagnoses_(diagnoses), limits_(limits), token_(std::move(token)), say_(say), peers_(limits), places_(limits),
       persistence_(store, outbox_, std::move(say)), searches_(searches) {

@@ -7,7 +7,7 @@
 #include "monitor/service/peers.hpp"
 #include "monitor/service/persistence.hpp"
 #include "monitor/service/places.hpp"
-#include "monitor/service/token.hpp"
+#include "web/token.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -24,7 +24,7 @@ class Dispatcher {
 public:
     /// `store` may be null: then nothing is stored. `say` receives messages for the operator. `searches` may be null:
     /// then no movement is given to a netlist. REQUIRES: the limits outlive this object.
-    Dispatcher(Diagnoses& diagnoses, StateStore* store, const ServiceLimits& limits, Token token,
+    Dispatcher(Diagnoses& diagnoses, StateStore* store, const ServiceLimits& limits, web::Token token,
                std::function<void(const std::string&)> say, NetlistSearches* searches = nullptr);
 
     /// Admits a client. If its peer, or all peers together, have too many clients, closes a client that has sent no
@@ -102,7 +102,7 @@ private:
     Diagnoses& diagnoses_;
     LoadMeter meter_;
     const ServiceLimits& limits_;
-    Token token_;
+    web::Token token_;
     std::function<void(const std::string&)> say_;
     Peers peers_;
     MachinePlaces places_;

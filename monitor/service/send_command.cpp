@@ -1,7 +1,7 @@
 #include "monitor/service/send_command.hpp"
 
-#include "monitor/service/token.hpp"
 #include "text/user_error.hpp"
+#include "web/token.hpp"
 
 #include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/io_context.hpp>
@@ -86,7 +86,7 @@ void require_answer(const std::string& name, const std::string& line) {
 std::string ask_service(const ServicePlace& place, const std::string& message) try {
     CommandConnection errand(place);
     if (!place.token_file.empty())
-        errand.ask(json::serialize(json::object{{"type", "token"}, {"token", Token(place.token_file).word()}}));
+        errand.ask(json::serialize(json::object{{"type", "token"}, {"token", web::Token(place.token_file).word()}}));
     return errand.ask(message);
 } catch (const boost::system::system_error& error) {
     throw UserError(fmt::format("cannot send to the monitor: {}", error.code().message()));

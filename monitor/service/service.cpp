@@ -3,12 +3,12 @@
 #include "monitor/protocol/answers.hpp"
 #include "monitor/service/connection.hpp"
 #include "monitor/service/dispatcher.hpp"
-#include "monitor/service/listener.hpp"
 #include "monitor/service/netlist_searches.hpp"
 #include "monitor/service/site.hpp"
 #include "monitor/service/systemd.hpp"
-#include "monitor/service/token.hpp"
 #include "text/user_error.hpp"
+#include "web/listener.hpp"
+#include "web/token.hpp"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -35,10 +35,10 @@ namespace {
 
 constexpr std::chrono::milliseconds tick_period{100};
 
-Token token_for(const ServiceSettings& settings) {
+web::Token token_for(const ServiceSettings& settings) {
     if (!settings.token_file.empty())
-        return Token(settings.token_file);
-    if ((settings.port || settings.http_port) && !is_loopback(settings.address))
+        return web::Token(settings.token_file);
+    if ((settings.port || settings.http_port) && !web::is_loopback(settings.address))
         throw UserError(fmt::format("--address {}: anyone who can reach this address could change the diagnosis "
                                     "of any machine; add --token-file FILE, or use an address of this computer "
                                     "only, such as 127.0.0.1",
@@ -56,17 +56,17 @@ public:
         settings.diagnosis.validate();
         doors_.reserve(3);
         if (settings.port)
-            doors_.push_back(Listener::at_port(io_, settings.address, *settings.port, "--port"));
-        Token token = token_for(settings);
+            doors_.push_back(web::Listener::at_port(io_, settings.address, *settings.port, "--port"));
+        web::Token token = token_for(settings);
         if (!settings.state.empty()) {
             store_.emplace(settings.state, diagnoses_, settings.limits.history);
             if (!store_->said().empty())
                 log_.say(store_->said());
         }
         if (settings.http_port)
-            page_door_.emplace(Listener::at_port(io_, settings.address, *settings.http_port, "--http"));
+            page_door_.emplace(web::Listener::at_port(io_, settings.address, *settings.http_port, "--http"));
         if (!settings.unix_path.empty())
-            doors_.push_back(Listener::at_path(io_, settings.unix_path));
+            doors_.push_back(web::Listener::at_path(io_, settings.unix_path));
         auto say = [this](const std::string& sentence) { log_.say(sentence); };
         if (settings.netlist)
             searches_.emplace(settings.netlist, settings.diagnosis.bits, io_,
@@ -74,7 +74,7 @@ public:
         dispatcher_.emplace(diagnoses_, store_ ? &*store_ : nullptr, settings_.limits, token, say,
                             searches_ ? &*searches_ : nullptr);
         site_.emplace(io_, *dispatcher_, store_ ? &*store_ : nullptr, std::move(token),
-                      HostNames(settings.address, settings.host_names), say);
+                      web::HostNames(settings.address, settings.host_names), say);
         if (store_)
             store_->start([this](WriteProgress progress) {
                 asio::post(io_, [this, progress = std::move(progress)] { dispatcher_->note(progress); });
@@ -93,11 +93,14 @@ public:
     }
 
     void run() {
-        for (Listener& door : doors_)
-            door.open([this](Listener::Socket socket, const Caller& caller) { welcome(std::move(socket), caller); });
+        for (web::Listener& door : doors_)
+            door.open([this](web::Listener::Socket socket, const web::Caller& caller) {
+                welcome(std::move(socket), caller);
+            });
         if (page_door_)
-            page_door_->open(
-                [this](Listener::Socket socket, const Caller& caller) { site_->welcome(std::move(socket), caller); });
+            page_door_->open([this](web::Listener::Socket socket, const web::Caller& caller) {
+                site_->welcome(std::move(socket), caller);
+            });
         if (std::string trouble = tell_systemd("READY=1"); !trouble.empty())
             log_.say(trouble); // reported once: later calls fail for the same reason
         tick();
@@ -133,7 +136,7 @@ private:
         std::unique_ptr<ConnectedClient> client;
     };
 
-    void welcome(Listener::Socket socket, const Caller& caller) {
+    void welcome(web::Listener::Socket socket, const web::Caller& caller) {
         if (stopping_)
             return;
         // A closed connection stays until its client has read the reason, so the number of such connections is limited
@@ -214,7 +217,7 @@ private:
     void stop_now() {
         if (std::exchange(stopping_, true))
             return;
-        for (Listener& door : doors_)
+        for (web::Listener& door : doors_)
             door.close();
         if (page_door_)
             page_door_->close();
@@ -230,8 +233,8 @@ private:
     ServiceSettings settings_;
     Log& log_;
     asio::io_context io_{1};
-    std::vector<Listener> doors_;
-    std::optional<Listener> page_door_;
+    std::vector<web::Listener> doors_;
+    std::optional<web::Listener> page_door_;
     asio::steady_timer ticker_;
     asio::signal_set signals_;
     Diagnoses diagnoses_;

@@ -18,20 +18,22 @@ constexpr const char *json_type = "application/json", *html_type = "text/html; c
 
 } // namespace
 
-Site::Site(boost::asio::io_context& io, Dispatcher& dispatcher, StateStore* store, Token token, HostNames names,
-           std::function<void(const std::string&)> say)
+Site::Site(boost::asio::io_context& io, Dispatcher& dispatcher, StateStore* store, web::Token token,
+           web::HostNames names, std::function<void(const std::string&)> say)
     : io_(io), dispatcher_(dispatcher), store_(store),
-      web_(
-          std::move(token), std::move(names),
-          [this](const std::string& path, const std::string& query, bool trusted, const Web::Reply& reply) {
-              answer(path, query, trusted, reply);
+      server_(
+          {.realm = "placedpar monitor", .token = std::move(token), .names = std::move(names)},
+          [this](const web::Request& request, const web::Reply& reply) {
+              answer(request, reply);
+              return web::Withdraw();
           },
           std::move(say)) {}
 
-void Site::answer(const std::string& path, const std::string& query, bool trusted, const Web::Reply& reply) {
+void Site::answer(const web::Request& request, const web::Reply& reply) {
+    const std::string& path = request.path;
     if (path == "/healthz")
         reply(health());
-    else if (!trusted)
+    else if (!request.trusted)
         reply({401, "text/plain; charset=utf-8",
                "token required, as Bearer, or as the Basic password with any user name\n"});
     else if (path == "/")
@@ -41,13 +43,13 @@ void Site::answer(const std::string& path, const std::string& query, bool truste
     else if (path == "/metrics")
         reply({200, metrics_type, metrics_text(dispatcher_.snapshot())});
     else if (path == "/history")
-        answer_history(query, reply);
+        answer_history(request.query, reply);
     else
         reply({404, "text/plain; charset=utf-8",
                "not found; the pages are /, /snapshot, /history, /metrics and /healthz\n"});
 }
 
-WebAnswer Site::health() const {
+web::Answer Site::health() const {
     ServiceSnapshot snapshot = dispatcher_.snapshot();
     if (snapshot.kept)
         return {200, "text/plain; charset=utf-8", "ok\n"};
@@ -55,7 +57,7 @@ WebAnswer Site::health() const {
 }
 
 /// Reads the history in the writer's thread, so that the event loop does not wait for the disk.
-void Site::answer_history(const std::string& query, const Web::Reply& reply) {
+void Site::answer_history(const std::string& query, const web::Reply& reply) {
     constexpr std::string_view name = "machine=";
     if (!query.starts_with(name)) {
         reply({400, "text/plain; charset=utf-8", "the request names no machine; expected /history?machine=NAME\n"});
@@ -66,7 +68,7 @@ void Site::answer_history(const std::string& query, const Web::Reply& reply) {
         return;
     }
     store_->look([this, reply, machine = query.substr(name.size())](StateFile& file) {
-        WebAnswer answer{200, json_type, ""};
+        web::Answer answer{200, json_type, ""};
         try {
             History& history = file.history();
             answer.text = history_json(history.estimates(machine, most_rows), history.alarms(machine, most_rows));

@@ -2,7 +2,7 @@
 
 #include "monitor/memory/state_store.hpp"
 #include "monitor/service/dispatcher.hpp"
-#include "monitor/service/web.hpp"
+#include "web/server.hpp"
 
 #include <boost/asio/io_context.hpp>
 
@@ -15,21 +15,23 @@ namespace placedpar::monitor {
 class Site {
 public:
     /// `store` may be null: then there is no history. REQUIRES: all references and `store` outlive this object.
-    Site(boost::asio::io_context& io, Dispatcher& dispatcher, StateStore* store, Token token, HostNames names,
+    Site(boost::asio::io_context& io, Dispatcher& dispatcher, StateStore* store, web::Token token, web::HostNames names,
          std::function<void(const std::string&)> say);
 
-    void welcome(Listener::Socket socket, const Caller& caller) { web_.welcome(std::move(socket), caller); }
-    void close() { web_.close(); }
+    void welcome(web::Listener::Socket socket, const web::Caller& caller) {
+        server_.welcome(std::move(socket), caller);
+    }
+    void close() { server_.close(); }
 
 private:
-    void answer(const std::string& path, const std::string& query, bool trusted, const Web::Reply& reply);
-    WebAnswer health() const;
-    void answer_history(const std::string& query, const Web::Reply& reply);
+    void answer(const web::Request& request, const web::Reply& reply);
+    web::Answer health() const;
+    void answer_history(const std::string& query, const web::Reply& reply);
 
     boost::asio::io_context& io_;
     Dispatcher& dispatcher_;
     StateStore* store_;
-    Web web_;
+    web::Server server_;
 };
 
 } // namespace placedpar::monitor

@@ -8,6 +8,7 @@ such a failure prints, reads this input again.
 """
 
 import base64
+import json
 import os
 import pathlib
 import re
@@ -81,6 +82,8 @@ SEEDS = {
                         for fields in ("", "Authorization: Basic dXNlcjpwYXNzd29yZA==\r\n", "Content-Length: 3\r\n",
                                        "Connection: close\r\nTransfer-Encoding: chunked\r\n")],
     "command": lambda: [b"\n".join(line.split()) for line in matches(r"^\$ placedpar ([^|<>$`\n]+)$", "docs/**/*.md", "examples/**/*.md")],
+    "job": lambda: [json.dumps({"do": do, "main": name, "files": {name: file.read_text()}, "exercise": "1.1"}).encode()
+                    for do in ("check", "run", "exercise") for file in TREE.glob("examples/*/hello/hello.*") if file.suffix in (".cfs", ".occ") for name in [file.name]],
     "requests": lambda: [OPENED + request(tag, STREAM + text(b"some bytes") + bytes(8)) for tag in range(10, 26)]
                         + [request(tag, text(b"file") + text(b"link/etc")) for tag in range(10, 43)]
                         + [OPENED + request(17, STREAM + bytes([0, 8, 0, 0, 1, 0, 0, 0])) + request(13, STREAM + text(b"\x1b[2Jend"))],

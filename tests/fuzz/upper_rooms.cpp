@@ -20,15 +20,16 @@
 #include "monitor/memory/state_file.hpp"
 #include "monitor/protocol/bad_message.hpp"
 #include "monitor/protocol/message.hpp"
-#include "monitor/service/host_names.hpp"
-#include "monitor/service/listener.hpp"
 #include "monitor/service/send_command.hpp"
-#include "monitor/service/token.hpp"
-#include "monitor/service/web.hpp"
 #include "netlist/read.hpp"
+#include "serve/job.hpp"
 #include "tests/fuzz/reader.hpp"
 #include "text/number.hpp"
 #include "text/user_error.hpp"
+#include "web/host_names.hpp"
+#include "web/listener.hpp"
+#include "web/server.hpp"
+#include "web/token.hpp"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/json.hpp>
@@ -167,13 +168,13 @@ void read_population(const std::string& text) {
 
 /// Reads hosts and passwords as browsers send them, the service's names, and its token.
 void read_names(const std::string& text) {
-    monitor::host_in(text);
-    monitor::from_base64(text);
-    attempt_to([&] { monitor::HostNames("127.0.0.1", {text}); });
+    web::host_in(text);
+    web::from_base64(text);
+    attempt_to([&] { web::HostNames("127.0.0.1", {text}); });
     attempt_to([&] {
         const std::string path = file_of(text, "token");
         std::filesystem::permissions(path, std::filesystem::perms::owner_read);
-        require(monitor::Token(path).wanted(), "a token that is taken is wanted");
+        require(web::Token(path).wanted(), "a token that is taken is wanted");
     });
 }
 
@@ -182,11 +183,11 @@ void read_answer(const std::string& line) { monitor::require_answer("monitor", l
 /// Reads addresses for the monitor to listen on. A Unix socket gets its own folder.
 void read_place(const std::string& text) {
     boost::asio::io_context io;
-    attempt_to([&] { monitor::Listener::at_port(io, text, 0, "--port"); });
+    attempt_to([&] { web::Listener::at_port(io, text, 0, "--port"); });
     const std::string folder = std::filesystem::path(file_of("", "file")).parent_path();
     std::string name = text;
     std::ranges::replace(name, '/', '_');
-    attempt_to([&] { monitor::Listener::at_path(io, folder + "/" + name); });
+    attempt_to([&] { web::Listener::at_path(io, folder + "/" + name); });
 }
 
 /// The input is everything that one connection sends before it closes.
@@ -195,14 +196,15 @@ void read_request(const std::string& all) {
     int ends[2];
     require(::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) == 0, "there are sockets");
     boost::asio::io_context io;
-    monitor::Web web(
-        {}, monitor::HostNames("127.0.0.1", {}),
-        [](const std::string& path, const std::string&, bool, const monitor::Web::Reply& reply) {
-            reply({200, "text/plain", path});
+    web::Server server(
+        {.realm = "a test", .token = {}, .names = web::HostNames("127.0.0.1", {}), .most_body_bytes = 100},
+        [](const web::Request& request, const web::Reply& reply) {
+            reply({200, "text/plain", request.path + request.body});
+            return web::Withdraw();
         },
         [](const std::string&) {});
-    monitor::Listener::Socket socket(io, monitor::Listener::Socket::protocol_type(AF_UNIX, 0), ends[0]);
-    web.welcome(std::move(socket), {"loopback", "a test", "127.0.0.1"});
+    web::Listener::Socket socket(io, web::Listener::Socket::protocol_type(AF_UNIX, 0), ends[0]);
+    server.welcome(std::move(socket), {"loopback", "a test", "127.0.0.1"});
     for (std::size_t sent = 0; sent < text.size();) {
         const ssize_t more = ::send(ends[1], text.data() + sent, text.size() - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
         if (more < 0)
@@ -216,6 +218,12 @@ void read_request(const std::string& all) {
     const ssize_t answered = ::recv(ends[1], begin, sizeof begin, MSG_DONTWAIT);
     ::close(ends[1]);
     require(answered <= 0 || std::string_view(begin, sizeof begin) == "HTTP/", "what is answered is HTTP");
+}
+
+/// Reads a job as the process of a run does, after it has confined itself. A run is interrupted after a second.
+void read_job(const std::string& text) {
+    const std::string answer = serve::answer_of(text, {.seconds = 1});
+    require(boost::json::parse(answer).is_object(), "the answer of a job is an object");
 }
 
 /// Hides everything written to the standard streams while it exists.
@@ -339,6 +347,7 @@ std::span<const Reader> readers() {
                                  {"answer", read_answer},
                                  {"places", read_place},
                                  {"request", read_request},
+                                 {"job", read_job},
                                  {"command", read_words}};
     return all;
 }

@@ -38,7 +38,7 @@ struct MadeUpWorld {
     std::vector<std::deque<RankParcel>> parcels; ///< by the receiving rank
     std::vector<std::deque<Ranks::Message>> texts;
     std::size_t parcels_sent = 0;
-    NativeTrace* trace = nullptr; ///< records the run
+    NativeTrace* trace = nullptr;                                                               ///< records the run
     std::function<void(std::vector<std::uint8_t>&)> damage = [](std::vector<std::uint8_t>&) {}; ///< of each letter
 
     explicit MadeUpWorld(int ranks)
@@ -155,8 +155,8 @@ enum class Interrupted { none, last, all };
 
 struct RankCase {
     Interrupted interrupted = Interrupted::none;
-    bool sends_notes = false; ///< each rank above 0 sends two notes
-    bool balances = false;    ///< places by loads, as an interrupted simulation gives them: each rank has others
+    bool sends_notes = false;     ///< each rank above 0 sends two notes
+    bool balances = false;        ///< places by loads, as an interrupted simulation gives them: each rank has others
     NativeTrace* trace = nullptr; ///< records the run
     std::function<void(std::vector<std::uint8_t>&)> damage = [](std::vector<std::uint8_t>&) {};
 };

@@ -36,7 +36,7 @@ struct Restarted {
             state.samples = samples;
             diagnoses.add(std::move(state));
         }
-        dispatcher = std::make_unique<Dispatcher>(diagnoses, nullptr, limits, Token(), [](const std::string&) {});
+        dispatcher = std::make_unique<Dispatcher>(diagnoses, nullptr, limits, web::Token(), [](const std::string&) {});
     }
     HeardClient& hello(const std::string& machine, const std::string& peer) {
         HeardClient& client = *clients.emplace_back(std::make_unique<HeardClient>(peer));

@@ -1,4 +1,4 @@
-#include "monitor/service/token.hpp"
+#include "web/token.hpp"
 
 #include "text/user_error.hpp"
 
@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace placedpar::monitor {
+namespace placedpar::web {
 
 namespace fs = std::filesystem;
 
@@ -39,4 +39,4 @@ bool Token::is(std::string_view word) const {
     return different == 0;
 }
 
-} // namespace placedpar::monitor
+} // namespace placedpar::web

@@ -1,7 +1,7 @@
-#include "monitor/service/host_names.hpp"
+#include "web/host_names.hpp"
 
-#include "monitor/service/listener.hpp"
 #include "text/user_error.hpp"
+#include "web/listener.hpp"
 
 #include <boost/asio/ip/address.hpp>
 #include <boost/asio/ip/host_name.hpp>
@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace placedpar::monitor {
+namespace placedpar::web {
 
 namespace asio = boost::asio;
 using boost::system::error_code;
@@ -51,6 +51,18 @@ std::optional<std::string> host_in(std::string_view field) {
     return name;
 }
 
+namespace {
+
+std::string name_of_option(const std::string& typed) {
+    for (const std::string& field : {typed, fmt::format("[{}]", typed)})
+        if (auto name = host_in(field))
+            return *name;
+    throw UserError(
+        fmt::format("--host-name {}: expected the name of a computer, such as digger.example, or an address", typed));
+}
+
+} // namespace
+
 HostNames::HostNames(const std::string& address, const std::vector<std::string>& further) {
     error_code error;
     asio::ip::address listens = asio::ip::make_address(address, error);
@@ -61,17 +73,8 @@ HostNames::HostNames(const std::string& address, const std::vector<std::string>&
     if (!listens.is_loopback())
         if (auto name = host_in(asio::ip::host_name(error)))
             names_.insert(*name);
-    for (const std::string& each : further) {
-        auto name = host_in(each);
-        if (!name)
-            name = host_in(fmt::format("[{}]", each));
-        if (!name)
-            throw UserError(
-                fmt::format("--host-name {}: expected the name of a computer, such as digger.example, or an "
-                            "address",
-                            each));
-        names_.insert(*name);
-    }
+    for (const std::string& each : further)
+        names_.insert(name_of_option(each));
 }
 
-} // namespace placedpar::monitor
+} // namespace placedpar::web

@@ -1,4 +1,4 @@
-#include "app/exercise/student_run.hpp"
+#include "explore/exercise/student_run.hpp"
 
 #include "explore/problems.hpp"
 #include "iserver/terminal.hpp"
@@ -17,6 +17,8 @@ namespace {
 
 constexpr std::chrono::seconds longest_run{10};
 constexpr std::size_t most_output = 65536;
+constexpr std::uint64_t other_orders = 20; ///< number of orders of processes that a solution is tried in, besides the
+                                           ///< usual one
 
 StudentRun::End end_of(const RunReport& report, bool too_much) {
     if (too_much)
@@ -32,14 +34,16 @@ StudentRun::End end_of(const RunReport& report, bool too_much) {
     return StudentRun::End::interrupted;
 }
 
-std::string_view without_blanks(std::string_view text) { return text.substr(0, text.find_last_not_of(" \t\r") + 1); }
+std::string_view without_last_blanks(std::string_view text) {
+    return text.substr(0, text.find_last_not_of(" \t\r") + 1);
+}
 
 /// Returns the lines without blanks at their ends, and without empty lines at the end.
-std::vector<std::string_view> lines_of(std::string_view text) {
+std::vector<std::string_view> printed_lines(std::string_view text) {
     std::vector<std::string_view> lines;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
-        lines.push_back(without_blanks(text.substr(0, end)));
+        lines.push_back(without_last_blanks(text.substr(0, end)));
         text.remove_prefix(std::min(end + 1, text.size()));
     }
     while (!lines.empty() && lines.back().empty())
@@ -49,7 +53,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
 
 /// Says how the output differs from what is expected; "" if it does not.
 std::string difference(const std::string& output, const std::string& expected) {
-    const auto printed = lines_of(output), wanted = lines_of(expected);
+    const auto printed = printed_lines(output), wanted = printed_lines(expected);
     const auto [at, other] = std::ranges::mismatch(wanted, printed);
     const auto line = at - wanted.begin() + 1;
     if (at != wanted.end() && other != printed.end())
@@ -87,7 +91,7 @@ StudentRun run_student_program(const Network& network, std::optional<std::uint64
 }
 
 std::string what_is_wrong(const StudentRun& made, const std::string& expected) {
-    const std::string printed = fmt::format("after {} of output", counted(lines_of(made.output).size(), "line"));
+    const std::string printed = fmt::format("after {} of output", counted(printed_lines(made.output).size(), "line"));
     switch (made.end) {
     case StudentRun::End::completed: return difference(made.output, expected);
     case StudentRun::End::failed: return fmt::format("the program {}, {}", made.state, printed);
@@ -102,6 +106,26 @@ std::string what_is_wrong(const StudentRun& made, const std::string& expected) {
     case StudentRun::End::interrupted: break;
     }
     return "";
+}
+
+std::string SolutionVerdict::text() const {
+    return wrong.empty() ? fmt::format("solved; also in {} other orders of its processes", other_orders)
+                         : "not solved: " + wrong;
+}
+
+SolutionVerdict check_solution(const Network& network, const Exercise& exercise, Interruption& interruption) {
+    for (std::uint64_t order = 0; order <= other_orders; ++order) {
+        const StudentRun made =
+            run_student_program(network, order == 0 ? std::nullopt : std::optional(order), interruption);
+        std::string wrong = what_is_wrong(made, exercise.expected);
+        if (order > 0 && !wrong.empty())
+            wrong = fmt::format("it is right in the usual order of its processes, but not in all orders\nwith "
+                                "--shuffle {}, {}",
+                                order, wrong);
+        if (!wrong.empty() || made.end == StudentRun::End::interrupted)
+            return {made.end, wrong};
+    }
+    return {StudentRun::End::completed, ""};
 }
 
 } // namespace placedpar

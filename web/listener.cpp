@@ -1,4 +1,4 @@
-#include "monitor/service/listener.hpp"
+#include "web/listener.hpp"
 
 #include "text/user_error.hpp"
 
@@ -15,7 +15,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace placedpar::monitor {
+namespace placedpar::web {
 
 namespace asio = boost::asio;
 using asio::ip::tcp;
@@ -91,6 +91,10 @@ bool is_loopback(const std::string& address) {
     return !error && plain_address(parsed).is_loopback();
 }
 
+std::string address_in_url(const std::string& address) {
+    return address.find(':') == address.npos ? address : fmt::format("[{}]", address);
+}
+
 Listener Listener::at_port(asio::io_context& io, const std::string& address, std::uint16_t port,
                            const std::string& option) {
     error_code error;
@@ -154,12 +158,15 @@ void Listener::accept() {
             accept();
             return;
         }
-        retry_.expires_after(std::chrono::milliseconds(100)); // most likely too many files are open; some client will
-                                                              // leave
-        retry_.async_wait([this](const error_code&) {
-            if (acceptor_.is_open())
-                accept();
-        });
+        accept_later(); // most likely too many files are open; some client will leave
+    });
+}
+
+void Listener::accept_later() {
+    retry_.expires_after(std::chrono::milliseconds(100));
+    retry_.async_wait([this](const error_code&) {
+        if (acceptor_.is_open())
+            accept();
     });
 }
 
@@ -173,4 +180,4 @@ void Listener::close() {
         ::unlink(path_.c_str());
 }
 
-} // namespace placedpar::monitor
+} // namespace placedpar::web

@@ -1,4 +1,4 @@
-#include "explore/check/occam_check.hpp"
+#include "explore/occam_check.hpp"
 
 #include "occam/check/check.hpp"
 #include "occam/library/library.hpp"

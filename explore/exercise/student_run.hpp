@@ -1,5 +1,6 @@
 #pragma once
 
+#include "explore/exercise/course.hpp"
 #include "explore/netlist_run.hpp"
 
 #include <cstdint>
@@ -26,5 +27,16 @@ StudentRun run_student_program(const Network&, std::optional<std::uint64_t> shuf
 /// Says what is wrong with a run in some lines without a newline at the end; "" if nothing is. Blanks at the ends
 /// of lines, and empty lines at the end, are ignored.
 std::string what_is_wrong(const StudentRun&, const std::string& expected);
+
+/// The verdict on a solution of an exercise.
+struct SolutionVerdict {
+    StudentRun::End end; ///< of the run that decided
+    std::string wrong;   ///< some lines; "": solved, or interrupted
+
+    /// Returns "solved; ..." or "not solved: ...". REQUIRES: not interrupted.
+    std::string text() const;
+};
+/// Runs the program in the usual order of its processes and in other orders, until something is wrong.
+SolutionVerdict check_solution(const Network&, const Exercise&, Interruption&);
 
 } // namespace placedpar

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace placedpar::monitor {
+namespace placedpar::web {
 
 /// The word that a client must send to be served. With an empty token every client is served.
 class Token {
@@ -23,4 +23,4 @@ private:
     std::string word_;
 };
 
-} // namespace placedpar::monitor
+} // namespace placedpar::web

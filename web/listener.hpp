@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-namespace placedpar::monitor {
+namespace placedpar::web {
 
 /// Describes the other end of a connection.
 struct Caller {
@@ -48,6 +48,7 @@ public:
 private:
     Listener(boost::asio::io_context& io, Acceptor acceptor) : acceptor_(std::move(acceptor)), retry_(io) {}
     void accept();
+    void accept_later();
 
     Acceptor acceptor_;
     boost::asio::steady_timer retry_;
@@ -62,4 +63,7 @@ boost::asio::ip::address plain_address(const boost::asio::ip::address& address);
 /// Returns whether the address can be reached from this computer only; false if it is not an address.
 bool is_loopback(const std::string& address);
 
-} // namespace placedpar::monitor
+/// Returns the address as a URL needs it: IPv6 in brackets.
+std::string address_in_url(const std::string& address);
+
+} // namespace placedpar::web

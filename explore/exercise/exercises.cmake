@@ -17,7 +17,7 @@ endforeach()
 configure_file(exercise/exercises.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/exercises.cpp @ONLY)
 set(embed ${PROJECT_SOURCE_DIR}/cmake/embed.cmake)
 add_custom_command(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/exercise_texts.cpp
-    COMMAND ${CMAKE_COMMAND} -DOUTPUT=${CMAKE_CURRENT_BINARY_DIR}/exercise_texts.cpp -DHEADER=app/exercise/course.hpp
+    COMMAND ${CMAKE_COMMAND} -DOUTPUT=${CMAKE_CURRENT_BINARY_DIR}/exercise_texts.cpp -DHEADER=explore/exercise/course.hpp
             -DNAMESPACE=placedpar::exercise_texts -P ${embed} ${texts}
     DEPENDS ${embed} ${text_files}
     COMMENT "Embedding the exercises of the course in occam" VERBATIM)

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace placedpar::monitor {
+namespace placedpar::web {
 
 /// Returns the host of a "Host" field or an option, without its port: a name in lower case, or an address in its
 /// shortest form without brackets. An IPv4 address inside IPv6 becomes IPv4. Returns nullopt if the field is neither a
@@ -30,4 +30,4 @@ private:
     std::set<std::string> names_;
 };
 
-} // namespace placedpar::monitor
+} // namespace placedpar::web

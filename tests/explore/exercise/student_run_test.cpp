@@ -1,4 +1,4 @@
-#include "app/exercise/student_run.hpp"
+#include "explore/exercise/student_run.hpp"
 
 #include <doctest/doctest.h>
 

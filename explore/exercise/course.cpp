@@ -1,4 +1,4 @@
-#include "app/exercise/course.hpp"
+#include "explore/exercise/course.hpp"
 
 #include "text/nearest.hpp"
 #include "text/user_error.hpp"

@@ -1,0 +1,67 @@
+#include "explore/explain/answers.hpp"
+
+#include "explore/load.hpp"
+#include "explore/problems.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace placedpar {
+
+namespace {
+
+/// Adds the settings of the user to the changes, except settings that a change replaces.
+Overrides with_set(const Overrides& set, Overrides changes) {
+    changes.merge(Overrides(set));
+    return changes;
+}
+
+/// Reads changed netlists silently, since their warnings have been shown.
+ChangedNetlist reading_with(const ChangedRuns& runs) {
+    return [parsed = runs.parsed, set = runs.set](const Overrides& changes) {
+        return load_network(parsed, with_set(set, changes), known_kinds(known_problems(0)), [](const std::string&) {});
+    };
+}
+
+DeclaredWith declaring_with(const ChangedRuns& runs) {
+    auto problems = std::make_shared<const ProblemRegistry>(known_problems(0)); // the kinds refer to it
+    auto kinds = std::make_shared<const Catalogue>(known_kinds(*problems));
+    return [parsed = runs.parsed, set = runs.set, problems, kinds](const Overrides& changes) {
+        return parsed.read(*kinds, with_set(set, changes)).declared;
+    };
+}
+
+/// Returns why a run with this ending cannot be compared with changed runs; "" if it can.
+std::string why_not_compared(Ending ending) {
+    return ending == Ending::completed
+               ? ""
+               : fmt::format("a comparison needs the time at which the work is done, but this run did not "
+                             "complete ({})",
+                             name_of(ending));
+}
+
+} // namespace
+
+Explanation explanation_of(RunReport report, const CriticalPath& path) {
+    Explanation explanation;
+    explanation.report = std::move(report);
+    explanation.accounts = path.accounts();
+    explanation.waits_at_links = path.waits_at_links();
+    explanation.path = path.parts();
+    explanation.path_too_long = path.too_long();
+    return explanation;
+}
+
+void add_answers(Explanation& explanation, const Network& network, const ChangedRuns& runs,
+                 const Interruption& interruption) {
+    explanation.not_tried = why_not_compared(explanation.report.result.ending);
+    if (!explanation.not_tried.empty())
+        return;
+    const std::vector<Change> changes = changes_of(network, explanation.report, declaring_with(runs));
+    explanation.answers =
+        try_out(changes, explanation.path, {reading_with(runs), runs.seed, runs.until, interruption, runs.progress});
+    explanation.left_out = changes.size() - explanation.answers.size();
+}
+
+} // namespace placedpar

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "explore/explain/explanation.hpp"
+#include "netlist/read.hpp"
+
+#include <cstddef>
+#include <functional>
+
+namespace placedpar {
+
+/// Returns the explanation of a run that the critical path has observed; no change has been tried yet.
+Explanation explanation_of(RunReport, const CriticalPath&);
+
+/// What is needed to run a netlist again with changes.
+struct ChangedRuns {
+    ParsedNetlist parsed;
+    Overrides set; ///< settings of the user; a change may replace them
+    std::uint64_t seed;
+    Time until;
+    std::function<void(std::size_t, std::size_t)> progress; ///< as WhatIfs::progress
+};
+/// Tries out the changes worth trying and adds the answers, or says in `not_tried` why none can be compared.
+void add_answers(Explanation&, const Network&, const ChangedRuns&, const Interruption&);
+
+} // namespace placedpar

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace placedpar::serve {
+
+/// The largest answer of a run, as JSON.
+inline constexpr std::size_t largest_answer_bytes = 24u << 20;
+
+/// The limits of a run. We chose the values.
+struct RunLimits {
+    std::uint64_t seconds = 10;     ///< of time; the run is interrupted then, and killed a little later
+    std::uint64_t megabytes = 1024; ///< of address space, of which the program itself takes about 100
+};
+
+/// Confines this process for ever: from now on it can compute, and read and write what is already open. It cannot open,
+/// create or look for a file, connect, start a program, or exceed the limits. Every other system call fails with an
+/// error. Throws UserError if this computer cannot do so.
+///
+/// A list of forbidden calls was rejected, since new calls of Linux would be allowed. Landlock was rejected, since it
+/// lets a process find out which files exist.
+void confine(const RunLimits&);
+
+} // namespace placedpar::serve

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace placedpar::serve {
+
+/// Texts by their path below a folder, such as "csp/deadlock/deadlock.cfs".
+using Texts = std::map<std::string, std::string>;
+
+/// Reads the netlists, configurations and programs in occam of the folder of examples, and what they include.
+Texts read_examples(const std::filesystem::path& folder);
+
+} // namespace placedpar::serve

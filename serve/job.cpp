@@ -1,0 +1,234 @@
+#include "serve/job.hpp"
+
+#include "explore/check/check_file.hpp"
+#include "explore/exercise/student_run.hpp"
+#include "explore/explain/answers.hpp"
+#include "explore/occam_program.hpp"
+#include "explore/problems.hpp"
+#include "iserver/terminal.hpp"
+#include "observe/page/run_page.hpp"
+#include "observe/trace/trace_fork.hpp"
+#include "occam/configuration/configuration.hpp"
+#include "report/run_report.hpp"
+#include "report/search_log.hpp"
+#include "text/paint.hpp"
+#include "text/texts_in_memory.hpp"
+#include "text/user_error.hpp"
+
+#include <boost/json.hpp>
+#include <fmt/format.h>
+
+#include <sys/prctl.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <iostream>
+#include <iterator>
+#include <new>
+#include <optional>
+
+namespace placedpar::serve {
+
+namespace json = boost::json;
+
+namespace {
+
+constexpr std::size_t most_output_bytes = 256u << 10, largest_page_bytes = 8u << 20; ///< values of our choice
+
+struct Job {
+    std::string task, main, exercise, keys;
+    TextsInMemory files;
+    std::uint64_t seed = 1;
+};
+
+std::string text_in(const json::object& object, const char* name) {
+    const json::value* found = object.if_contains(name);
+    return found ? std::string(found->as_string()) : "";
+}
+
+Job job_of(const std::string& text) {
+    const json::value parsed = json::parse(text);
+    const json::object& object = parsed.as_object();
+    Job job{text_in(object, "do"), text_in(object, "main"), text_in(object, "exercise"), text_in(object, "keys"), {}};
+    for (const auto& [name, content] : object.at("files").as_object())
+        job.files.put(std::string(name), std::string(content.as_string()));
+    if (const json::value* seed = object.if_contains("seed"))
+        job.seed = seed->to_number<std::uint64_t>();
+    return job;
+}
+
+Interruption* interrupted_by_alarm = nullptr; ///< of the job that is being done
+
+/// Requests an interruption after a time, unless this object is destroyed earlier. REQUIRES: no other object of this
+/// class exists.
+class Deadline {
+public:
+    Deadline(Interruption& interruption, std::uint64_t seconds) {
+        interrupted_by_alarm = &interruption;
+        std::signal(SIGALRM, [](int) { interrupted_by_alarm->request(); });
+        set_alarm(seconds);
+    }
+    ~Deadline() { set_alarm(0); }
+    Deadline(const Deadline&) = delete;
+    Deadline& operator=(const Deadline&) = delete;
+
+private:
+    /// Does what alarm() does, by a system call that exists on all computers and that confine() allows.
+    static void set_alarm(std::uint64_t seconds) {
+        const itimerval once{.it_interval = {}, .it_value = {.tv_sec = static_cast<time_t>(seconds), .tv_usec = 0}};
+        ::setitimer(ITIMER_REAL, &once, nullptr);
+    }
+};
+
+struct Loaded {
+    ParsedNetlist parsed;
+    Network network;
+};
+
+/// Reads the netlist, or makes one around a program in occam.
+Loaded load(const Job& job, std::string& warnings) {
+    const WarningSink warn = [&warnings](const std::string& text) { warnings += unpainted(text); };
+    const ProgramMachine machine;
+    ReadOptions read;
+    read.make_netlist = occam::netlist_of_configuration;
+    if (is_occam(job.main))
+        read.compiled[job.main] = compiled_program(job.main, {}, machine, warn);
+    ParsedNetlist parsed = is_occam(job.main)
+                               ? ParsedNetlist::of_text(netlist_around(job.main, machine), job.main, read)
+                               : ParsedNetlist(job.main, read);
+    Network network = load_network(parsed, {}, known_kinds(known_problems(0)), warn);
+    return {std::move(parsed), std::move(network)};
+}
+
+/// Collects what programs print, and ends the run if it is too much.
+class Screen {
+public:
+    explicit Screen(Interruption& interruption) : interruption_(interruption) {}
+
+    std::function<std::shared_ptr<iserver::Terminal>()> terminal(const std::string& keys) {
+        return [this, keys] {
+            return std::make_shared<iserver::ScriptedTerminal>(keys, [this](std::string_view text) { print(text); });
+        };
+    }
+    const std::string& output() const { return output_; }
+
+private:
+    void print(std::string_view text) {
+        output_ += text.substr(0, most_output_bytes - std::min(output_.size(), most_output_bytes));
+        if (output_.size() == most_output_bytes)
+            interruption_.request();
+    }
+
+    Interruption& interruption_;
+    std::string output_;
+};
+
+std::string listings_of(const RunReport& report) {
+    std::string all;
+    for (const ProgramUse& program : report.programs)
+        if (!program.listing.empty())
+            all += fmt::format("{}{}\n{}", all.empty() ? "" : "\n", program.name, program.listing);
+    return all.empty() ? "no processor has executed code: a listing shows a program in occam\n" : all;
+}
+
+void add_page(json::object& answer, RunPage& page, const PageContent& content, std::span<const PathPart> path) {
+    std::string html = page.html(content, path);
+    if (html.size() > largest_page_bytes)
+        answer["page_missing"] =
+            fmt::format("the page of this run has {} Mbyte, at most {} are shown here; \"placedpar "
+                        "run --page\" writes larger ones",
+                        html.size() >> 20, largest_page_bytes >> 20);
+    else
+        answer["page"] = std::move(html);
+}
+
+/// Runs the network; with "explain", also says why the run takes so long.
+void run(const Job& job, Loaded& loaded, Interruption& interruption, json::object& answer) {
+    const Network& network = loaded.network;
+    Screen screen(interruption);
+    loaded.network.host.terminal = screen.terminal(job.keys);
+    loaded.network.host.lists_code = job.task == "listing";
+    CriticalPath path;
+    RunPage page(network, {});
+    TraceFork fork({&path, &page.sink()});
+    GenerationLog searches = log_of(network);
+    RunReport report =
+        run_netlist(network, known_problems(job.seed),
+                    {.seed = job.seed, .trace = &fork, .observer = &searches, .interruption = &interruption});
+    answer["ended"] = name_of(report.result.ending);
+    answer["output"] = screen.output();
+    answer["report"] = print_report(report, network, searches);
+    if (job.task == "listing")
+        answer["listing"] = listings_of(report);
+    const Manifest manifest{"placedpar serve", job.seed, {}};
+    Explanation explanation = explanation_of(std::move(report), path);
+    if (job.task == "explain") {
+        add_answers(explanation, network, {loaded.parsed, {}, job.seed, Time::max(), [](std::size_t, std::size_t) {}},
+                    interruption);
+        answer["explanation"] = print_explanation(explanation, network);
+    }
+    add_page(answer, page, {network, explanation.report, manifest, searches}, explanation.path);
+}
+
+void check_exercise(const Job& job, const Loaded& loaded, Interruption& interruption, json::object& answer) {
+    const SolutionVerdict verdict = check_solution(loaded.network, exercise_of(job.exercise), interruption);
+    const bool interrupted = verdict.end == StudentRun::End::interrupted;
+    answer["ended"] = interrupted ? "interrupted" : verdict.wrong.empty() ? "solved" : "not solved";
+    answer["verdict"] = interrupted ? "the check took too long" : verdict.text();
+}
+
+json::array faults_of(const std::string& main) {
+    CheckOptions options;
+    options.read.make_netlist = occam::netlist_of_configuration;
+    json::array faults;
+    for (const Diagnostic& each : check_file(main, known_kinds(known_problems(0)), options).diagnostics)
+        faults.push_back(diagnostic_json(each));
+    return faults;
+}
+
+json::object answered(const Job& job, Interruption& interruption) {
+    const ReadsFromMemory reading(job.files);
+    json::object answer{{"faults", faults_of(job.main)}};
+    if (job.task == "check")
+        return answer;
+    std::string warnings;
+    try {
+        Loaded loaded = load(job, warnings);
+        if (job.task == "exercise")
+            check_exercise(job, loaded, interruption, answer);
+        else
+            run(job, loaded, interruption, answer);
+    } catch (const UserError& refused) {
+        answer["ended"] = "refused";
+        answer["refused"] = unpainted(refused.what());
+    }
+    answer["warnings"] = warnings;
+    return answer;
+}
+
+} // namespace
+
+std::string answer_of(const std::string& job, const RunLimits& limits) {
+    Interruption interruption;
+    const Deadline deadline(interruption, limits.seconds);
+    try {
+        return json::serialize(answered(job_of(job), interruption));
+    } catch (const std::bad_alloc&) {
+        return json::serialize(json::object{
+            {"ended", "refused"},
+            {"refused", fmt::format("the run needs more memory than the {} Mbyte it may have", limits.megabytes)}});
+    } catch (const std::exception& failed) { // such as a process that fails
+        return json::serialize(json::object{{"ended", "failed"}, {"refused", unpainted(failed.what())}});
+    }
+}
+
+void do_job(const RunLimits& limits) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL); // without the service the answer is useless
+    const std::string job(std::istreambuf_iterator<char>(std::cin), {});
+    confine(limits);
+    std::cout << answer_of(job, limits) << std::endl; // the newline shows that the answer is complete
+}
+
+} // namespace placedpar::serve

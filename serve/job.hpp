@@ -1,0 +1,28 @@
+#pragma once
+
+#include "serve/confinement.hpp"
+
+#include <string>
+
+namespace placedpar::serve {
+
+/// Does one job and returns its answer, both as JSON. A job has these members:
+///
+///   "do"        "check", "run", "explain", "listing" or "exercise"
+///   "main"      the file that is checked or run: a netlist or a configuration, or a program in occam (.occ)
+///   "files"     {name: text}; no other file is read
+///   "seed"      of the run; 1 if it is missing
+///   "exercise"  the number of the exercise that "main" solves
+///   "keys"      the keys that are pressed for a program; none if it is missing
+///
+/// The answer to "check" is {"faults": [...]}. The other answers have "ended" (in one word or some), and of these
+/// members those that the job is about: "faults", "refused" (why there is no run, as the command line prints it),
+/// "output" (of booted programs), "report", "page" (HTML), "explanation", "listing", "verdict".
+///
+/// After `limits.seconds` the run is interrupted, and the answer has what was there by then.
+std::string answer_of(const std::string& job, const RunLimits& limits);
+
+/// Reads a job from standard input, confines this process, and writes the answer to standard output.
+void do_job(const RunLimits& limits);
+
+} // namespace placedpar::serve

@@ -1,0 +1,58 @@
+// Jobs that the server does: each is one request, which waits for its answer. Closing the request ends the job.
+"use strict";
+
+const nameOfPage = crypto.getRandomValues(new Uint32Array(3)).join("-");
+let jobs = 0;
+
+/** Returns the server's answer. Says on the way how many jobs are before this one. */
+async function answerOf(job, signal, says = () => {}) {
+  const name = `${nameOfPage}-${++jobs}`;
+  const watch = setInterval(async () => {
+    const place = await fetch(`/place?${name}`).then(answer => answer.json()).catch(() => ({}));
+    if (place.place > 0)
+      says(`Waiting: ${place.place} before this one.`);
+    else if (place.place === 0)
+      says("Running.");
+  }, 700);
+  try {
+    const response = await fetch(`/job?${name}`, {
+      method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(job), signal,
+    });
+    if (!response.ok)
+      throw new Error((await response.text()).trim());
+    return await response.json();
+  } finally {
+    clearInterval(watch);
+  }
+}
+
+let checking = null, lastCheck = 0;
+
+/** Checks the files a short time after the last change. */
+function checkSoon() {
+  clearTimeout(lastCheck);
+  lastCheck = setTimeout(checkNow, 300);
+}
+
+async function checkNow() {
+  checking?.abort();
+  checking = new AbortController();
+  const files = filesOfPage(), main = mainFile(), { signal } = checking;
+  if (!files[main])
+    return showFaults([]);
+  // Files in occam that the netlist does not use are checked for themselves.
+  const alone = Object.keys(files).filter(name => name !== main && name.endsWith(".occ"));
+  try {
+    const answers = await Promise.all([main, ...alone].map(name => answerOf({ do: "check", main: name, files }, signal)));
+    const found = new Map();
+    for (const fault of answers.flatMap(answer => answer.faults ?? []))
+      found.set(JSON.stringify([fault.file, fault.line, fault.column, fault.message]), fault);
+    showFaults([...found.values()]);
+  } catch (error) {
+    if (error.name !== "AbortError")
+      byId("status").textContent = `The program cannot be checked: ${error.message}`;
+  }
+}
+
+for (const editor of Object.values(editors))
+  editor.on("change", checkSoon);

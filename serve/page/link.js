@@ -1,0 +1,21 @@
+// A link that holds the programs: JSON, deflated, in base64 for addresses (RFC 4648, 5), behind "#".
+"use strict";
+
+async function through(stream, bytes) {
+  return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
+}
+
+async function fragmentOf(state) {
+  const bytes = await through(new CompressionStream("deflate-raw"), new TextEncoder().encode(JSON.stringify(state)));
+  let text = "";
+  for (const byte of bytes)
+    text += String.fromCharCode(byte);
+  return "#" + btoa(text).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+}
+
+/** Throws if the fragment is not that of a link. */
+async function stateOf(fragment) {
+  const text = atob(fragment.slice(1).replaceAll("-", "+").replaceAll("_", "/"));
+  const bytes = Uint8Array.from(text, letter => letter.charCodeAt(0));
+  return JSON.parse(new TextDecoder().decode(await through(new DecompressionStream("deflate-raw"), bytes)));
+}

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "serve/runs.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace placedpar::serve {
+
+struct ServiceSettings {
+    std::string address = "127.0.0.1";
+    std::uint16_t port = 8080;           ///< 0: any free port
+    std::string token_file;              ///< empty: no token is required
+    std::vector<std::string> host_names; ///< by which browsers may call the service, besides those of `address`
+    std::string keep;                    ///< folder in which programs that are run are stored; empty: nothing is stored
+    std::filesystem::path examples;      ///< folder
+    QueueLimits queue;
+};
+
+/// The page on which netlists and programs in occam are edited and run.
+class Service {
+public:
+    /// Listens. `say` receives messages for the operator. Throws UserError if the address, the port, the token or a
+    /// folder cannot be used, or if other computers could connect without a token.
+    Service(const ServiceSettings&, std::function<void(const std::string&)> say);
+    ~Service();
+
+    std::uint16_t port() const;
+    /// Serves until SIGINT or SIGTERM arrives.
+    void run();
+
+private:
+    class Loop;
+    std::unique_ptr<Loop> loop_;
+};
+
+} // namespace placedpar::serve

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "serve/examples.hpp"
+#include "serve/runs.hpp"
+#include "web/server.hpp"
+
+#include <boost/json/fwd.hpp>
+
+#include <cstdint>
+#include <string>
+
+namespace placedpar::serve {
+
+/// Answers the paths that browsers request. "/" is the page; "/examples", "/exercises" and "/catalogue" are its data.
+/// A POST to "/job?NAME" has a job (serve/job.hpp) with the files of the page, and waits for the answer; "/place?NAME"
+/// is the number of jobs before that one. "/healthz" alone needs no token.
+class Site {
+public:
+    /// `keep`: the folder in which jobs other than checks are stored; "": nowhere.
+    Site(Runs& runs, Texts examples, std::string keep);
+
+    /// See web::Server::Handler.
+    web::Withdraw answer(const web::Request&, const web::Reply&);
+
+private:
+    web::Answer data(const web::Request&) const;
+    web::Withdraw begin(const web::Request&, const web::Reply&);
+    /// Returns the job with the examples among its files. Throws std::exception if it is not a job.
+    std::string completed(const std::string& body, bool& is_check) const;
+    void keep(const std::string& job, const std::string& answer);
+
+    Runs& runs_;
+    Texts examples_;
+    std::string keep_;
+    std::uint64_t kept_ = 0;
+    std::string page_, examples_json_, exercises_json_, catalogue_json_;
+};
+
+} // namespace placedpar::serve

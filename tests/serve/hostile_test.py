@@ -1,0 +1,118 @@
+"""Tests that hostile requests harm nothing: each is refused, and afterwards the service works as before."""
+
+import json
+import os
+import random
+import socket
+import unittest
+
+from serving import SECONDS, ServiceTest
+
+RING = "csp/deadlock/ring.cfs"
+SEED = int(os.environ.get("PLACEDPAR_SEED", "1"))
+REQUESTS = int(os.environ.get("PLACEDPAR_REQUESTS", "1500"))
+WORDS = ["GET", "POST", "PUT", "TRACE", "/", "/job", "/examples", "/../../etc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "/place?" + "x" * 5000,
+         "//etc/passwd", "/job?<script>", "http://evil.example/", "\0", "\r\n", " ", "HTTP/1.1", "HTTP/9.9", "Host: localhost", "Host: evil.example",
+         "Host: localhost\r\nHost: localhost", "Origin: http://evil.example", "Content-Type: application/json", "Content-Type: text/plain",
+         "Content-Length: 5", "Content-Length: -1", "Content-Length: 99999999999", "Transfer-Encoding: chunked", "\xff\xfe", "{", '{"do":', "[" * 3000,
+         "ffffffffffffffff\r\n", "Cookie: " + "a" * 9000, "Authorization: Basic !!!!", "Expect: 100-continue", "Connection: Upgrade", "a: b\r\n" * 300]
+
+
+class Hostile(ServiceTest):
+    def raw(self, data):
+        """Returns what the service answers to these bytes, after which nothing is sent."""
+        with socket.create_connection((self.service.host, self.service.port), SECONDS) as connection:
+            try:
+                connection.sendall(data)
+                connection.shutdown(socket.SHUT_WR)
+                return b"".join(iter(lambda: connection.recv(65536), b""))
+            except OSError:
+                return b""  # the service has closed the connection
+
+    def tearDown(self):
+        self.assertEqual(self.service.answer("run", RING)["ended"], "deadlock")
+        self.assertEqual(list(self.folder.iterdir()), [])
+        self.assertEqual(self.service.stop(), (0, ""))
+
+    def test_only_requests_of_its_own_page_are_done(self):
+        job = json.dumps({"do": "run", "main": "a.cfs", "files": {"a.cfs": "T800 t;"}})
+        own = f"http://127.0.0.1:{self.service.port}"
+        for headers, status in (({"Content_Type": "application/json"}, 200), ({"Content_Type": "application/json", "Origin": own}, 200),
+                                ({"Content_Type": "application/json", "Origin": "http://evil.example"}, 403),
+                                ({"Content_Type": "application/json", "Origin": "http://127.0.0.1:1"}, 403),
+                                ({"Content_Type": "application/json", "Origin": "null"}, 403), ({"Content_Type": "text/plain"}, 415), ({}, 415),
+                                ({"Content_Type": "application/json", "Host": "evil.example"}, 421)):
+            self.assertEqual(self.service.ask("POST", "/job", job, **headers)[0], status, headers)
+
+    def test_only_paths_of_the_table_exist(self):
+        for path in ("/../serve.cpp", "/%2e%2e/%2e%2e/etc/passwd", "/examples/../../../etc/passwd", "//etc/passwd", "/examples/", "/job", "/page.js"):
+            self.assertEqual(self.service.ask("GET", path)[0], 404, path)
+        self.assertEqual(self.service.ask("POST", "/examples", "{}", Content_Type="application/json")[0], 405)
+        status, headers, text = self.service.ask("GET", "/")
+        self.assertEqual((status, headers["X-Content-Type-Options"]), (200, "nosniff"))
+        self.assertIn("default-src 'none'", headers["Content-Security-Policy"])
+        self.assertNotRegex(text, r'(src|href)\s*=\s*"(http|//)')
+
+    def test_what_is_not_a_job_is_refused(self):
+        files = {"a.cfs": ""}
+        for job in (None, [], {}, "x", {"do": "run"}, {"do": "rm", "main": "a.cfs", "files": files}, {"do": "run", "main": "b.cfs", "files": files},
+                    {"do": "run", "main": "a.cfs", "files": {"a.cfs": 1}}, {"do": "run", "main": "../a.cfs", "files": {"../a.cfs": ""}},
+                    {"do": "run", "main": "/a.cfs", "files": {"/a.cfs": ""}}, {"do": "run", "main": "a.cfs", "files": files, "seed": "x"},
+                    {"do": "run", "main": "a.cfs", "files": {f"{i}.cfs": "" for i in range(30)} | files}, {"do": "run", "main": 1, "files": files}):
+            status, _, text = self.service.post(job)
+            self.assertEqual(status, 400, job)
+            self.assertIn("not a job: ", text)
+        self.assertEqual(self.service.ask("POST", "/job", "[" * 100000, Content_Type="application/json")[0], 400)
+        self.assertIn(b" 413 ", self.raw(b"POST /job HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 2000000\r\n\r\n"))
+
+    def test_scripts_in_names_stay_text(self):
+        name = "<script>alert(1)</script>.cfs"
+        text = 'T800 (memory = 1M) t;\nprocess p;\nuse "</script><script>alert(2)</script>" for p;'
+        _, headers, _ = self.service.post({"do": "check", "main": name, "files": {name: text}})
+        self.assertEqual(headers["Content-Type"], "application/json")
+        answer = self.service.answer("run", name, {name: (
+            "T800 (memory = 1M) t;\nprocess (interface (input in, output out)) p;\nuse \"csp.identity\" for p;\n"
+            "connect p.out to p.in;\nplace p on t;")})
+        self.assertEqual(answer["ended"], "deadlock")
+        self.assertNotIn("<script>alert", answer["page"])
+
+    def test_random_requests(self):
+        draw = random.Random(SEED)
+        for i in range(REQUESTS):
+            parts = draw.choices(WORDS, k=draw.randint(1, 8))
+            if draw.random() < 0.6:
+                parts = [f"{draw.choice(WORDS[:4])} {draw.choice(WORDS[4:13])} HTTP/1.1", *parts]
+            data = draw.choice(["\r\n", "\n", " "]).join(parts) + draw.choice(["", "\r\n\r\n", '\r\n\r\n{"do":'])
+            answer = self.raw(data.encode("latin-1"))
+            with self.subTest(again=f"PLACEDPAR_SEED={SEED}", request=i, data=data):
+                self.assertTrue(answer == b"" or answer.startswith(b"HTTP/1."), answer)
+                self.assertNotIn(b"root:", answer)
+        self.assertLess(self.service.memory_megabytes(), 200)
+
+    def test_slow_clients_keep_nothing_from_others(self):
+        slow = []
+        for i in range(300):
+            connection = socket.create_connection((self.service.host, self.service.port), SECONDS)
+            connection.sendall(b"POST /job HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 1000\r\n\r\n{"[:40 + i])
+            slow.append(connection)
+        self.assertEqual(self.service.answer("run", RING)["ended"], "deadlock")
+        for connection in slow:
+            connection.close()
+
+
+class WithToken(ServiceTest):
+    def test_other_addresses_need_the_token(self):
+        token = self.folder / "token"
+        token.write_text("correct-horse-battery")
+        token.chmod(0o600)
+        service = self.serve("--address", "127.0.0.2", "--token-file", token)
+        for path in ("/", "/examples", "/place?x"):
+            status, headers, _ = service.ask("GET", path)
+            self.assertEqual((status, headers["WWW-Authenticate"]), (401, 'Basic realm="placedpar serve", Bearer'))
+            self.assertEqual(service.ask("GET", path, Authorization="Bearer correct-horse-battery")[0], 200)
+        self.assertEqual(service.post({"do": "run"})[0], 401)
+        self.assertEqual(service.ask("GET", "/healthz")[0], 200)
+
+
+if __name__ == "__main__":
+    unittest.main()

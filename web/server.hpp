@@ -1,0 +1,81 @@
+#pragma once
+
+#include "web/host_names.hpp"
+#include "web/listener.hpp"
+#include "web/token.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
+
+namespace placedpar::web {
+
+/// A request of a browser that is meant for this service.
+struct Request {
+    bool posts = false; ///< POST; otherwise GET or HEAD
+    std::string path;   ///< such as "/history"
+    std::string query;  ///< what follows "?", such as "machine=digger-7"
+    std::string body;   ///< JSON; "" unless the request posts
+    bool trusted;       ///< the client has sent the token, or none is required
+};
+
+struct Answer {
+    unsigned status = 200;
+    std::string type = "text/plain; charset=utf-8"; ///< content type
+    std::string text;
+};
+
+struct ServerSettings {
+    std::string realm; ///< the service's name in a browser's prompt for the token
+    Token token;
+    HostNames names;
+    std::size_t most_body_bytes = 0; ///< of a POST; 0: POST is refused, so that no request can change anything
+    std::size_t most_sessions = 256, most_sessions_of_peer = 64; ///< values of our choice
+    /// The content security policy: by default, content and requests from this service only. Other pages must not embed
+    /// the service's page.
+    std::string policy = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; "
+                         "connect-src 'self'; img-src 'self' data:; frame-ancestors 'none'";
+};
+
+/// Gives the answer of a request. Must be called at most once; without effect if the client has gone.
+using Reply = std::function<void(Answer)>;
+/// Learns that the client has gone before the answer was ready.
+using Withdraw = std::function<void()>;
+
+/// Serves browsers and other HTTP clients. A POST must carry JSON, and if a browser sends it, it must come from the
+/// service's own page. All functions are called from the loop's only thread.
+class Server {
+public:
+    /// Answers a request, immediately or later. May return an empty function.
+    using Handler = std::function<Withdraw(const Request&, Reply)>;
+
+    /// `say` receives messages for the operator.
+    Server(ServerSettings settings, Handler handler, std::function<void(const std::string&)> say)
+        : settings_(std::move(settings)), handler_(std::move(handler)), say_(std::move(say)) {}
+
+    /// Accepts a connection. If there are too many connections, the peer with the most connections loses the connection
+    /// that has waited longest.
+    void welcome(Listener::Socket socket, const Caller& caller);
+    void close();
+
+private:
+    class Session;
+    friend class Session;
+
+    /// Returns whether the field "Authorization" contains the token, either as a Bearer token or as the password of a
+    /// Basic login with any user name. Browsers can prompt for such a login.
+    bool trusts(const std::string& authorization) const;
+    void make_place(const std::string& peer);
+
+    ServerSettings settings_;
+    Handler handler_;
+    std::function<void(const std::string&)> say_;
+    std::set<std::shared_ptr<Session>> sessions_;
+};
+
+/// Decodes base64 (RFC 4648) up to the first character that is not base64.
+std::string from_base64(std::string_view text);
+
+} // namespace placedpar::web
