@@ -1,5 +1,6 @@
 #include "python/module/network.hpp"
 #include "python/module/operation.hpp"
+#include "python/module/search.hpp"
 #include "text/user_error.hpp"
 
 /// The part of the package that calls the rooms. python/placedpar/ has what users see.
@@ -16,4 +17,5 @@ PYBIND11_MODULE(_core, module) {
     });
     add_operations(module);
     add_networks(module);
+    add_searches(module);
 }

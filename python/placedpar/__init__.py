@@ -11,3 +11,4 @@ from ._core import version as __version__
 from .errors import Deadlock, Error, NetlistError, NetlistWarning, ProcessError
 from .network import Drawing, Network, Page, Run, load
 from .process import *
+from .search import Found, search
