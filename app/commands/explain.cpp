@@ -5,7 +5,7 @@
 #include "app/recorders.hpp"
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
-#include "explore/explain/explanation.hpp"
+#include "explore/explain/explain.hpp"
 #include "explore/load.hpp"
 #include "explore/prediction/native_netlist.hpp"
 #include "explore/problems.hpp"
@@ -23,6 +23,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 namespace placedpar {
 
@@ -50,28 +51,6 @@ void require_path_format(const std::filesystem::path& path) {
             "{}: a timeline with the critical path can be written only as .json, for ui.perfetto.dev", path.string()));
 }
 
-/// Adds the settings of --set to the changes, except settings that a change replaces.
-Overrides with_set(const TypedNetlist& netlist, Overrides changes) {
-    changes.merge(Overrides(netlist.set));
-    return changes;
-}
-
-/// Reads changed netlists silently, since their warnings have been shown.
-ChangedNetlist reading_with(const TypedNetlist& netlist) {
-    return [netlist](const Overrides& changes) {
-        return load_network(netlist.parsed, with_set(netlist, changes), known_kinds(known_problems(0)),
-                            [](const std::string&) {});
-    };
-}
-
-DeclaredWith declaring_with(const TypedNetlist& netlist) {
-    auto problems = std::make_shared<const ProblemRegistry>(known_problems(0)); // the kinds refer to it
-    auto kinds = std::make_shared<const Catalogue>(known_kinds(*problems));
-    return [netlist, problems, kinds](const Overrides& changes) {
-        return netlist.parsed.read(*kinds, with_set(netlist, changes)).declared;
-    };
-}
-
 /// The observers of a run.
 struct Listeners {
     Listeners(const Network& network, const RecordedFiles& files)
@@ -84,18 +63,13 @@ struct Listeners {
 
 Explanation run_explained(const Network& network, const ExplainOptions& options, Listeners& listeners,
                           Interruption& interruption) {
-    Explanation explanation;
-    explanation.report = run_netlist(network, known_problems(options.seed),
-                                     {.seed = options.seed,
-                                      .until = options.until,
-                                      .trace = listeners.recorders.sink(),
-                                      .observer = &listeners.searches,
-                                      .interruption = &interruption});
-    explanation.accounts = listeners.path.accounts();
-    explanation.waits_at_links = listeners.path.waits_at_links();
-    explanation.path = listeners.path.parts();
-    explanation.path_too_long = listeners.path.too_long();
-    return explanation;
+    RunReport report = run_netlist(network, known_problems(options.seed),
+                                   {.seed = options.seed,
+                                    .until = options.until,
+                                    .trace = listeners.recorders.sink(),
+                                    .observer = &listeners.searches,
+                                    .interruption = &interruption});
+    return explanation_of(std::move(report), listeners.path);
 }
 
 void require_outputs(const ExplainOptions& options) {
@@ -112,29 +86,12 @@ void write_output(const Explanation& explanation, const Network& network, const 
         write_whole(options.json, print_pretty(explanation_json(explanation, network)));
 }
 
-/// Returns why a run with this ending cannot be compared with changed runs; "" if it can.
-std::string why_not_compared(Ending ending) {
-    return ending == Ending::completed
-               ? ""
-               : fmt::format("a comparison needs the time at which the work is done, but this run did not "
-                             "complete ({})",
-                             name_of(ending));
-}
-
 void add_answers(Explanation& explanation, const Network& network, const ExplainOptions& options,
                  const Interruption& interruption) {
-    explanation.not_tried = why_not_compared(explanation.report.result.ending);
-    if (!explanation.not_tried.empty())
-        return;
     ProgressLine line;
-    auto progress = [&](std::size_t done, std::size_t all) {
-        line.show(fmt::format("what if: {} of {} runs", done, all));
-    };
     const TypedNetlist netlist = parse_netlist(options.netlist, [](const std::string&) {});
-    std::vector<Change> changes = changes_of(network, explanation.report, declaring_with(netlist));
-    explanation.answers = try_out(changes, explanation.path,
-                                  {reading_with(netlist), options.seed, options.until, interruption, progress});
-    explanation.left_out = changes.size() - explanation.answers.size();
+    add_answers(explanation, network, {netlist.parsed, netlist.set}, options.seed, options.until, interruption,
+                [&](std::size_t done, std::size_t all) { line.show(fmt::format("what if: {} of {} runs", done, all)); });
 }
 
 /// Returns the exit code of an interruption if changes were left untried; otherwise the exit code of the run.

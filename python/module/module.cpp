@@ -1,6 +1,7 @@
 #include "python/module/network.hpp"
 #include "python/module/operation.hpp"
 #include "python/module/search.hpp"
+#include "python/module/study.hpp"
 #include "text/user_error.hpp"
 
 /// The part of the package that calls the rooms. python/placedpar/ has what users see.
@@ -18,4 +19,5 @@ PYBIND11_MODULE(_core, module) {
     add_operations(module);
     add_networks(module);
     add_searches(module);
+    add_studies(module);
 }

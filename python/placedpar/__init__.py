@@ -12,3 +12,4 @@ from .errors import Deadlock, Error, NetlistError, NetlistWarning, ProcessError
 from .network import Drawing, Network, Page, Run, load
 from .process import *
 from .search import Found, search
+from .study import Explanation, explain, sweep

@@ -76,6 +76,8 @@ def search(problem, bounds=None, *, islands=1, generations=100, population=None,
     acceptance(fitness, immigrants, random) -> for each immigrant the index of whom it replaces, or None.
     Strings are arrays of bits, real numbers, or places of a permutation. Raises Error for settings that do not fit.
     """
+    if islands == 1 and topology is None:
+        topology = "none"
     numbers = _given(population=population, elite=elite, crossover_probability=crossover_probability,
                      mutation_probability=mutation_probability)
     policies = _given(reproduction=reproduction, crossover=crossover, mutation=mutation, topology=topology,
