@@ -5,6 +5,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -99,14 +100,16 @@ struct CallableTopology : Callable {
 
 struct CallableSchedule : Callable {
     std::size_t every = 3;
-    std::shared_ptr<std::vector<std::size_t>> chosen = std::make_shared<std::vector<std::size_t>>();
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"every", &CallableSchedule::every, 1, 1e6, "generations"});
     }
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const {
         const std::vector<std::size_t> all(neighbours.begin(), neighbours.end());
-        *chosen = call<std::vector<std::size_t>>(exchange, all);
-        return *chosen;
+        const auto chosen = call<std::vector<std::size_t>>(exchange, all);
+        const auto found = std::ranges::search(neighbours, chosen);
+        if (found.size() != chosen.size())
+            throw std::runtime_error("it must return neighbours that stand next to each other in the given list");
+        return {found.begin(), found.end()};
     }
 };
 

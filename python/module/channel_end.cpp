@@ -14,8 +14,9 @@ namespace placedpar::python {
 
 namespace {
 
+/// Throws pybind11::type_error if the object is not a T.
 template <class T>
-T message_from(pybind11::handle object, const AnyChannel& channel, const char* protocol) {
+T cast_or_refuse(pybind11::handle object, const AnyChannel& channel, const char* protocol) {
     try {
         return object.cast<T>();
     } catch (const pybind11::cast_error&) {
@@ -23,6 +24,11 @@ T message_from(pybind11::handle object, const AnyChannel& channel, const char* p
                                        .format(channel.name(), protocol, object)
                                        .cast<std::string>());
     }
+}
+
+template <class T>
+T message_from(pybind11::handle object, const AnyChannel& channel, const char* protocol) {
+    return cast_or_refuse<T>(object, channel, protocol);
 }
 
 template <>
@@ -33,9 +39,20 @@ ObjectMessage message_from(pybind11::handle object, const AnyChannel&, const cha
     return {SharedObject(pybind11::reinterpret_borrow<pybind11::object>(object)), bytes};
 }
 
+template <>
+std::vector<std::uint8_t> message_from(pybind11::handle object, const AnyChannel& channel, const char* protocol) {
+    if (!pybind11::isinstance<pybind11::bytes>(object))
+        return cast_or_refuse<std::vector<std::uint8_t>>(object, channel, protocol);
+    const auto bytes = object.cast<std::string_view>();
+    return {bytes.begin(), bytes.end()};
+}
+
 template <class T>
 pybind11::object object_of(const T& message) {
     return pybind11::cast(message);
+}
+pybind11::object object_of(const std::vector<std::uint8_t>& message) {
+    return pybind11::bytes(reinterpret_cast<const char*>(message.data()), message.size());
 }
 pybind11::object object_of(const ObjectMessage& message) {
     return pybind11::reinterpret_borrow<pybind11::object>(message.object.get());

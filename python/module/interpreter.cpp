@@ -58,15 +58,22 @@ void Interpreter::make_call() noexcept {
     try {
         call_.function(call_.argument);
     } catch (pybind11::error_already_set& error) {
-        const pybind11::object exception = error.value();
-        exception.attr("__traceback__") = error.trace() ? error.trace() : pybind11::none();
-        if (!failure_.get())
-            failure_ = SharedObject(exception);
-        thrown_ = std::make_exception_ptr(std::runtime_error(text_of(exception)));
+        keep(error);
+    } catch (const pybind11::builtin_exception& error) {
+        error.set_error();
+        keep(pybind11::error_already_set());
     } catch (...) {
         thrown_ = std::current_exception();
     }
     is_inside_ = false;
+}
+
+void Interpreter::keep(const pybind11::error_already_set& error) {
+    const pybind11::object exception = error.value();
+    exception.attr("__traceback__") = error.trace() ? error.trace() : pybind11::none();
+    if (!failure_.get())
+        failure_ = SharedObject(exception);
+    thrown_ = std::make_exception_ptr(std::runtime_error(text_of(exception)));
 }
 
 std::string text_of(pybind11::handle exception) {

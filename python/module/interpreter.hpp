@@ -71,6 +71,7 @@ private:
     };
     void call(Call);
     void make_call() noexcept;
+    void keep(const pybind11::error_already_set&);
 
     SharedObject failure_;
     Call call_{};
