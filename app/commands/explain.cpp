@@ -1,3 +1,4 @@
+#include "explore/explain/explain.hpp"
 #include "app/command.hpp"
 #include "app/options/common_options.hpp"
 #include "app/options/native_options.hpp"
@@ -5,7 +6,6 @@
 #include "app/recorders.hpp"
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
-#include "explore/explain/explain.hpp"
 #include "explore/load.hpp"
 #include "explore/prediction/native_netlist.hpp"
 #include "explore/problems.hpp"
@@ -90,8 +90,9 @@ void add_answers(Explanation& explanation, const Network& network, const Explain
                  const Interruption& interruption) {
     ProgressLine line;
     const TypedNetlist netlist = parse_netlist(options.netlist, [](const std::string&) {});
-    add_answers(explanation, network, {netlist.parsed, netlist.set}, options.seed, options.until, interruption,
-                [&](std::size_t done, std::size_t all) { line.show(fmt::format("what if: {} of {} runs", done, all)); });
+    add_answers(
+        explanation, network, {netlist.parsed, netlist.set}, options.seed, options.until, interruption,
+        [&](std::size_t done, std::size_t all) { line.show(fmt::format("what if: {} of {} runs", done, all)); });
 }
 
 /// Returns the exit code of an interruption if changes were left untried; otherwise the exit code of the run.

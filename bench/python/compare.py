@@ -61,25 +61,28 @@ def ring_of_placedpar(processes, rounds):
 
 
 def ring_of_simpy(processes, rounds):
-    import simpy
+    """The same with SimPy 2, which Debian has: a store for one message stands for each channel."""
+    from SimPy.Simulation import Process, Simulation, Store, get, put
 
-    def prefix(store, following):
-        for number in range(rounds):
-            yield following.put(number)
-            yield store.get()
+    class First(Process):
+        def run(self, store, following):
+            for number in range(rounds):
+                yield put, self, following, [number]
+                yield get, self, store, 1
 
-    def relay(store, following):
-        for _ in range(rounds):
-            number = yield store.get()
-            yield following.put(number + 1)
+    class Next(Process):
+        def run(self, store, following):
+            for _ in range(rounds):
+                yield get, self, store, 1
+                yield put, self, following, [self.got[0] + 1]
 
     def run():
-        environment = simpy.Environment()
-        stores = [simpy.Store(environment, 1) for _ in range(processes)]
-        environment.process(prefix(stores[0], stores[1]))
-        for i in range(1, processes):
-            environment.process(relay(stores[i], stores[(i + 1) % processes]))
-        environment.run()
+        simulation = Simulation()
+        stores = [Store(sim=simulation, capacity=1) for _ in range(processes)]
+        for i in range(processes):
+            process = (Next if i else First)(sim=simulation)
+            simulation.activate(process, process.run(stores[i], stores[(i + 1) % processes]))
+        simulation.simulate(until=1)
     return run
 
 

@@ -57,10 +57,10 @@ private:
     py::object result_of_operation();
 
     Interpreter& python_ = Interpreter::current();
-    py::object generator_;  ///< null if a single operation is to be done
-    py::object operation_;  ///< of the generator
+    py::object generator_; ///< null if a single operation is to be done
+    py::object operation_; ///< of the generator
     Operation* now_ = nullptr;
-    py::object result_;     ///< of the generator, once it has ended
+    py::object result_; ///< of the generator, once it has ended
     std::vector<Guard> guards_;
     std::vector<ChannelEnd*> guarded_; ///< for each guard the end that it guards, or null
     std::size_t chosen_ = 0;
@@ -302,8 +302,8 @@ py::object instance_of(py::handle process_class, const ProcessKind& kind, Proces
     instance.attr("seed") = environment.seed();
     instance.attr("_measure_number") = py::cpp_function(
         [&environment](std::string name, double value, std::string unit) { environment.measure(name, value, unit); });
-    instance.attr("_measure_text") = py::cpp_function(
-        [&environment](std::string name, std::string value) { environment.measure(name, value); });
+    instance.attr("_measure_text") =
+        py::cpp_function([&environment](std::string name, std::string value) { environment.measure(name, value); });
     instance.attr("__init__")();
     return instance;
 }
@@ -327,10 +327,10 @@ void run_body(const SharedObject& process_class, const ProcessKind& kind, Proces
 
 PortDescription port_of(py::handle described) {
     const auto protocol = described.attr("protocol").cast<std::string>();
-    PortDescription port = protocol_named(protocol).port(
-        described.attr("name").cast<std::string>(),
-        described.attr("is_output").cast<bool>() ? Direction::output : Direction::input,
-        described.attr("about").cast<std::string>());
+    PortDescription port =
+        protocol_named(protocol).port(described.attr("name").cast<std::string>(),
+                                      described.attr("is_output").cast<bool>() ? Direction::output : Direction::input,
+                                      described.attr("about").cast<std::string>());
     port.optional = described.attr("optional").cast<bool>();
     return port;
 }

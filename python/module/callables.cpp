@@ -168,11 +168,9 @@ void set_policy(IslandsSettings& settings, const std::string& step, const py::ob
     else if (step == "topology")
         settings.topology = step_of<Topology, OwnTopology, CallableTopology>(policy, failure);
     else if (step == "schedule")
-        settings.schedule =
-            step_of<Schedule, OwnSchedule>(policy, failure, &CallableSchedule::every, "every");
+        settings.schedule = step_of<Schedule, OwnSchedule>(policy, failure, &CallableSchedule::every, "every");
     else if (step == "emigration")
-        settings.emigration =
-            step_of<Emigration, OwnEmigration>(policy, failure, &CallableEmigration::count, "count");
+        settings.emigration = step_of<Emigration, OwnEmigration>(policy, failure, &CallableEmigration::count, "count");
     else if (step == "acceptance")
         settings.acceptance = step_of<Acceptance, OwnAcceptance, CallableAcceptance>(policy, failure);
     else

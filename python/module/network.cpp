@@ -96,8 +96,9 @@ private:
 FinishedRun repeated(const LoadedNetwork& network, const FinishedRun& run, TraceSink& sink) {
     FinishedRun again = network.run(run.options, &sink);
     if (again.report.result.fingerprint != run.report.result.fingerprint)
-        throw UserError("the run cannot be recorded, since it has another course each time: a process in Python may use "
-                        "only its messages, its parameters and its random streams");
+        throw UserError(
+            "the run cannot be recorded, since it has another course each time: a process in Python may use "
+            "only its messages, its parameters and its random streams");
     return again;
 }
 
@@ -178,12 +179,10 @@ Catalogue LoadedNetwork::kinds(const ProblemRegistry& problems, SearchObserver* 
 
 FinishedRun LoadedNetwork::run(const RunOptions& options, TraceSink* trace) const {
     GenerationLog log = log_of(network_);
-    const std::string command = "placedpar.load(\"" + settings_.file + "\").run(seed=" + std::to_string(options.seed) + ")";
-    RunSettings settings{.seed = options.seed,
-                         .until = options.until,
-                         .shuffle = options.shuffle,
-                         .trace = trace,
-                         .observer = &log};
+    const std::string command =
+        "placedpar.load(\"" + settings_.file + "\").run(seed=" + std::to_string(options.seed) + ")";
+    RunSettings settings{
+        .seed = options.seed, .until = options.until, .shuffle = options.shuffle, .trace = trace, .observer = &log};
     RunReport report = run_unlocked(settings, options);
     if (PyErr_CheckSignals() != 0)
         throw py::error_already_set();
@@ -216,7 +215,10 @@ void add_networks(py::module_& module) {
                                [](const FinishedRun& run) { return std::string(name_of(run.report.result.ending)); })
         .def_property_readonly("time_ps", [](const FinishedRun& run) { return run.report.result.time.count(); })
         .def_property_readonly("events", [](const FinishedRun& run) { return run.report.result.events; })
-        .def("log_csv", [](const FinishedRun& run) { return log_csv(std::vector<SeededLog>{{run.options.seed, run.log}}); })
+        .def("log_csv",
+             [](const FinishedRun& run) {
+                 return log_csv(std::vector<SeededLog>{{run.options.seed, run.log}});
+             })
         .def("deadlock_text", [](const FinishedRun& run) {
             return run.report.result.deadlock ? run.report.result.deadlock->text() : "";
         });
@@ -224,15 +226,14 @@ void add_networks(py::module_& module) {
         .def(py::init([](std::string file, std::string text, bool is_file, Overrides set,
                          std::vector<std::string> include, std::vector<std::string> faults, ProgramKinds use,
                          py::list kinds) {
-                 ReadOptions read;
-                 read.include_folders.assign(include.begin(), include.end());
-                 read.faults = std::move(faults);
-                 read.programs = std::move(use);
-                 read.make_netlist = occam::netlist_of_configuration;
-                 return std::make_shared<LoadedNetwork>(LoadSettings{std::move(file), std::move(text), is_file,
-                                                                     std::move(set), std::move(read),
-                                                                     std::move(kinds)});
-             }))
+            ReadOptions read;
+            read.include_folders.assign(include.begin(), include.end());
+            read.faults = std::move(faults);
+            read.programs = std::move(use);
+            read.make_netlist = occam::netlist_of_configuration;
+            return std::make_shared<LoadedNetwork>(LoadSettings{std::move(file), std::move(text), is_file,
+                                                                std::move(set), std::move(read), std::move(kinds)});
+        }))
         .def("run",
              [](const LoadedNetwork& network, std::uint64_t seed, std::int64_t until_ps,
                 std::optional<std::uint64_t> shuffle, bool heeds_signals) {

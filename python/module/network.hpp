@@ -16,12 +16,12 @@ namespace placedpar::python {
 
 /// The settings with which a network is loaded.
 struct LoadSettings {
-    std::string file;         ///< path of the netlist; "netlist" for a text
-    std::string text;         ///< used if the netlist is not a file
+    std::string file; ///< path of the netlist; "netlist" for a text
+    std::string text; ///< used if the netlist is not a file
     bool is_file = true;
     Overrides set;
     ReadOptions read;
-    pybind11::list kinds;     ///< subclasses of placedpar.Process
+    pybind11::list kinds; ///< subclasses of placedpar.Process
 };
 
 /// The settings of a run.

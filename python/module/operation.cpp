@@ -48,7 +48,9 @@ void add_clock(pybind11::module_& module) {
 
 void add_messages(pybind11::module_& module) {
     pybind11::class_<Packet>(module, "Packet")
-        .def(pybind11::init([](std::int64_t number, std::uint32_t bytes) { return Packet{number, bytes}; }),
+        .def(pybind11::init([](std::int64_t number, std::uint32_t bytes) {
+                 return Packet{number, bytes};
+             }),
              pybind11::arg("number") = 0, pybind11::arg("bytes") = 4)
         .def_readwrite("number", &Packet::number)
         .def_readwrite("bytes", &Packet::bytes)
@@ -57,7 +59,8 @@ void add_messages(pybind11::module_& module) {
             return "Packet(" + std::to_string(packet.number) + ", bytes=" + std::to_string(packet.bytes) + ")";
         });
     pybind11::class_<ChannelEnd>(module, "ChannelEnd")
-        .def("input", [](ChannelEnd& end) { return of_end(Kind::input, end); }, "Inputs a message: yield it.")
+        .def(
+            "input", [](ChannelEnd& end) { return of_end(Kind::input, end); }, "Inputs a message: yield it.")
         .def(
             "output",
             [](ChannelEnd& end, pybind11::object message) { return of_end(Kind::output, end, std::move(message)); },

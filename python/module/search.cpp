@@ -47,7 +47,8 @@ public:
         fitness_of({&genome, 1}, samples, bias, {&fitness, 1});
         return fitness;
     }
-    void fitness_of(std::span<const Genome>, std::span<const Sample>, double bias, std::span<double> out) const override;
+    void fitness_of(std::span<const Genome>, std::span<const Sample>, double bias,
+                    std::span<double> out) const override;
     std::vector<double> decode(const Genome& genome) const override { return parameters_->decode(genome); }
     std::vector<std::string> parameter_names() const override { return parameters_->parameter_names(); }
     std::vector<std::string> parameter_units() const override { return parameters_->parameter_units(); }
@@ -193,8 +194,8 @@ py::dict search(const SearchProblem& coded, const RecordedProblem* recorded, con
 
 void add_searches(py::module_& module) {
     module.def("search_function",
-               [](const py::object& function, const Bounds& bounds, const std::vector<std::size_t>& bits, bool maximises,
-                  std::size_t islands, std::size_t generations, std::uint64_t seed, std::string coding,
+               [](const py::object& function, const Bounds& bounds, const std::vector<std::size_t>& bits,
+                  bool maximises, std::size_t islands, std::size_t generations, std::uint64_t seed, std::string coding,
                   py::dict numbers, py::dict policies) {
                    return search(*problem_of(function, bounds, bits, maximises), nullptr,
                                  {islands, generations, seed, std::move(coding), numbers, policies});

@@ -144,15 +144,14 @@ py::tuple explain(const LoadedNetwork& network, std::uint64_t seed, std::int64_t
 
 void add_studies(py::module_& module) {
     module.def("explain", explain);
-    module.def("sweep", [](const LoadedNetwork& network,
-                           std::vector<std::pair<std::string, std::vector<std::string>>> axes,
-                           std::vector<std::string> measures, std::uint64_t seed, std::uint64_t seeds,
-                           std::int64_t until_ps, std::string store, std::size_t jobs, bool heeds_signals,
-                           py::object progress) {
-        const Time until = until_ps < 0 ? Time::max() : Time{until_ps};
-        return sweep(network, {std::move(axes), std::move(measures), seed, seeds, until, std::move(store), jobs,
-                               heeds_signals, std::move(progress)});
-    });
+    module.def("sweep",
+               [](const LoadedNetwork& network, std::vector<std::pair<std::string, std::vector<std::string>>> axes,
+                  std::vector<std::string> measures, std::uint64_t seed, std::uint64_t seeds, std::int64_t until_ps,
+                  std::string store, std::size_t jobs, bool heeds_signals, py::object progress) {
+                   const Time until = until_ps < 0 ? Time::max() : Time{until_ps};
+                   return sweep(network, {std::move(axes), std::move(measures), seed, seeds, until, std::move(store),
+                                          jobs, heeds_signals, std::move(progress)});
+               });
 }
 
 } // namespace placedpar::python

@@ -1,5 +1,7 @@
 """The exceptions of PlacedPar."""
 
+from typing import Any, Sequence
+
 
 class Error(Exception):
     """Base class of the errors that a user can cause. The text says what is wrong, where, and what would be right."""
@@ -12,14 +14,14 @@ class NetlistError(Error):
     and text. `file`, `line` (from 1), `column` (from 1) and `hint` are those of the first error.
     """
 
-    def __init__(self, text, diagnostics=()):
+    def __init__(self, text: str, diagnostics: Sequence[dict[str, Any]] = ()) -> None:
         super().__init__(text.rstrip("\n"))
         self.diagnostics = list(diagnostics)
-        first = next((each for each in self.diagnostics if each["severity"] == "error"), {})
-        self.file = first.get("file", "")
-        self.line = first.get("line", 0)
-        self.column = first.get("column", 0)
-        self.hint = first.get("hint", "")
+        first: dict[str, Any] = next((each for each in self.diagnostics if each["severity"] == "error"), {})
+        self.file: str = first.get("file", "")
+        self.line: int = first.get("line", 0)
+        self.column: int = first.get("column", 0)
+        self.hint: str = first.get("hint", "")
 
 
 class NetlistWarning(UserWarning):
@@ -36,6 +38,6 @@ class Deadlock(Error):
     `run` is the run, with its measures up to the deadlock.
     """
 
-    def __init__(self, text, run):
+    def __init__(self, text: str, run: Any) -> None:
         super().__init__(text.rstrip("\n"))
         self.run = run

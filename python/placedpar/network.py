@@ -4,25 +4,31 @@ import html
 import json
 import os
 import threading
+from datetime import timedelta
 from pathlib import Path
+from typing import Any, Mapping, Optional, Sequence, Union
 
 from . import _core
 from .errors import Deadlock
 from .tables import table, table_of_columns, table_of_csv
 
 
-def picoseconds(time):
+Time = Union[float, str, timedelta]
+FilePath = Union[str, "os.PathLike[str]"]
+
+
+def picoseconds(time: Optional[Time]) -> int:
     """Returns a time in picoseconds: a number is in seconds, a text is as in a netlist ("20us"), None is no limit."""
     if time is None:
         return -1
     if isinstance(time, str):
         return _core.parse_time(time)
-    if hasattr(time, "total_seconds"):
+    if isinstance(time, timedelta):
         time = time.total_seconds()
     return round(time * 1e12)
 
 
-def setting(value):
+def setting(value: Any) -> str:
     """Returns the value of a setting as `placedpar run --set` takes it."""
     if isinstance(value, bool):
         return "TRUE" if value else "FALSE"
@@ -32,13 +38,13 @@ def setting(value):
 class Drawing:
     """A drawing in SVG, which a notebook shows. `text` is the SVG."""
 
-    def __init__(self, text):
+    def __init__(self, text: str) -> None:
         self.text = text
 
-    def _repr_svg_(self):
+    def _repr_svg_(self) -> str:
         return self.text
 
-    def save(self, path):
+    def save(self, path: FilePath) -> None:
         """Writes the drawing to a file."""
         Path(path).write_text(self.text, encoding="utf-8")
 
@@ -46,15 +52,15 @@ class Drawing:
 class Page:
     """The page of a run in HTML, which a notebook shows in a frame. `text` is the HTML."""
 
-    def __init__(self, text, height):
+    def __init__(self, text: str, height: int) -> None:
         self.text = text
         self.height = height
 
-    def _repr_html_(self):
+    def _repr_html_(self) -> str:
         return (f'<iframe srcdoc="{html.escape(self.text)}" width="100%" height="{self.height}" '
                 'style="border: 1px solid #ccc"></iframe>')
 
-    def save(self, path):
+    def save(self, path: FilePath) -> None:
         """Writes the page to a file, which a browser opens without the internet."""
         Path(path).write_text(self.text, encoding="utf-8")
 
@@ -62,93 +68,93 @@ class Page:
 class Run:
     """A finished run of a network. `Network.run` makes it."""
 
-    def __init__(self, network, core):
+    def __init__(self, network: _core.Network, core: _core.Run) -> None:
         self._network = network
         self._core = core
-        self._report = None
+        self._report: Optional[dict[str, Any]] = None
 
     @property
-    def fingerprint(self):
+    def fingerprint(self) -> str:
         """The fingerprint as 16 hexadecimal digits. It covers the order and the times of all events."""
         return f"{self._core.fingerprint:016x}"
 
     @property
-    def outcome(self):
+    def outcome(self) -> str:
         """How the run ended: "completed", "deadlock", or "stopped at the time limit"."""
         return self._core.outcome
 
     @property
-    def time(self):
+    def time(self) -> float:
         """The virtual time of the run's work, in seconds."""
         return self._core.time_ps / 1e12
 
     @property
-    def events(self):
+    def events(self) -> int:
         """The number of events of the machine."""
         return self._core.events
 
     @property
-    def report(self):
+    def report(self) -> dict[str, Any]:
         """The whole report as a dictionary, as `placedpar run --json` writes it. Times are in picoseconds."""
         if self._report is None:
             self._report = json.loads(self._network.report_json(self._core))
         return self._report
 
     @property
-    def measures(self):
+    def measures(self) -> Any:
         """A table of what the processes measured: process, name, value, unit."""
         return table(self.report["measurements"], ["process", "name", "value", "unit"])
 
     @property
-    def processors(self):
+    def processors(self) -> Any:
         """A table of the processors: name, type, busy (a fraction of the run's time), busy_ps."""
         return table(self.report["processors"], ["name", "type", "busy", "busy_ps"])
 
     @property
-    def links(self):
+    def links(self) -> Any:
         """A table of the directions of links: from, to, bytes, occupied (a fraction of the run's time), occupied_ps."""
         return table(self.report["links"], ["from", "to", "bytes", "occupied", "occupied_ps"])
 
     @property
-    def processes(self):
+    def processes(self) -> Any:
         """A table of the processes: name, on (its processor), waiting (a fraction of the run's time), waiting_ps."""
         return table(self.report["processes"], ["name", "on", "waiting", "waiting_ps"])
 
     @property
-    def log(self):
+    def log(self) -> Any:
         """A table of every generation of every search, in long form: seed, generation, time_ms, process, from,
         quantity, value. The quantities are best, best_so_far, mean, diversity, immigrants and so on."""
         return table_of_csv(self._core.log_csv())
 
     @property
-    def timeline(self):
+    def timeline(self) -> Any:
         """A table of intervals: track (a process, processor or link), activity, begin and end in seconds, subject (of a
         processor the process, of a link the channel), bytes, partner (of a wait). The run is made again to record it."""
         names = ("track", "activity", "begin", "end", "subject", "bytes", "partner")
         return table_of_columns(**dict(zip(names, self._network.timeline(self._core))))
 
-    def page(self, height=700):
+    def page(self, height: int = 700) -> Page:
         """Returns the page of the run: machine, timelines, convergence. The run is made again to record it.
 
         height: of the frame in a notebook, in pixels.
         """
         return Page(self._network.page(self._core), height)
 
-    def __str__(self):
+    def __str__(self) -> str:
         return self._network.report_text(self._core)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<placedpar.Run {self.outcome} at {self.time:.9g} s, fingerprint {self.fingerprint}>"
 
 
 class Network:
     """A netlist that has been read and checked. `load` makes it."""
 
-    def __init__(self, core, source):
+    def __init__(self, core: _core.Network, source: str) -> None:
         self._core = core
         self.source = source  #: the text of the netlist
 
-    def run(self, seed=1, until=None, shuffle=None):
+    def run(self, seed: int = 1, until: Optional[Time] = None, shuffle: Optional[int] = None) -> Run:
         """Runs the network in virtual time and returns a Run. Other Python threads go on meanwhile; Ctrl-C ends the run.
 
         seed: of all random numbers. until: latest end, in seconds or as "20ms". shuffle: a seed with which ready
@@ -161,24 +167,26 @@ class Network:
             raise Deadlock(core.deadlock_text(), run)
         return run
 
-    def svg(self, software=False):
+    def svg(self, software: bool = False) -> Drawing:
         """Returns a drawing of the machine, or of the processes and channels alone."""
         return Drawing(self._core.software_svg() if software else self._core.svg())
 
     @property
-    def cfs(self):
+    def cfs(self) -> str:
         """The network as a netlist without loops and constants."""
         return self._core.cfs()
 
-    def _repr_svg_(self):
+    def _repr_svg_(self) -> str:
         return self._core.svg()
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         nodes, processes, channels = self._core.counts
         return f"<placedpar.Network {self._core.path}: {nodes} nodes, {processes} processes, {channels} channels>"
 
 
-def load(netlist, kinds=(), settings=None, include=(), faults=(), use=None, **more_settings):
+def load(netlist: FilePath, kinds: Sequence[type] = (), settings: Optional[Mapping[str, Any]] = None,
+         include: Sequence[FilePath] = (), faults: Sequence[str] = (), use: Optional[Mapping[str, str]] = None,
+         **more_settings: Any) -> Network:
     """Reads a netlist and returns a Network.
 
     netlist: the path of a file, or the text of a netlist (a text has a semicolon or several lines).

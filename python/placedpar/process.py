@@ -16,10 +16,11 @@ virtual time.
 """
 
 import inspect
+from typing import Any, Generator, Optional, Union
 
 from . import _core
-from ._core import Packet, RandomStream, after, alt, never, par, skip, stop
-from .network import picoseconds
+from ._core import ChannelEnd, Operation, Packet, RandomStream, after, alt, never, par, skip, stop
+from .network import Time, picoseconds
 
 __all__ = ["BYTE", "INT16", "INT64", "REAL32", "Input", "Inputs", "Output", "Outputs", "Packet", "Parameter", "Process",
            "RandomStream", "after", "alt", "clock", "compute", "never", "now", "par", "skip", "stop", "until", "wait",
@@ -29,7 +30,7 @@ INT16, INT64, BYTE, REAL32 = "INT16", "INT64", "BYTE", "REAL32"
 _PROTOCOLS = {int: "INT32", float: "REAL64", bool: "BOOL", bytes: "[]BYTE", Packet: "packet", object: "object"}
 
 
-def _protocol(kind):
+def _protocol(kind: Any) -> str:
     """Returns the protocol of a port: that of the messages' type, or of a list type such as list[float]."""
     arguments = getattr(kind, "__args__", None)
     if getattr(kind, "__origin__", None) is list and arguments:
@@ -46,13 +47,13 @@ class _Port:
     is_output = False
     is_array = False
 
-    def __init__(self, kind, about="", optional=False):
+    def __init__(self, kind: Any, about: str = "", optional: bool = False) -> None:
         self.protocol = _protocol(kind)
         self.about = about
         self.optional = optional
         self.name = ""
 
-    def __set_name__(self, owner, name):
+    def __set_name__(self, owner: type, name: str) -> None:
         self.name = name
 
 
@@ -82,7 +83,8 @@ class Parameter:
     default: an int, a float or a str; the type int, float or str if the netlist must give the value.
     """
 
-    def __init__(self, default, unit="", least=None, most=None, about=""):
+    def __init__(self, default: Any, unit: str = "", least: Optional[float] = None, most: Optional[float] = None,
+                 about: str = "") -> None:
         is_type = isinstance(default, type)
         self.type = {int: "integer", float: "real", str: "text"}[default if is_type else type(default)]
         self.default = None if is_type else default
@@ -97,46 +99,50 @@ class Process:
     the run. `kind` is the name by which netlists use the class; by default it is the name of the class.
     """
 
-    kind = ""
+    kind: str = ""
+    name: str
+    seed: int
+    _measure_number: Any
+    _measure_text: Any
 
-    def __init_subclass__(cls, **arguments):
+    def __init_subclass__(cls, **arguments: Any) -> None:
         super().__init_subclass__(**arguments)
         if "kind" not in cls.__dict__:
             cls.kind = cls.__name__
 
-    def body(self):
+    def body(self) -> Optional[Generator[Operation, Any, Any]]:
         """The program of the process: a generator of operations."""
         raise NotImplementedError(f"{type(self).__name__} has no body")
 
-    def measure(self, name, value, unit=""):
+    def measure(self, name: str, value: Union[float, str], unit: str = "") -> None:
         """Reports a number, with its unit, or a text at the end of the run."""
         if isinstance(value, str):
             self._measure_text(name, value)
         else:
             self._measure_number(name, float(value), unit)
 
-    def random(self, name=None):
+    def random(self, name: Optional[str] = None) -> RandomStream:
         """Returns the random stream of this name, by default that of the process. It has uniform(), normal(), below(n)
         and chance(p). The numbers depend only on the run's seed and the name."""
         return RandomStream(self.seed, self.name if name is None else name)
 
     @classmethod
-    def _attributes(cls):
-        found = {}
+    def _attributes(cls) -> dict[str, Any]:
+        found: dict[str, Any] = {}
         for base in reversed(cls.__mro__[:cls.__mro__.index(Process)]):
             found.update(base.__dict__)
         return {name: value for name, value in found.items() if not name.startswith("_") and name != "kind"}
 
     @classmethod
-    def _ports(cls):
+    def _ports(cls) -> list[_Port]:
         return [value for value in cls._attributes().values() if isinstance(value, _Port)]
 
     @classmethod
-    def _arrays(cls):
+    def _arrays(cls) -> set[str]:
         return {port.name for port in cls._ports() if port.is_array}
 
     @classmethod
-    def _parameters(cls):
+    def _parameters(cls) -> list[Parameter]:
         parameters = []
         for name, value in cls._attributes().items():
             if isinstance(value, (int, float, str)) and not isinstance(value, bool):
@@ -147,35 +153,35 @@ class Process:
         return parameters
 
     @classmethod
-    def _about(cls):
-        return inspect.getdoc(cls) if cls.__doc__ else f"The class {cls.__name__} of a program in Python."
+    def _about(cls) -> str:
+        return cls.__doc__ and inspect.getdoc(cls) or f"The class {cls.__name__} of a program in Python."
 
 
-def compute(cycles, words_outside=0):
+def compute(cycles: int, words_outside: int = 0) -> Operation:
     """Computes for so many cycles of the processor. words_outside: accesses to memory outside the chip among them."""
     return _core.compute(cycles, words_outside)
 
 
-def wait(time):
+def wait(time: Time) -> Operation:
     """Waits for a time, in seconds or as "20us". As a guard of `alt`: ready after this time."""
     return _core.wait(picoseconds(time))
 
 
-def until(time):
+def until(time: Time) -> Operation:
     """Waits until a virtual time, in seconds from the start of the run or as "20ms". Also a guard of `alt`."""
     return _core.until(picoseconds(time))
 
 
-def when(condition, guard):
+def when(condition: bool, guard: Union[ChannelEnd, Operation]) -> Union[ChannelEnd, Operation]:
     """Returns the guard, or a guard that is never ready if the condition is false."""
     return guard if condition else never()
 
 
-def now():
+def now() -> float:
     """Returns the virtual time in seconds. Call it only in a body."""
     return _core.now_ps() / 1e12
 
 
-def clock():
+def clock() -> int:
     """Returns the reading of the processor's clock in ticks, occam's `timer ? t`. Call it only in a body."""
     return _core.clock()

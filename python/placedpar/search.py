@@ -1,5 +1,7 @@
 """Searches by genetic algorithms, with the fitness in Python or of a problem that PlacedPar knows."""
 
+from typing import Any, Callable, Optional, Sequence, Union
+
 from . import _core
 from .errors import Error
 from .tables import table, table_of_csv
@@ -12,38 +14,44 @@ class Found:
     generation, from 1, and island, from 0, that found it.
     """
 
-    def __init__(self, found):
+    x: Any
+    value: float
+    fitness: float
+    string: str
+    generation: int
+
+    def __init__(self, found: dict[str, Any]) -> None:
         self._islands = found["islands"]
         self._csv = found["log_csv"]
-        self.migrations = found["migrations"]  #: number of individuals that were sent to another island
-        best = max(range(len(self._islands)), key=lambda i: self._islands[i]["fitness"])
+        self.migrations: int = found["migrations"]  #: number of individuals that were sent to another island
+        best = max(range(len(self._islands)), key=lambda i: float(self._islands[i]["fitness"]))
         self.island = best
         for name, value in self._islands[best].items():
             setattr(self, name, value)
 
     @property
-    def islands(self):
+    def islands(self) -> Any:
         """A table with a row for each island: x, string, fitness, value, generation, generations."""
         return table(self._islands, ["x", "string", "fitness", "value", "generation", "generations"])
 
     @property
-    def log(self):
+    def log(self) -> Any:
         """A table of every generation of every island, as Run.log has it, without times."""
         return table_of_csv(self._csv)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<placedpar.Found value {self.value:.9g} at {list(self.x)}>"
 
 
-def _columns(problem):
+def _columns(problem: Any) -> tuple[Callable[[Any], Any], list[tuple[float, float]]]:
     """Returns the objective and the bounds of a problem object: pymoo's (_evaluate, xl, xu) or pygmo's (fitness,
     get_bounds)."""
     if hasattr(problem, "_evaluate"):
         if getattr(problem, "n_obj", 1) != 1 or getattr(problem, "n_constr", 0) or getattr(problem, "n_ieq_constr", 0):
             raise Error("a search has one objective and no constraints: this problem has others")
 
-        def evaluate(rows):
-            out = {}
+        def evaluate(rows: Any) -> Any:
+            out: dict[str, Any] = {}
             problem._evaluate(rows, out)
             return out["F"]
 
@@ -56,9 +64,16 @@ def _columns(problem):
                     f"object with fitness and get_bounds (as pygmo's), not {problem!r}")
 
 
-def search(problem, bounds=None, *, islands=1, generations=100, population=None, seed=1, maximise=False, bits=16,
-           coding="natural", elite=None, crossover_probability=None, mutation_probability=None, reproduction=None,
-           crossover=None, mutation=None, topology=None, schedule=None, emigration=None, acceptance=None):
+Policy = Union[str, Callable[..., Any]]
+
+
+def search(problem: Any, bounds: Optional[Sequence[tuple[float, float]]] = None, *, islands: int = 1,
+           generations: int = 100, population: Optional[int] = None, seed: int = 1, maximise: bool = False,
+           bits: Union[int, Sequence[int]] = 16, coding: str = "natural", elite: Optional[int] = None,
+           crossover_probability: Optional[float] = None, mutation_probability: Optional[float] = None,
+           reproduction: Optional[Policy] = None, crossover: Optional[Policy] = None, mutation: Optional[Policy] = None,
+           topology: Optional[Policy] = None, schedule: Optional[Policy] = None, emigration: Optional[Policy] = None,
+           acceptance: Optional[Policy] = None) -> Found:
     """Searches for the least value of an objective and returns what was Found.
 
     problem: a function of a population, an array of shape (n, d), that returns n values, shape (n,) or (n, 1); or a
@@ -96,5 +111,5 @@ def search(problem, bounds=None, *, islands=1, generations=100, population=None,
     return Found(_core.search_function(problem, bounds, fields, maximise, *settings))
 
 
-def _given(**values):
+def _given(**values: Any) -> dict[str, Any]:
     return {name: value for name, value in values.items() if value is not None}

@@ -3,14 +3,16 @@
 import json
 import os
 import threading
+from typing import Any, Callable, Mapping, Optional, Sequence, Union
 
 from . import _core
-from .network import picoseconds, setting
+from .network import Network, FilePath, Time, picoseconds, setting
 from .tables import table
 
 
-def sweep(network, settings=None, seeds=1, seed=1, measure="time", until=None, store=None, jobs=0, progress=None,
-          **more_settings):
+def sweep(network: Network, settings: Optional[Mapping[str, Any]] = None, seeds: int = 1, seed: int = 1,
+          measure: Union[str, Sequence[str]] = "time", until: Optional[Time] = None, store: Optional[FilePath] = None,
+          jobs: int = 0, progress: Optional[Callable[[int, int], Any]] = None, **more_settings: Any) -> Any:
     """Runs a network with all combinations of settings and seeds, on all cores, and returns a table.
 
     settings, and further keyword arguments: for each name a value or several values, such as slaves=range(8),
@@ -34,7 +36,7 @@ def sweep(network, settings=None, seeds=1, seed=1, measure="time", until=None, s
     return table([{name: _number(value) for name, value in row.items()} for row in rows], columns)
 
 
-def _number(value):
+def _number(value: Any) -> Any:
     """Returns a setting as the number that it is; other settings stay texts."""
     if not isinstance(value, str):
         return value
@@ -49,26 +51,26 @@ def _number(value):
 class Explanation:
     """Why a run takes so long, and what would make it faster. print() shows it as `placedpar explain` does."""
 
-    def __init__(self, report, text):
-        self.report = json.loads(report)  #: all figures; times are in picoseconds
+    def __init__(self, report: str, text: str) -> None:
+        self.report: dict[str, Any] = json.loads(report)  #: all figures; times are in picoseconds
         self.text = text
 
     @property
-    def what_if(self):
+    def what_if(self) -> Any:
         """A table of the changes that were tried, the best first: see the keys of report["what_if"]."""
         rows = self.report["what_if"]
         return table(rows, list(dict.fromkeys(key for row in rows for key in row)))
 
     @property
-    def critical_path(self):
+    def critical_path(self) -> Any:
         """A table of the steps of the critical path: step, subject, begin_ps, end_ps."""
         return table(self.report["critical_path"], ["step", "subject", "begin_ps", "end_ps"])
 
-    def __str__(self):
+    def __str__(self) -> str:
         return self.text
 
 
-def explain(network, seed=1, until=None):
+def explain(network: Network, seed: int = 1, until: Optional[Time] = None) -> Explanation:
     """Runs a network, tries out changes of it, and returns an Explanation. Raises errors as `sweep`."""
     is_main = threading.current_thread() is threading.main_thread()
     return Explanation(*_core.explain(network._core, seed, picoseconds(until), is_main))

@@ -72,6 +72,7 @@ BELOW = {
     "experiments/chapter_6": ["experiments/chapter_6/kit"],
     "experiments/appendix_e": ["experiments/kit"],
     "experiments/machine": ["experiments/kit"],
+    "python/module": ["explore/explain", "explore/study", "observe/page"],
     "app": ["explore", "observe/page"],
     "app/generation": ["gaprocs", "picture"],
     "app/record": ["explore/study", "hydraulics/plant"],
