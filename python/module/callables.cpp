@@ -106,10 +106,10 @@ struct CallableSchedule : Callable {
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const {
         const std::vector<std::size_t> all(neighbours.begin(), neighbours.end());
         const auto chosen = call<std::vector<std::size_t>>(exchange, all);
-        const auto found = std::ranges::search(neighbours, chosen);
-        if (found.size() != chosen.size())
+        const auto found = std::search(neighbours.begin(), neighbours.end(), chosen.begin(), chosen.end());
+        if (found == neighbours.end() && !chosen.empty())
             throw std::runtime_error("it must return neighbours that stand next to each other in the given list");
-        return {found.begin(), found.end()};
+        return {found, chosen.size()};
     }
 };
 

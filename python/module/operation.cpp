@@ -37,7 +37,6 @@ Operation of_end(Kind kind, ChannelEnd& end, pybind11::object message = {}) {
 void add_clock(pybind11::module_& module) {
     module.def("now_ps", [] { return Kernel::here().now().count(); });
     module.def("clock", [] { return (Kernel::here(), Timer().read()); });
-    module.def("plus", [](std::int32_t a, std::int32_t b) { return (Kernel::here(), Timer().plus(a, b)); });
     pybind11::class_<RandomStream>(module, "RandomStream")
         .def(pybind11::init<std::uint64_t, std::string_view>())
         .def("uniform", &RandomStream::uniform, "A number uniform in [0, 1).")
