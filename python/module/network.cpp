@@ -64,6 +64,18 @@ std::vector<ProcessKind> kinds_of(const py::list& classes) {
     return kinds;
 }
 
+/// Returns a verb for an activity: also for those that reports of deadlocks do not have.
+std::string verb_of(Activity activity) {
+    switch (activity) {
+    case Activity::executing: return "executes";
+    case Activity::carrying: return "carries";
+    case Activity::computing: return "computes";
+    case Activity::moving: return "moves words";
+    case Activity::arbitrating: return "waits for the bus";
+    default: return name_of(activity);
+    }
+}
+
 /// Keeps the slices of a timeline.
 class SliceRows final : public TraceWriter {
 public:
@@ -77,7 +89,7 @@ public:
         py::list track, activity, begin, end, subject, bytes, partner;
         for (const Slice& slice : slices_) {
             track.append(tracks_.all()[slice.track].name);
-            activity.append(name_of(slice.activity));
+            activity.append(verb_of(slice.activity));
             begin.append(in_milliseconds(slice.begin) / 1e3);
             end.append(in_milliseconds(slice.end) / 1e3);
             subject.append(slice.subject);

@@ -53,6 +53,7 @@ class Networks(unittest.TestCase):
     def test_the_timeline_covers_the_run(self):
         run = pp.load(FIGURE_E2, slaves=1).run()
         slices = [row for row in rows(run.timeline) if row["track"] == "t[0][0]"]
+        self.assertEqual({row["activity"] for row in slices}, {"executes"})
         busy = sum(row["end"] - row["begin"] for row in slices)
         share = next(row["busy"] for row in rows(run.processors) if row["name"] == "t[0][0]")
         self.assertAlmostEqual(busy / run.time, share, 6)
