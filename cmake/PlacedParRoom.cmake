@@ -51,6 +51,10 @@ function(placedpar_room name)
     target_compile_options(placedpar_${name} PUBLIC -ffp-contract=off)
     target_link_libraries(placedpar_${name} PRIVATE $<BUILD_INTERFACE:placedpar_options> PUBLIC ${ROOM_LINKS})
     placedpar_slow_options(placedpar_${name} ${name})
+    # A room is linked into programs and into Python's module, a shared library (python/README.md). In a program the linker
+    # turns the accesses of such code to data, functions and thread-local variables into direct ones.
+    set_target_properties(placedpar_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_compile_options(placedpar_${name} PRIVATE -fno-semantic-interposition -ftls-model=initial-exec)
 
     list(TRANSFORM ROOM_DOORS PREPEND ${name}/)
     set_property(GLOBAL APPEND PROPERTY PLACEDPAR_DOORS ${ROOM_DOORS})

@@ -78,6 +78,7 @@ BELOW = {
     "experiments/chapter_6": ["experiments/chapter_6/kit"],
     "experiments/appendix_e": ["experiments/kit"],
     "experiments/machine": ["experiments/kit"],
+    "python/module": ["explore/explain", "explore/study", "observe/page"],
     "serve": ["explore/check", "explore/exercise", "explore/explain", "observe/page", "web"],
     "app": ["explore", "observe/page"],
     "app/generation": ["gaprocs", "picture"],

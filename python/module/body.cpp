@@ -1,0 +1,135 @@
+#include "python/module/body.hpp"
+
+#include "python/module/generator_run.hpp"
+#include "text/user_error.hpp"
+
+#include <optional>
+#include <utility>
+
+namespace placedpar::python {
+
+namespace {
+
+namespace py = pybind11;
+
+/// A process while it runs.
+struct Body {
+    Interpreter& python = Interpreter::current();
+    std::vector<std::unique_ptr<ChannelEnd>> ends;
+    SharedObject instance;
+    GeneratorRun run; ///< ends before the channel ends do
+
+    /// Returns the channel ends of a port as an attribute of the instance.
+    py::object bind(const ProcessEnvironment& environment, const PortDescription& port, bool is_array) {
+        py::list bound;
+        for (auto& end : protocol_named(port.protocol).ends(environment, port.name, port.direction)) {
+            bound.append(py::cast(end.get(), py::return_value_policy::reference));
+            ends.push_back(std::move(end));
+        }
+        if (is_array)
+            return bound;
+        if (bound.size() > 1)
+            throw UserError("the netlist connects \"" + port.name +
+                            "\" as an array: declare the port as pp.Inputs or pp.Outputs");
+        return bound.empty() ? py::none() : py::object(bound[0]);
+    }
+};
+
+py::object value_of(const ProcessEnvironment& environment, const ParameterDescription& parameter) {
+    switch (parameter.type) {
+    case ParameterType::integer: return py::cast(environment.integer(parameter.name));
+    case ParameterType::real: return py::cast(environment.real(parameter.name));
+    case ParameterType::text: break;
+    }
+    return py::cast(environment.text(parameter.name));
+}
+
+/// Makes the instance of the class that the process runs, with its channel ends and parameters as attributes.
+py::object instance_of(py::handle process_class, const ProcessKind& kind, ProcessEnvironment& environment, Body& body) {
+    const py::object instance = process_class.attr("__new__")(process_class);
+    const py::set arrays(process_class.attr("_arrays")());
+    for (const PortDescription& port : kind.ports)
+        instance.attr(port.name.c_str()) = body.bind(environment, port, arrays.contains(port.name));
+    for (const ParameterDescription& parameter : kind.parameters)
+        instance.attr(parameter.name.c_str()) = value_of(environment, parameter);
+    instance.attr("name") = environment.process();
+    instance.attr("seed") = environment.seed();
+    instance.attr("_measure_number") = py::cpp_function(
+        [&environment](std::string name, double value, std::string unit) { environment.measure(name, value, unit); });
+    instance.attr("_measure_text") =
+        py::cpp_function([&environment](std::string name, std::string value) { environment.measure(name, value); });
+    instance.attr("__init__")();
+    return instance;
+}
+
+void run_body(const SharedObject& process_class, const ProcessKind& kind, ProcessEnvironment& environment) {
+    Body body;
+    bool is_generator = false;
+    body.python.call([&] {
+        const py::object instance = instance_of(process_class.get(), kind, environment, body);
+        body.instance = SharedObject(instance);
+        const py::object result = instance.attr("body")();
+        is_generator = PyGen_CheckExact(result.ptr());
+        if (is_generator)
+            body.run.start(result);
+        else if (!result.is_none())
+            throw py::type_error("body() must be a generator: it yields operations, or returns nothing");
+    });
+    if (is_generator)
+        body.run.finish();
+}
+
+PortDescription port_of(py::handle described) {
+    const auto protocol = described.attr("protocol").cast<std::string>();
+    PortDescription port =
+        protocol_named(protocol).port(described.attr("name").cast<std::string>(),
+                                      described.attr("is_output").cast<bool>() ? Direction::output : Direction::input,
+                                      described.attr("about").cast<std::string>());
+    port.optional = described.attr("optional").cast<bool>();
+    return port;
+}
+
+std::optional<double> limit_of(py::handle limit) {
+    return limit.is_none() ? std::nullopt : std::optional(limit.cast<double>());
+}
+
+ParameterDescription parameter_of(py::handle described) {
+    ParameterDescription parameter;
+    const py::object value = described.attr("default");
+    parameter.name = described.attr("name").cast<std::string>();
+    parameter.about = described.attr("about").cast<std::string>();
+    parameter.unit = described.attr("unit").cast<std::string>();
+    parameter.least = limit_of(described.attr("least"));
+    parameter.most = limit_of(described.attr("most"));
+    const auto type = described.attr("type").cast<std::string>();
+    parameter.type = type == "integer" ? ParameterType::integer
+                     : type == "real"  ? ParameterType::real
+                                       : ParameterType::text;
+    if (value.is_none())
+        return parameter;
+    if (parameter.type == ParameterType::integer)
+        parameter.default_value = value.cast<std::int64_t>();
+    else if (parameter.type == ParameterType::real)
+        parameter.default_value = value.cast<double>();
+    else
+        parameter.default_value = value.cast<std::string>();
+    return parameter;
+}
+
+} // namespace
+
+ProcessKind kind_of(py::handle process_class) {
+    ProcessKind kind;
+    kind.name = process_class.attr("kind").cast<std::string>();
+    kind.about = process_class.attr("_about")().cast<std::string>();
+    for (const py::handle port : process_class.attr("_ports")())
+        kind.ports.push_back(port_of(port));
+    for (const py::handle parameter : process_class.attr("_parameters")())
+        kind.parameters.push_back(parameter_of(parameter));
+    kind.is_own = true;
+    kind.body = [held = SharedObject(py::reinterpret_borrow<py::object>(process_class)),
+                 described = kind](ProcessEnvironment& environment) { run_body(held, described, environment); };
+    return kind;
+}
+
+} // namespace placedpar::python

@@ -1,0 +1,181 @@
+#include "python/module/callables.hpp"
+
+#include "text/user_error.hpp"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace placedpar::python {
+
+namespace {
+
+namespace py = pybind11;
+
+/// A function in Python that stands for a policy.
+struct Callable {
+    static constexpr std::string_view name = "python", about = "a function in Python";
+    SharedObject function;
+    PolicyFailure failure;
+
+    template <class Result, class... Arguments>
+    Result call(Arguments&&... arguments) const {
+        try {
+            return function.get()(std::forward<Arguments>(arguments)...).template cast<Result>();
+        } catch (py::error_already_set& error) {
+            if (!failure->get())
+                *failure = SharedObject(error.value());
+            throw std::runtime_error(text_of(error.value()));
+        } catch (const py::cast_error&) {
+            throw std::runtime_error("it returned something else than the policy's choice");
+        }
+    }
+};
+
+py::array_t<double> array_of(std::span<const double> values) {
+    return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+}
+
+py::object random_of(RandomStream& random) { return py::cast(&random, py::return_value_policy::reference); }
+
+/// Returns what a string codes: real numbers, bits, or the order of a permutation.
+py::array_t<double> values_of(const Genome& genome, const Representation& representation) {
+    std::vector<double> values;
+    if (representation.kind() == StringKind::real)
+        values = representation.reals().decode(genome);
+    else if (representation.kind() == StringKind::permutation)
+        for (std::size_t each : representation.permutation().decode(genome))
+            values.push_back(static_cast<double>(each));
+    else
+        for (std::size_t i = 0; i < genome.size(); ++i)
+            values.push_back(genome.bit(i) ? 1 : 0);
+    return array_of(values);
+}
+
+Genome string_of(const std::vector<double>& values, const Representation& representation) {
+    Genome genome(representation.bits());
+    if (values.size() != representation.bits() / representation.unit())
+        throw std::runtime_error("it returned a string of another length");
+    if (representation.kind() == StringKind::permutation)
+        return representation.permutation().encode(std::vector<std::size_t>(values.begin(), values.end()));
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (representation.kind() == StringKind::real)
+            representation.reals().set(genome, i, values[i]);
+        else
+            genome.set(i, values[i] != 0);
+    return genome;
+}
+
+struct CallableReproduction : Callable {
+    static constexpr bool needs_positive_fitness = false;
+    Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const {
+        return call<std::vector<std::size_t>>(array_of(fitness), count, random_of(random));
+    }
+};
+
+struct CallableCrossover : Callable {
+    static constexpr bool fits(StringKind) { return true; }
+    void operator()(Genome& a, Genome& b, const Representation& strings, RandomStream& random) const {
+        const auto offspring = call<std::pair<std::vector<double>, std::vector<double>>>(
+            values_of(a, strings), values_of(b, strings), random_of(random));
+        a = string_of(offspring.first, strings);
+        b = string_of(offspring.second, strings);
+    }
+};
+
+struct CallableMutation : Callable {
+    static constexpr bool fits(StringKind) { return true; }
+    void operator()(Genome& genome, std::size_t place, const Representation& strings, RandomStream& random) const {
+        genome = string_of(call<std::vector<double>>(values_of(genome, strings), place, random_of(random)), strings);
+    }
+};
+
+struct CallableTopology : Callable {
+    Neighbours operator()(std::size_t islands) const { return call<Neighbours>(islands); }
+};
+
+struct CallableSchedule : Callable {
+    std::size_t every = 3;
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"every", &CallableSchedule::every, 1, 1e6, "generations"});
+    }
+    std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const {
+        const std::vector<std::size_t> all(neighbours.begin(), neighbours.end());
+        const auto chosen = call<std::vector<std::size_t>>(exchange, all);
+        const auto found = std::search(neighbours.begin(), neighbours.end(), chosen.begin(), chosen.end());
+        if (found == neighbours.end() && !chosen.empty())
+            throw std::runtime_error("it must return neighbours that stand next to each other in the given list");
+        return {found, chosen.size()};
+    }
+};
+
+struct CallableEmigration : Callable {
+    std::size_t count = 1;
+    std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const {
+        return call<std::vector<std::size_t>>(array_of(fitness), random_of(random));
+    }
+};
+
+struct CallableAcceptance : Callable {
+    Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
+                      RandomStream& random) const {
+        std::vector<double> fitness;
+        for (const Individual& each : immigrants)
+            fitness.push_back(each.fitness);
+        return call<Places>(array_of(island.fitness), array_of(fitness), random_of(random));
+    }
+};
+
+template <class Own, class Policy>
+Own own_policy(const py::object& function, const PolicyFailure& failure, std::size_t Policy::*number = nullptr,
+               const char* attribute = "") {
+    Policy policy;
+    policy.function = SharedObject(function);
+    policy.failure = failure;
+    if (number && py::hasattr(function, attribute))
+        policy.*number = function.attr(attribute).cast<std::size_t>();
+    return Own(policy);
+}
+
+/// Returns the policy of this text, or of this function.
+template <class Step, class Own, class Policy>
+Step step_of(const py::object& policy, const PolicyFailure& failure, std::size_t Policy::*number = nullptr,
+             const char* attribute = "") {
+    if (py::isinstance<py::str>(policy))
+        return Step::named(policy.cast<std::string>());
+    return Step(own_policy<Own, Policy>(policy, failure, number, attribute));
+}
+
+} // namespace
+
+void set_policy(IslandsSettings& settings, const std::string& step, const py::object& policy,
+                const PolicyFailure& failure) {
+    const auto in_all = [&](auto SearchSettings::*member, const auto& value) {
+        for (SearchSettings& island : settings.islands)
+            island.*member = value;
+    };
+    if (step == "reproduction")
+        in_all(&SearchSettings::reproduction,
+               step_of<Reproduction, OwnReproduction, CallableReproduction>(policy, failure));
+    else if (step == "crossover")
+        in_all(&SearchSettings::crossover, step_of<Crossover, OwnCrossover, CallableCrossover>(policy, failure));
+    else if (step == "mutation")
+        in_all(&SearchSettings::mutation, step_of<Mutation, OwnMutation, CallableMutation>(policy, failure));
+    else if (step == "topology")
+        settings.topology = step_of<Topology, OwnTopology, CallableTopology>(policy, failure);
+    else if (step == "schedule")
+        settings.schedule = step_of<Schedule, OwnSchedule>(policy, failure, &CallableSchedule::every, "every");
+    else if (step == "emigration")
+        settings.emigration = step_of<Emigration, OwnEmigration>(policy, failure, &CallableEmigration::count, "count");
+    else if (step == "acceptance")
+        settings.acceptance = step_of<Acceptance, OwnAcceptance, CallableAcceptance>(policy, failure);
+    else
+        throw UserError("a search has no policy \"" + step +
+                        "\": expected reproduction, crossover, mutation, topology, schedule, emigration or acceptance");
+}
+
+} // namespace placedpar::python

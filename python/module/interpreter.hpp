@@ -1,0 +1,87 @@
+#pragma once
+
+#include <boost/context/fiber.hpp>
+#include <pybind11/pybind11.h>
+
+#include <exception>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace placedpar::python {
+
+/// Holds Python's global lock while it exists. It may be nested, and used on any thread.
+class WithLock {
+public:
+    WithLock() : state_(PyGILState_Ensure()) {}
+    ~WithLock() { PyGILState_Release(state_); }
+    WithLock(const WithLock&) = delete;
+    WithLock& operator=(const WithLock&) = delete;
+
+private:
+    PyGILState_STATE state_;
+};
+
+/// A reference to a Python object, which may be copied and destroyed without the lock.
+class SharedObject {
+public:
+    SharedObject() = default;
+    /// REQUIRES: the caller holds the lock.
+    explicit SharedObject(pybind11::object object)
+        : object_(object.release().ptr(), [](PyObject* held) {
+              const WithLock lock;
+              Py_DECREF(held);
+          }) {}
+    pybind11::handle get() const { return object_.get(); }
+
+private:
+    std::shared_ptr<PyObject> object_;
+};
+
+/// Calls Python for the processes of one run. The run itself does not hold the lock. The calls have a stack of their
+/// own, since Python needs more than the stack of a process.
+///
+/// 1. Only one object exists on a thread at a time; current() returns it.
+/// 2. All calls are made on the thread of the run.
+class Interpreter {
+public:
+    Interpreter();
+    ~Interpreter();
+    Interpreter(const Interpreter&) = delete;
+    Interpreter& operator=(const Interpreter&) = delete;
+    /// REQUIRES: there is an object on this thread.
+    static Interpreter& current();
+
+    /// Calls `work` with the lock, and rethrows what it throws. An exception of Python is kept, if it is the first, and
+    /// thrown as a std::runtime_error with its type and text.
+    template <class Work>
+    void call(Work work) {
+        call({[](void* it) { (*static_cast<Work*>(it))(); }, &work});
+    }
+    /// Returns the first exception of Python; null if there was none.
+    const SharedObject& failure() const { return failure_; }
+
+    /// For each process that was ended in a wait, the place in its program: "relay.py:12".
+    std::map<std::string, std::string> places;
+
+private:
+    struct Call {
+        void (*function)(void*);
+        void* argument;
+    };
+    void call(Call);
+    void make_call() noexcept;
+    void keep(const pybind11::error_already_set&);
+
+    SharedObject failure_;
+    Call call_{};
+    bool is_inside_ = false;
+    std::exception_ptr thrown_;
+    boost::context::fiber stack_;
+};
+
+/// Returns the type and the text of a Python exception, as Python's last line of a traceback: "ValueError: too long".
+/// REQUIRES: the caller holds the lock.
+std::string text_of(pybind11::handle exception);
+
+} // namespace placedpar::python

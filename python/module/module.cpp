@@ -1,0 +1,23 @@
+#include "python/module/network.hpp"
+#include "python/module/operation.hpp"
+#include "python/module/search.hpp"
+#include "python/module/study.hpp"
+#include "text/user_error.hpp"
+
+/// The part of the package that calls the rooms. python/placedpar/ has what users see.
+PYBIND11_MODULE(_core, module) {
+    using namespace placedpar::python;
+    module.attr("version") = placedpar::version;
+    pybind11::register_exception_translator([](std::exception_ptr thrown) {
+        try {
+            std::rethrow_exception(thrown);
+        } catch (const placedpar::UserError& error) {
+            const pybind11::object type = pybind11::module_::import("placedpar.errors").attr("Error");
+            PyErr_SetString(type.ptr(), error.what());
+        }
+    });
+    add_operations(module);
+    add_networks(module);
+    add_searches(module);
+    add_studies(module);
+}

@@ -1,0 +1,271 @@
+#include "python/module/network.hpp"
+
+#include "explore/problems.hpp"
+#include "explore/time_text.hpp"
+#include "netlist/print/print.hpp"
+#include "observe/page/run_page.hpp"
+#include "observe/trace/timeline.hpp"
+#include "occam/configuration/configuration.hpp"
+#include "picture/svg.hpp"
+#include "python/module/body.hpp"
+#include "python/module/signals.hpp"
+#include "report/run_report.hpp"
+#include "report/search_log.hpp"
+#include "text/user_error.hpp"
+
+#include <boost/json.hpp>
+#include <pybind11/stl.h>
+
+#include <optional>
+#include <utility>
+
+namespace placedpar::python {
+
+namespace {
+
+namespace py = pybind11;
+
+py::dict as_dict(const Diagnostic& diagnostic) {
+    py::dict described;
+    described["severity"] = diagnostic.severity == Severity::error ? "error" : "warning";
+    described["message"] = diagnostic.message;
+    described["file"] = diagnostic.location.file ? diagnostic.location.file->path() : "";
+    described["line"] = diagnostic.location.line;
+    described["column"] = diagnostic.location.column;
+    described["hint"] = diagnostic.hint;
+    described["text"] = render(diagnostic);
+    return described;
+}
+
+py::list as_dicts(const std::vector<Diagnostic>& diagnostics) {
+    py::list all;
+    for (const Diagnostic& each : diagnostics)
+        all.append(as_dict(each));
+    return all;
+}
+
+py::object errors_of(const char* name) { return py::module_::import("placedpar.errors").attr(name); }
+
+[[noreturn]] void refuse(const ReadResult& read) {
+    const py::object error = errors_of("NetlistError")(render(read), as_dicts(read.diagnostics));
+    PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.ptr())), error.ptr());
+    throw py::error_already_set();
+}
+
+ParsedNetlist parse(const LoadSettings& settings) {
+    return settings.is_file ? ParsedNetlist(settings.file, settings.read)
+                            : ParsedNetlist::of_text(settings.text, settings.file, settings.read);
+}
+
+std::vector<ProcessKind> kinds_of(const py::list& classes) {
+    std::vector<ProcessKind> kinds;
+    for (const py::handle each : classes)
+        kinds.push_back(kind_of(each));
+    return kinds;
+}
+
+/// Returns a verb for an activity: also for those that reports of deadlocks do not have.
+std::string verb_of(Activity activity) {
+    switch (activity) {
+    case Activity::executing: return "executes";
+    case Activity::carrying: return "carries";
+    case Activity::computing: return "computes";
+    case Activity::moving: return "moves words";
+    case Activity::arbitrating: return "waits for the bus";
+    default: return name_of(activity);
+    }
+}
+
+/// Keeps the slices of a timeline.
+class SliceRows final : public TraceWriter {
+public:
+    explicit SliceRows(const Tracks& tracks) : tracks_(tracks) {}
+    void write(const Slice& slice) override { slices_.push_back(slice); }
+    void write(const MessageArrow&) override {}
+    void finish(Time, Time, const std::string&) override {}
+
+    /// Returns a tuple of lists: track, activity, begin and end in seconds, subject, bytes, partner.
+    py::tuple columns() const {
+        py::list track, activity, begin, end, subject, bytes, partner;
+        for (const Slice& slice : slices_) {
+            track.append(tracks_.all()[slice.track].name);
+            activity.append(verb_of(slice.activity));
+            begin.append(in_milliseconds(slice.begin) / 1e3);
+            end.append(in_milliseconds(slice.end) / 1e3);
+            subject.append(slice.subject);
+            bytes.append(slice.bytes);
+            partner.append(slice.awaited.size() == 1 ? slice.awaited.front().partner : "");
+        }
+        return py::make_tuple(track, activity, begin, end, subject, bytes, partner);
+    }
+
+private:
+    const Tracks& tracks_;
+    std::vector<Slice> slices_;
+};
+
+/// Makes the run again, now recorded. Throws UserError if it is another one.
+FinishedRun repeated(const LoadedNetwork& network, const FinishedRun& run, TraceSink& sink) {
+    FinishedRun again = network.run(run.options, &sink);
+    if (again.report.result.fingerprint != run.report.result.fingerprint)
+        throw UserError(
+            "the run cannot be recorded, since it has another course each time: a process in Python may use "
+            "only its messages, its parameters and its random streams");
+    return again;
+}
+
+py::tuple timeline_of(const LoadedNetwork& network, const FinishedRun& run) {
+    Tracks tracks(network.network());
+    SliceRows rows(tracks);
+    Timeline timeline(tracks, {}, rows);
+    const FinishedRun again = repeated(network, run, timeline);
+    timeline.finish(again.report.result);
+    return rows.columns();
+}
+
+std::string page_of(const LoadedNetwork& network, const FinishedRun& run) {
+    RunPage page(network.network(), {});
+    const FinishedRun again = repeated(network, run, page.sink());
+    return page.html({network.network(), again.report, again.manifest, again.log});
+}
+
+std::string json_of(const LoadedNetwork& network, const FinishedRun& run) {
+    return boost::json::serialize(report_json(run.report, network.network(), run.manifest, run.log));
+}
+
+/// Replaces the places of processes in Python, which are in the module, by those in their bodies.
+void set_places(RunReport& report, const std::map<std::string, std::string>& places) {
+    if (report.result.deadlock)
+        for (StuckProcess& process : report.result.deadlock->processes)
+            if (const auto found = places.find(process.path); found != places.end())
+                process.where = found->second;
+}
+
+/// Throws what a process in Python threw, as the cause of a ProcessError. KeyboardInterrupt is thrown itself.
+[[noreturn]] void rethrow(const SharedObject& failure, const std::string& text) {
+    const auto exception = py::reinterpret_borrow<py::object>(failure.get());
+    if (PyErr_GivenExceptionMatches(exception.ptr(), PyExc_Exception) == 0) {
+        PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(exception.ptr())), exception.ptr());
+        throw py::error_already_set();
+    }
+    const py::object error = errors_of("ProcessError")(text);
+    error.attr("__cause__") = exception;
+    PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.ptr())), error.ptr());
+    throw py::error_already_set();
+}
+
+} // namespace
+
+LoadedNetwork::LoadedNetwork(const LoadSettings& settings)
+    : settings_(settings), parsed_(parse(settings_)), kinds_(kinds_of(settings_.kinds)) {
+    const ProblemRegistry problems = known_problems(0);
+    ReadResult read = parsed_.read(kinds(problems), settings_.set);
+    if (!read.network)
+        refuse(read);
+    if (!read.diagnostics.empty())
+        py::module_::import("warnings").attr("warn")(render(read), errors_of("NetlistWarning"), 3);
+    if (read.network->processes.empty() && read.network->nodes.empty())
+        throw UserError(settings_.file + ": the netlist is empty: it declares no processors and no processes");
+    network_ = std::move(*read.network);
+}
+
+Network LoadedNetwork::with(const Overrides& changes) const {
+    Overrides set = changes;
+    set.merge(Overrides(settings_.set));
+    const ProblemRegistry problems = known_problems(0);
+    ReadResult read = parsed_.read(kinds(problems), set);
+    if (!read.network)
+        throw RefusedInput(render(read));
+    return std::move(*read.network);
+}
+
+Catalogue LoadedNetwork::kinds(const ProblemRegistry& problems, SearchObserver* observer) const {
+    Catalogue catalogue = known_kinds(problems, observer);
+    for (const ProcessKind& kind : kinds_) {
+        if (catalogue.find(kind.name))
+            throw UserError("there is a process kind \"" + kind.name + "\" already: give the class another `kind`");
+        catalogue.add(kind);
+    }
+    return catalogue;
+}
+
+FinishedRun LoadedNetwork::run(const RunOptions& options, TraceSink* trace) const {
+    GenerationLog log = log_of(network_);
+    const std::string command =
+        "placedpar.load(\"" + settings_.file + "\").run(seed=" + std::to_string(options.seed) + ")";
+    RunSettings settings{
+        .seed = options.seed, .until = options.until, .shuffle = options.shuffle, .trace = trace, .observer = &log};
+    RunReport report = run_unlocked(settings, options);
+    if (PyErr_CheckSignals() != 0)
+        throw py::error_already_set();
+    Manifest manifest{command, options.seed, settings_.set, settings_.read, options.until, options.shuffle};
+    return {std::move(report), std::move(log), std::move(manifest), options};
+}
+
+RunReport LoadedNetwork::run_unlocked(const RunSettings& settings, const RunOptions& options) const {
+    Interpreter interpreter;
+    InterruptedByKeyboard interruption(options.heeds_signals);
+    RunSettings interruptible = settings;
+    interruptible.interruption = &interruption;
+    try {
+        const py::gil_scoped_release unlocked;
+        const ProblemRegistry problems = known_problems(options.seed);
+        RunReport report = run_netlist(network_, kinds(problems, settings.observer), interruptible);
+        set_places(report, interpreter.places);
+        return report;
+    } catch (const std::exception& error) {
+        if (interpreter.failure().get())
+            rethrow(interpreter.failure(), error.what());
+        throw;
+    }
+}
+
+void add_networks(py::module_& module) {
+    py::class_<FinishedRun>(module, "Run")
+        .def_property_readonly("fingerprint", [](const FinishedRun& run) { return run.report.result.fingerprint; })
+        .def_property_readonly("outcome",
+                               [](const FinishedRun& run) { return std::string(name_of(run.report.result.ending)); })
+        .def_property_readonly("time_ps", [](const FinishedRun& run) { return run.report.result.time.count(); })
+        .def_property_readonly("events", [](const FinishedRun& run) { return run.report.result.events; })
+        .def("log_csv",
+             [](const FinishedRun& run) {
+                 return log_csv(std::vector<SeededLog>{{run.options.seed, run.log}});
+             })
+        .def("deadlock_text", [](const FinishedRun& run) {
+            return run.report.result.deadlock ? run.report.result.deadlock->text() : "";
+        });
+    py::class_<LoadedNetwork, std::shared_ptr<LoadedNetwork>>(module, "Network")
+        .def(py::init([](std::string file, std::string text, bool is_file, Overrides set,
+                         std::vector<std::string> include, std::vector<std::string> faults, ProgramKinds use,
+                         py::list kinds) {
+            ReadOptions read;
+            read.include_folders.assign(include.begin(), include.end());
+            read.faults = std::move(faults);
+            read.programs = std::move(use);
+            read.make_netlist = occam::netlist_of_configuration;
+            return std::make_shared<LoadedNetwork>(LoadSettings{std::move(file), std::move(text), is_file,
+                                                                std::move(set), std::move(read), std::move(kinds)});
+        }))
+        .def("run",
+             [](const LoadedNetwork& network, std::uint64_t seed, std::int64_t until_ps,
+                std::optional<std::uint64_t> shuffle, bool heeds_signals) {
+                 const Time until = until_ps < 0 ? Time::max() : Time{until_ps};
+                 return network.run({seed, until, shuffle, heeds_signals});
+             })
+        .def("report_json", json_of)
+        .def("report_text", [](const LoadedNetwork& network,
+                               const FinishedRun& run) { return print_report(run.report, network.network(), run.log); })
+        .def("timeline", timeline_of)
+        .def("page", page_of)
+        .def("svg", [](const LoadedNetwork& network) { return print_svg(network.network()); })
+        .def("software_svg", [](const LoadedNetwork& network) { return print_software_svg(network.network()); })
+        .def("cfs", [](const LoadedNetwork& network) { return print_cfs(network.network()); })
+        .def_property_readonly("path", [](const LoadedNetwork& network) { return network.network().source_path; })
+        .def_property_readonly("counts", [](const LoadedNetwork& network) {
+            const Network& its = network.network();
+            return py::make_tuple(its.nodes.size(), its.processes.size(), its.channels.size());
+        });
+    module.def("parse_time", [](const std::string& text) { return parse_time(text).count(); });
+}
+
+} // namespace placedpar::python

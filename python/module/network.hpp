@@ -1,0 +1,71 @@
+#pragma once
+
+#include "explore/netlist_run.hpp"
+#include "gaprocs/generation_log.hpp"
+#include "netlist/read.hpp"
+#include "python/module/interpreter.hpp"
+#include "report/manifest.hpp"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace placedpar::python {
+
+/// The settings with which a network is loaded.
+struct LoadSettings {
+    std::string file; ///< path of the netlist; "netlist" for a text
+    std::string text; ///< used if the netlist is not a file
+    bool is_file = true;
+    Overrides set;
+    ReadOptions read;
+    pybind11::list kinds; ///< subclasses of placedpar.Process
+};
+
+/// The settings of a run.
+struct RunOptions {
+    std::uint64_t seed = 1;
+    Time until = Time::max();
+    std::optional<std::uint64_t> shuffle = {};
+    bool heeds_signals = false; ///< the caller is Python's main thread
+};
+
+/// A finished run of a network.
+struct FinishedRun {
+    RunReport report;
+    GenerationLog log;
+    Manifest manifest;
+    RunOptions options;
+};
+
+/// A netlist that has been read, with its kinds in Python.
+class LoadedNetwork {
+public:
+    /// Throws a NetlistError of Python with all diagnostics.
+    explicit LoadedNetwork(const LoadSettings&);
+
+    const Network& network() const { return network_; }
+    const ParsedNetlist& parsed() const { return parsed_; }
+    const LoadSettings& settings() const { return settings_; }
+    bool has_own_kinds() const { return !kinds_.empty(); }
+    /// Returns the network with other settings, silently. Throws RefusedInput.
+    Network with(const Overrides&) const;
+    Catalogue kinds(const ProblemRegistry&, SearchObserver* = nullptr) const;
+
+    /// Runs the network without Python's lock. Rethrows the first exception of a process in Python.
+    FinishedRun run(const RunOptions&, TraceSink* = nullptr) const;
+
+private:
+    RunReport run_unlocked(const RunSettings&, const RunOptions&) const;
+
+    LoadSettings settings_;
+    ParsedNetlist parsed_;
+    std::vector<ProcessKind> kinds_;
+    Network network_;
+};
+
+void add_networks(pybind11::module_&);
+
+} // namespace placedpar::python

@@ -1,0 +1,88 @@
+#include "python/module/operation.hpp"
+
+#include "netlist/kinds/packet.hpp"
+#include "runtime/kernel.hpp"
+#include "runtime/random.hpp"
+#include "runtime/timer.hpp"
+
+#include <utility>
+
+namespace placedpar::python {
+
+namespace {
+
+using Kind = Operation::Kind;
+
+Operation with_number(Kind kind, std::int64_t number, std::int64_t words = 0) {
+    Operation operation;
+    operation.kind = kind;
+    operation.number = number;
+    operation.words_outside = words;
+    return operation;
+}
+
+Operation with_value(Kind kind, pybind11::object value) {
+    Operation operation;
+    operation.kind = kind;
+    operation.value = std::move(value);
+    return operation;
+}
+
+Operation of_end(Kind kind, ChannelEnd& end, pybind11::object message = {}) {
+    Operation operation = with_value(kind, std::move(message));
+    operation.end = &end;
+    return operation;
+}
+
+void add_clock(pybind11::module_& module) {
+    module.def("now_ps", [] { return Kernel::here().now().count(); });
+    module.def("clock", [] { return (Kernel::here(), Timer().read()); });
+    pybind11::class_<RandomStream>(module, "RandomStream")
+        .def(pybind11::init<std::uint64_t, std::string_view>())
+        .def("uniform", &RandomStream::uniform, "A number uniform in [0, 1).")
+        .def("below", &RandomStream::below, "A whole number uniform in 0 ... n - 1.")
+        .def("normal", &RandomStream::normal, "A number from the standard normal distribution.")
+        .def("chance", &RandomStream::chance, "True with this probability.");
+}
+
+void add_messages(pybind11::module_& module) {
+    pybind11::class_<Packet>(module, "Packet")
+        .def(pybind11::init([](std::int64_t number, std::uint32_t bytes) {
+                 return Packet{number, bytes};
+             }),
+             pybind11::arg("number") = 0, pybind11::arg("bytes") = 4)
+        .def_readwrite("number", &Packet::number)
+        .def_readwrite("bytes", &Packet::bytes)
+        .def("__eq__", [](const Packet& packet, const Packet& other) { return packet == other; })
+        .def("__repr__", [](const Packet& packet) {
+            return "Packet(" + std::to_string(packet.number) + ", bytes=" + std::to_string(packet.bytes) + ")";
+        });
+    pybind11::class_<ChannelEnd>(module, "ChannelEnd")
+        .def(
+            "input", [](ChannelEnd& end) { return of_end(Kind::input, end); }, "Inputs a message: yield it.")
+        .def(
+            "output",
+            [](ChannelEnd& end, pybind11::object message) { return of_end(Kind::output, end, std::move(message)); },
+            "Outputs the message: yield it.")
+        .def_property_readonly("channel", [](const ChannelEnd& end) { return end.channel().name(); });
+}
+
+} // namespace
+
+void add_operations(pybind11::module_& module) {
+    add_messages(module);
+    add_clock(module);
+    pybind11::class_<Operation>(module, "Operation");
+    module.def("compute",
+               [](std::int64_t cycles, std::int64_t words) { return with_number(Kind::compute, cycles, words); });
+    module.def("wait", [](std::int64_t ps) { return with_number(Kind::wait, ps); });
+    module.def("until", [](std::int64_t ps) { return with_number(Kind::until, ps); });
+    module.def("after", [](std::int32_t ticks) { return with_number(Kind::after, ticks); });
+    module.def("stop", [] { return with_number(Kind::stop, 0); });
+    module.def("skip", [] { return with_number(Kind::skip, 0); });
+    module.def("never", [] { return with_number(Kind::never, 0); });
+    module.def("alt", [](pybind11::args guards) { return with_value(Kind::alt, std::move(guards)); });
+    module.def("par", [](pybind11::args components) { return with_value(Kind::par, std::move(components)); });
+}
+
+} // namespace placedpar::python

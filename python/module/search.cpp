@@ -1,0 +1,212 @@
+#include "python/module/search.hpp"
+
+#include "explore/problems.hpp"
+#include "gaprocs/generation_log.hpp"
+#include "gaprocs/islands.hpp"
+#include "gaprocs/objective_problem.hpp"
+#include "gaprocs/usual_settings.hpp"
+#include "python/module/callables.hpp"
+#include "report/search_log.hpp"
+#include "text/user_error.hpp"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <utility>
+
+namespace placedpar::python {
+
+namespace {
+
+namespace py = pybind11;
+
+/// The parameters of a problem whose objective is computed elsewhere.
+struct Parameters {
+    ParameterCoding coding;
+    ParameterCoding representation() const { return coding; }
+    double objective(std::span<const double>) const { return 0; }
+};
+
+/// A problem whose objective is a function in Python. The function gets a population at a time, as an array with a row
+/// for each individual.
+class PythonProblem final : public SearchProblem {
+public:
+    /// `parameters` knows all but the objective. REQUIRES: the caller holds the lock whenever the problem is used.
+    PythonProblem(std::shared_ptr<const SearchProblem> parameters, SharedObject function)
+        : parameters_(std::move(parameters)), function_(std::move(function)) {}
+
+    std::size_t bits() const override { return parameters_->bits(); }
+    Representation representation() const override { return parameters_->representation(); }
+    std::size_t channels() const override { return 0; }
+    std::optional<Objective> objective() const override { return parameters_->objective(); }
+    double error(const Genome& genome, std::span<const double> sample) const override {
+        return parameters_->error(genome, sample);
+    }
+    double fitness(const Genome& genome, std::span<const Sample> samples, double bias) const override {
+        double fitness = 0;
+        fitness_of({&genome, 1}, samples, bias, {&fitness, 1});
+        return fitness;
+    }
+    void fitness_of(std::span<const Genome>, std::span<const Sample>, double bias,
+                    std::span<double> out) const override;
+    std::vector<double> decode(const Genome& genome) const override { return parameters_->decode(genome); }
+    std::vector<std::string> parameter_names() const override { return parameters_->parameter_names(); }
+    std::vector<std::string> parameter_units() const override { return parameters_->parameter_units(); }
+    std::vector<std::size_t> fields() const override { return parameters_->fields(); }
+    Coding coding() const override { return parameters_->coding(); }
+
+private:
+    std::shared_ptr<const SearchProblem> coded_plainly(Coding coding) const override {
+        return std::make_shared<PythonProblem>(parameters_->coded(coding), function_);
+    }
+
+    std::shared_ptr<const SearchProblem> parameters_;
+    SharedObject function_;
+};
+
+void PythonProblem::fitness_of(std::span<const Genome> population, std::span<const Sample>, double,
+                               std::span<double> out) const {
+    const std::size_t columns = parameters_->parameter_names().size();
+    py::array_t<double> rows({population.size(), columns});
+    double* to = rows.mutable_data();
+    for (const Genome& genome : population)
+        to = std::ranges::copy(parameters_->decode(genome), to).out;
+    using Values = py::array_t<double, py::array::c_style | py::array::forcecast>;
+    const Values values = Values::ensure(function_.get()(rows));
+    if (!values)
+        throw py::error_already_set();
+    if (static_cast<std::size_t>(values.size()) != population.size())
+        throw UserError("the objective of a population of shape (" + std::to_string(population.size()) + ", " +
+                        std::to_string(columns) + ") must have one number for each row, but has " +
+                        std::to_string(values.size()));
+    const Objective objective = *parameters_->objective();
+    std::ranges::transform(std::span(values.data(), population.size()), out.begin(),
+                           [&](double value) { return objective.fitness(value); });
+}
+
+using Bounds = std::vector<std::pair<double, double>>;
+
+std::shared_ptr<const SearchProblem> problem_of(const py::object& function, const Bounds& bounds,
+                                                const std::vector<std::size_t>& bits, bool maximises) {
+    std::vector<ParameterField> fields;
+    for (std::size_t i = 0; i < bounds.size(); ++i)
+        fields.push_back({.low = bounds[i].first, .high = bounds[i].second, .bits = bits.at(i)});
+    try {
+        Parameters parameters{ParameterCoding(std::move(fields))};
+        return std::make_shared<PythonProblem>(maximises ? maximise(parameters) : minimise(parameters),
+                                               SharedObject(function));
+    } catch (const std::invalid_argument& error) {
+        throw UserError(std::string("bounds: ") + error.what());
+    }
+}
+
+py::dict dict_of(const SearchProblem& problem, const SearchResult& found) {
+    const Estimate& best = found.best();
+    py::dict described;
+    described["x"] = py::array_t<double>(static_cast<py::ssize_t>(best.parameters.size()), best.parameters.data());
+    described["string"] = problem.representation().text(best.best.genome);
+    described["fitness"] = best.best.fitness;
+    const auto objective = problem.objective();
+    described["value"] = objective ? objective->value(best.best.fitness) : std::optional(best.best.fitness);
+    described["generation"] = best.sample + 1;
+    described["generations"] = found.generations;
+    return described;
+}
+
+/// Lets Ctrl-C end the search, and reports each generation of the last island.
+class HeedfulLog final : public SearchObserver {
+public:
+    explicit HeedfulLog(std::size_t islands) : log(island_names(islands)) {}
+    void observe(const ObservedGeneration& event) override {
+        log.observe(event);
+        if (PyErr_CheckSignals() != 0)
+            throw py::error_already_set();
+    }
+    void observe(const ObservedMigration& event) override { log.observe(event); }
+    void observe(const ObservedAnswer& event) override { log.observe(event); }
+
+    GenerationLog log;
+};
+
+/// Runs the search on the record of the problem, or for so many generations if it has none.
+IslandsResult run(const SearchProblem& problem, const RecordedProblem* recorded, std::size_t generations,
+                  const IslandsSettings& settings, std::uint64_t seed, SearchObserver& observer) {
+    auto streams = island_streams(seed, settings.islands.size());
+    if (recorded && !problem.objective())
+        return run_islands(problem, recorded->record(), settings, std::move(streams), &observer);
+    return run_islands(problem, generations, settings, std::move(streams), &observer);
+}
+
+struct SearchOptions {
+    std::size_t islands, generations;
+    std::uint64_t seed;
+    std::string coding;
+    py::dict numbers, policies;
+};
+
+IslandsSettings settings_of(const SearchProblem& problem, const SearchOptions& options, const PolicyFailure& failure) {
+    SearchSettings island = usual_settings(problem);
+    for (const auto& [name, number] : options.numbers) {
+        const auto key = name.cast<std::string>();
+        if (key == "population")
+            island.population = number.cast<std::size_t>();
+        else if (key == "elite")
+            island.elite = number.cast<std::size_t>();
+        else if (key == "crossover_probability")
+            island.crossover_probability = number.cast<double>();
+        else if (key == "mutation_probability")
+            island.mutation_probability = number.cast<double>();
+    }
+    IslandsSettings settings;
+    settings.islands.assign(options.islands, island);
+    for (const auto& [step, policy] : options.policies)
+        set_policy(settings, step.cast<std::string>(), py::reinterpret_borrow<py::object>(policy), failure);
+    return settings;
+}
+
+py::dict search(const SearchProblem& coded, const RecordedProblem* recorded, const SearchOptions& options) {
+    const auto problem = coded.coded(Coding::named(options.coding));
+    const auto failure = std::make_shared<SharedObject>();
+    const IslandsSettings settings = settings_of(*problem, options, failure);
+    HeedfulLog observer(options.islands);
+    try {
+        const IslandsResult result = run(*problem, recorded, options.generations, settings, options.seed, observer);
+        py::list islands;
+        for (const SearchResult& each : result.islands)
+            islands.append(dict_of(*problem, each));
+        py::dict found;
+        found["islands"] = islands;
+        found["migrations"] = result.migrations.size();
+        found["log_csv"] = log_csv(std::vector<SeededLog>{{options.seed, observer.log}});
+        return found;
+    } catch (const std::exception& error) {
+        if (!failure->get())
+            throw;
+        const py::object cause = py::reinterpret_borrow<py::object>(failure->get());
+        const py::object raised = py::module_::import("placedpar.errors").attr("Error")(error.what());
+        raised.attr("__cause__") = cause;
+        PyErr_SetObject(py::type::of(raised).ptr(), raised.ptr());
+        throw py::error_already_set();
+    }
+}
+
+} // namespace
+
+void add_searches(py::module_& module) {
+    module.def("search_function",
+               [](const py::object& function, const Bounds& bounds, const std::vector<std::size_t>& bits,
+                  bool maximises, std::size_t islands, std::size_t generations, std::uint64_t seed, std::string coding,
+                  py::dict numbers, py::dict policies) {
+                   return search(*problem_of(function, bounds, bits, maximises), nullptr,
+                                 {islands, generations, seed, std::move(coding), numbers, policies});
+               });
+    module.def("search_problem", [](const std::string& name, std::size_t islands, std::size_t generations,
+                                    std::uint64_t seed, std::string coding, py::dict numbers, py::dict policies) {
+        const ProblemRegistry problems = known_problems(seed);
+        const RecordedProblem& recorded = problems.find(name);
+        return search(*recorded.problem(), &recorded,
+                      {islands, generations, seed, std::move(coding), numbers, policies});
+    });
+}
+
+} // namespace placedpar::python

@@ -1,0 +1,158 @@
+#include "python/module/study.hpp"
+
+#include "explore/explain/answers.hpp"
+#include "explore/study/sweep.hpp"
+#include "explore/workers.hpp"
+#include "python/module/network.hpp"
+#include "python/module/signals.hpp"
+#include "text/user_error.hpp"
+
+#include <boost/json.hpp>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace placedpar::python {
+
+namespace {
+
+namespace py = pybind11;
+
+struct SweepOptions {
+    std::vector<std::pair<std::string, std::vector<std::string>>> axes;
+    std::vector<std::string> measures;
+    std::uint64_t seed, seeds;
+    Time until;
+    std::string store; ///< a file; "": the runs are kept in memory
+    std::size_t jobs;
+    bool heeds_signals;
+    py::object progress; ///< a function of the number of runs made and missing, or None
+};
+
+/// Refuses what runs on several threads, or without the network of this program.
+void require_file_and_kinds(const LoadedNetwork& network, const char* what) {
+    if (network.has_own_kinds())
+        throw UserError(std::string(what) + " makes runs on several threads, but the processes of this network are in "
+                                            "Python, which runs one at a time: call run() for each setting");
+    if (!network.settings().is_file)
+        throw UserError(std::string(what) + " reads the netlist again: load it from a file");
+}
+
+StudyAxis axis_of(const std::string& name, const std::vector<std::string>& values) {
+    StudyAxis axis{name, {}};
+    for (const std::string& value : values)
+        axis.parts.emplace_back(name, value);
+    return axis;
+}
+
+Study study_of(const LoadedNetwork& network, const SweepOptions& options) {
+    Study study;
+    study.netlist = network.settings().file;
+    study.read = network.settings().read;
+    StudyProduct& product = study.products.emplace_back();
+    Overrides fixed = network.settings().set;
+    for (const auto& [name, values] : options.axes) {
+        product.axes.push_back(axis_of(name, values));
+        fixed.erase(name);
+    }
+    for (const auto& [name, value] : fixed)
+        product.axes.push_back(axis_of(name, {value}));
+    study.first_seed = options.seed;
+    study.seeds = options.seeds;
+    study.until = options.until;
+    study.measures = options.measures;
+    return study;
+}
+
+/// Makes the missing runs on all cores, without the lock.
+void make_runs(const Study& study, StudyResults& results, const SweepOptions& options) {
+    InterruptedByKeyboard interruption(options.heeds_signals);
+    const py::gil_scoped_release unlocked;
+    StudySweep sweep(study, results);
+    sweep.try_measures(interruption);
+    const std::uint64_t missing = sweep.missing().runs;
+    const std::size_t jobs = options.jobs > 0 ? options.jobs : count_cores();
+    sweep.run(std::min<std::uint64_t>(jobs, std::max<std::uint64_t>(missing, 1)), interruption,
+              [&](std::uint64_t ended) {
+                  const py::gil_scoped_acquire locked;
+                  if (!options.progress.is_none())
+                      options.progress(ended, missing);
+              });
+}
+
+py::dict row_of(const StudyRun& run, const StudyOutcome& outcome, const std::vector<StudyMeasure>& measures) {
+    py::dict row;
+    for (const auto& [name, value] : run.set)
+        row[name.c_str()] = value;
+    row["seed"] = run.seed;
+    row["outcome"] = outcome.ended;
+    for (const StudyMeasure& measure : measures) {
+        const auto figure = measure.of(outcome.figures);
+        row[measure.text().c_str()] = figure ? py::cast(figure->value) : py::none();
+    }
+    return row;
+}
+
+py::list rows_of(const Study& study, StudyResults& results) {
+    const std::vector<StudyMeasure> measures(study.measures.begin(), study.measures.end());
+    const StudyRuns runs(study);
+    py::list rows;
+    for (std::uint64_t i = 0; i < runs.count(); ++i)
+        if (const auto run = runs.at(i))
+            if (const auto outcome = results.find(*run))
+                rows.append(row_of(*run, *outcome, measures));
+    return rows;
+}
+
+py::list sweep(const LoadedNetwork& network, const SweepOptions& options) {
+    require_file_and_kinds(network, "sweep");
+    const Study study = study_of(network, options);
+    for (const std::string& measure : study.measures)
+        StudyMeasure{measure};
+    require_possible(study.measures, study, readable_network(study));
+    const StudySource source = source_of(study, network.network());
+    std::unique_ptr<StudyResults> results = options.store.empty()
+                                                ? std::make_unique<StudyResults>(source)
+                                                : std::make_unique<StudyResults>(options.store, source);
+    make_runs(study, *results, options);
+    if (PyErr_CheckSignals() != 0)
+        throw py::error_already_set();
+    return rows_of(study, *results);
+}
+
+/// Runs the network, tries changes out, and returns the explanation as JSON and as text.
+py::tuple explain(const LoadedNetwork& network, std::uint64_t seed, std::int64_t until_ps, bool heeds_signals) {
+    require_file_and_kinds(network, "explain");
+    const Time until = until_ps < 0 ? Time::max() : Time{until_ps};
+    CriticalPath path;
+    FinishedRun run = network.run({seed, until, {}, heeds_signals}, &path);
+    Explanation explanation = explanation_of(std::move(run.report), path);
+    {
+        InterruptedByKeyboard interruption(heeds_signals);
+        const py::gil_scoped_release unlocked;
+        add_answers(explanation, network.network(),
+                    {network.parsed(), network.settings().set, seed, until, [](std::size_t, std::size_t) {}},
+                    interruption);
+    }
+    if (PyErr_CheckSignals() != 0)
+        throw py::error_already_set();
+    return py::make_tuple(boost::json::serialize(explanation_json(explanation, network.network())),
+                          print_explanation(explanation, network.network()));
+}
+
+} // namespace
+
+void add_studies(py::module_& module) {
+    module.def("explain", explain);
+    module.def("sweep",
+               [](const LoadedNetwork& network, std::vector<std::pair<std::string, std::vector<std::string>>> axes,
+                  std::vector<std::string> measures, std::uint64_t seed, std::uint64_t seeds, std::int64_t until_ps,
+                  std::string store, std::size_t jobs, bool heeds_signals, py::object progress) {
+                   const Time until = until_ps < 0 ? Time::max() : Time{until_ps};
+                   return sweep(network, {std::move(axes), std::move(measures), seed, seeds, until, std::move(store),
+                                          jobs, heeds_signals, std::move(progress)});
+               });
+}
+
+} // namespace placedpar::python

@@ -1,0 +1,16 @@
+"""PlacedPar: simulates networks of transputers and of the CSP processes placed on them.
+
+    import placedpar as pp
+    run = pp.load("figure-e2.cfs", slaves=4).run(seed=1)
+    run.measures
+
+pandas and NumPy are used where they are installed: without pandas, tables are lists of dictionaries.
+"""
+
+from ._core import version as __version__
+from .errors import Deadlock, Error, NetlistError, NetlistWarning, ProcessError
+from .monitor import Monitor
+from .network import Drawing, Network, Page, Run, load
+from .process import *
+from .search import Found, search
+from .study import Explanation, explain, sweep

@@ -1,0 +1,204 @@
+"""Networks and their runs."""
+
+import html
+import json
+import os
+import threading
+from datetime import timedelta
+from pathlib import Path
+from typing import Any, Mapping, Optional, Sequence, Union
+
+from . import _core
+from .errors import Deadlock
+from .tables import table, table_of_columns, table_of_csv
+
+
+Time = Union[float, str, timedelta]
+FilePath = Union[str, "os.PathLike[str]"]
+
+
+def picoseconds(time: Optional[Time]) -> int:
+    """Returns a time in picoseconds: a number is in seconds, a text is as in a netlist ("20us"), None is no limit."""
+    if time is None:
+        return -1
+    if isinstance(time, str):
+        return _core.parse_time(time)
+    if isinstance(time, timedelta):
+        time = time.total_seconds()
+    return round(time * 1e12)
+
+
+def setting(value: Any) -> str:
+    """Returns the value of a setting as `placedpar run --set` takes it."""
+    if isinstance(value, bool):
+        return "TRUE" if value else "FALSE"
+    return value if isinstance(value, str) else str(value)
+
+
+class Drawing:
+    """A drawing in SVG, which a notebook shows. `text` is the SVG."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+
+    def _repr_svg_(self) -> str:
+        return self.text
+
+    def save(self, path: FilePath) -> None:
+        """Writes the drawing to a file."""
+        Path(path).write_text(self.text, encoding="utf-8")
+
+
+class Page:
+    """The page of a run in HTML, which a notebook shows in a frame. `text` is the HTML."""
+
+    def __init__(self, text: str, height: int) -> None:
+        self.text = text
+        self.height = height
+
+    def _repr_html_(self) -> str:
+        return (f'<iframe srcdoc="{html.escape(self.text)}" width="100%" height="{self.height}" '
+                'style="border: 1px solid #ccc"></iframe>')
+
+    def save(self, path: FilePath) -> None:
+        """Writes the page to a file, which a browser opens without the internet."""
+        Path(path).write_text(self.text, encoding="utf-8")
+
+
+class Run:
+    """A finished run of a network. `Network.run` makes it."""
+
+    def __init__(self, network: _core.Network, core: _core.Run) -> None:
+        self._network = network
+        self._core = core
+        self._report: Optional[dict[str, Any]] = None
+
+    @property
+    def fingerprint(self) -> str:
+        """The fingerprint as 16 hexadecimal digits. It covers the order and the times of all events."""
+        return f"{self._core.fingerprint:016x}"
+
+    @property
+    def outcome(self) -> str:
+        """How the run ended: "completed", "deadlock", or "stopped at the time limit"."""
+        return self._core.outcome
+
+    @property
+    def time(self) -> float:
+        """The virtual time of the run's work, in seconds."""
+        return self._core.time_ps / 1e12
+
+    @property
+    def events(self) -> int:
+        """The number of events of the machine."""
+        return self._core.events
+
+    @property
+    def report(self) -> dict[str, Any]:
+        """The whole report as a dictionary, as `placedpar run --json` writes it. Times are in picoseconds."""
+        if self._report is None:
+            self._report = json.loads(self._network.report_json(self._core))
+        return self._report
+
+    @property
+    def measures(self) -> Any:
+        """A table of what the processes measured: process, name, value, unit."""
+        return table(self.report["measurements"], ["process", "name", "value", "unit"])
+
+    @property
+    def processors(self) -> Any:
+        """A table of the processors: name, type, busy (a fraction of the run's time), busy_ps."""
+        return table(self.report["processors"], ["name", "type", "busy", "busy_ps"])
+
+    @property
+    def links(self) -> Any:
+        """A table of the directions of links: from, to, bytes, occupied (a fraction of the run's time), occupied_ps."""
+        return table(self.report["links"], ["from", "to", "bytes", "occupied", "occupied_ps"])
+
+    @property
+    def processes(self) -> Any:
+        """A table of the processes: name, on (its processor), waiting (a fraction of the run's time), waiting_ps."""
+        return table(self.report["processes"], ["name", "on", "waiting", "waiting_ps"])
+
+    @property
+    def log(self) -> Any:
+        """A table of every generation of every search, in long form: seed, generation, time_ms, process, from,
+        quantity, value. The quantities are best, best_so_far, mean, diversity, immigrants and so on."""
+        return table_of_csv(self._core.log_csv())
+
+    @property
+    def timeline(self) -> Any:
+        """A table of intervals: track (a process, processor or link), activity, begin and end in seconds, subject (of a
+        processor the process, of a link the channel), bytes, partner (of a wait). The run is made again to record it."""
+        names = ("track", "activity", "begin", "end", "subject", "bytes", "partner")
+        return table_of_columns(**dict(zip(names, self._network.timeline(self._core))))
+
+    def page(self, height: int = 700) -> Page:
+        """Returns the page of the run: machine, timelines, convergence. The run is made again to record it.
+
+        height: of the frame in a notebook, in pixels.
+        """
+        return Page(self._network.page(self._core), height)
+
+    def __str__(self) -> str:
+        return self._network.report_text(self._core)
+
+    def __repr__(self) -> str:
+        return f"<placedpar.Run {self.outcome} at {self.time:.9g} s, fingerprint {self.fingerprint}>"
+
+
+class Network:
+    """A netlist that has been read and checked. `load` makes it."""
+
+    def __init__(self, core: _core.Network, source: str) -> None:
+        self._core = core
+        self.source = source  #: the text of the netlist
+
+    def run(self, seed: int = 1, until: Optional[Time] = None, shuffle: Optional[int] = None) -> Run:
+        """Runs the network in virtual time and returns a Run. Other Python threads go on meanwhile; Ctrl-C ends the run.
+
+        seed: of all random numbers. until: latest end, in seconds or as "20ms". shuffle: a seed with which ready
+        processes run in a random order. Raises Deadlock, ProcessError, and Error for a run that cannot be made.
+        """
+        is_main = threading.current_thread() is threading.main_thread()
+        core = self._core.run(seed, picoseconds(until), shuffle, is_main)
+        run = Run(self._core, core)
+        if core.outcome == "deadlock":
+            raise Deadlock(core.deadlock_text(), run)
+        return run
+
+    def svg(self, software: bool = False) -> Drawing:
+        """Returns a drawing of the machine, or of the processes and channels alone."""
+        return Drawing(self._core.software_svg() if software else self._core.svg())
+
+    @property
+    def cfs(self) -> str:
+        """The network as a netlist without loops and constants."""
+        return self._core.cfs()
+
+    def _repr_svg_(self) -> str:
+        return self._core.svg()
+
+    def __repr__(self) -> str:
+        nodes, processes, channels = self._core.counts
+        return f"<placedpar.Network {self._core.path}: {nodes} nodes, {processes} processes, {channels} channels>"
+
+
+def load(netlist: FilePath, kinds: Sequence[type] = (), settings: Optional[Mapping[str, Any]] = None,
+         include: Sequence[FilePath] = (), faults: Sequence[str] = (), use: Optional[Mapping[str, str]] = None,
+         **more_settings: Any) -> Network:
+    """Reads a netlist and returns a Network.
+
+    netlist: the path of a file, or the text of a netlist (a text has a semicolon or several lines).
+    kinds: classes derived from Process, which the netlist names by their `kind`.
+    settings, and further keyword arguments: values, attributes and parameters that replace those of the netlist, such
+    as slaves=4, linkspeed="10M", settings={"t[0].clock": "20M"}.
+    include: folders of included files. faults: faults as in a netlist. use: kinds in place of programs, by name.
+    Raises NetlistError, with file, line, column and hint of each error.
+    """
+    text = os.fspath(netlist)
+    is_text = ";" in text or "\n" in text
+    values = {name: setting(value) for name, value in {**(settings or {}), **more_settings}.items()}
+    core = _core.Network("netlist" if is_text else text, text if is_text else "", not is_text, values,
+                         [os.fspath(folder) for folder in include], list(faults), dict(use or {}), list(kinds))
+    return Network(core, text if is_text else Path(text).read_text(encoding="utf-8", errors="replace"))

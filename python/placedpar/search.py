@@ -1,0 +1,115 @@
+"""Searches by genetic algorithms, with the fitness in Python or of a problem that PlacedPar knows."""
+
+from typing import Any, Callable, Optional, Sequence, Union
+
+from . import _core
+from .errors import Error
+from .tables import table, table_of_csv
+
+
+class Found:
+    """The result of a search: the best individual of all islands and generations.
+
+    x: its parameters, an array of shape (d,). value: its objective. fitness: what the search maximised. generation: the
+    generation, from 1, and island, from 0, that found it.
+    """
+
+    x: Any
+    value: float
+    fitness: float
+    string: str
+    generation: int
+
+    def __init__(self, found: dict[str, Any]) -> None:
+        self._islands = found["islands"]
+        self._csv = found["log_csv"]
+        self.migrations: int = found["migrations"]  #: number of individuals that were sent to another island
+        best = max(range(len(self._islands)), key=lambda i: float(self._islands[i]["fitness"]))
+        self.island = best
+        for name, value in self._islands[best].items():
+            setattr(self, name, value)
+
+    @property
+    def islands(self) -> Any:
+        """A table with a row for each island: x, string, fitness, value, generation, generations."""
+        return table(self._islands, ["x", "string", "fitness", "value", "generation", "generations"])
+
+    @property
+    def log(self) -> Any:
+        """A table of every generation of every island, as Run.log has it, without times."""
+        return table_of_csv(self._csv)
+
+    def __repr__(self) -> str:
+        return f"<placedpar.Found value {self.value:.9g} at {list(self.x)}>"
+
+
+def _columns(problem: Any) -> tuple[Callable[[Any], Any], list[tuple[float, float]]]:
+    """Returns the objective and the bounds of a problem object: pymoo's (_evaluate, xl, xu) or pygmo's (fitness,
+    get_bounds)."""
+    if hasattr(problem, "_evaluate"):
+        if getattr(problem, "n_obj", 1) != 1 or getattr(problem, "n_constr", 0) or getattr(problem, "n_ieq_constr", 0):
+            raise Error("a search has one objective and no constraints: this problem has others")
+
+        def evaluate(rows: Any) -> Any:
+            out: dict[str, Any] = {}
+            problem._evaluate(rows, out)
+            return out["F"]
+
+        return evaluate, list(zip(problem.xl, problem.xu))
+    if hasattr(problem, "fitness") and hasattr(problem, "get_bounds"):
+        if hasattr(problem, "get_nobj") and problem.get_nobj() != 1:
+            raise Error(f"a search has one objective, but this problem has {problem.get_nobj()}")
+        return (lambda rows: [problem.fitness(row)[0] for row in rows]), list(zip(*problem.get_bounds()))
+    raise TypeError("expected a function, the name of a problem, an object with _evaluate, xl and xu (as pymoo's), or an "
+                    f"object with fitness and get_bounds (as pygmo's), not {problem!r}")
+
+
+Policy = Union[str, Callable[..., Any]]
+
+
+def search(problem: Any, bounds: Optional[Sequence[tuple[float, float]]] = None, *, islands: int = 1,
+           generations: int = 100, population: Optional[int] = None, seed: int = 1, maximise: bool = False,
+           bits: Union[int, Sequence[int]] = 16, coding: str = "natural", elite: Optional[int] = None,
+           crossover_probability: Optional[float] = None, mutation_probability: Optional[float] = None,
+           reproduction: Optional[Policy] = None, crossover: Optional[Policy] = None, mutation: Optional[Policy] = None,
+           topology: Optional[Policy] = None, schedule: Optional[Policy] = None, emigration: Optional[Policy] = None,
+           acceptance: Optional[Policy] = None) -> Found:
+    """Searches for the least value of an objective and returns what was Found.
+
+    problem: a function of a population, an array of shape (n, d), that returns n values, shape (n,) or (n, 1); or a
+    problem as pymoo or pygmo have it; or the name of a known problem, such as "rastrigin(dimensions = 10)".
+    bounds: d pairs (least, greatest) of a function. maximise: the greatest value is wanted.
+    bits: of each parameter's field, a number or d numbers; coding: "natural", "gray" or "real" (no bits).
+    Each island has `population` individuals and its own random numbers, given by `seed`.
+
+    The policies are texts as in a netlist, such as "tournament(3)", or functions:
+    reproduction(fitness, count, random) -> count indices of parents;
+    crossover(a, b, random) -> (a, b); mutation(x, place, random) -> x, for each place that is mutated;
+    topology(islands) -> for each island a list of its neighbours;
+    schedule(exchange, neighbours) -> the neighbours that get emigrants; its attribute `every` counts generations;
+    emigration(fitness, random) -> indices; its attribute `count` is their number;
+    acceptance(fitness, immigrants, random) -> for each immigrant the index of whom it replaces, or None.
+    Strings are arrays of bits, real numbers, or places of a permutation. Raises Error for settings that do not fit.
+    """
+    if islands == 1 and topology is None:
+        topology = "none"
+    numbers = _given(population=population, elite=elite, crossover_probability=crossover_probability,
+                     mutation_probability=mutation_probability)
+    policies = _given(reproduction=reproduction, crossover=crossover, mutation=mutation, topology=topology,
+                      schedule=schedule, emigration=emigration, acceptance=acceptance)
+    settings = (islands, generations, seed, coding, numbers, policies)
+    if isinstance(problem, str):
+        return Found(_core.search_problem(problem, *settings))
+    if not callable(problem) or hasattr(problem, "_evaluate"):
+        problem, bounds = _columns(problem)
+    if bounds is None:
+        raise TypeError("a function needs bounds: a pair (least, greatest) for each parameter")
+    bounds = [(float(low), float(high)) for low, high in bounds]
+    fields = [bits] * len(bounds) if isinstance(bits, int) else list(bits)
+    if len(fields) != len(bounds):
+        raise TypeError(f"{len(bounds)} bounds need as many numbers of bits, not {len(fields)}")
+    return Found(_core.search_function(problem, bounds, fields, maximise, *settings))
+
+
+def _given(**values: Any) -> dict[str, Any]:
+    return {name: value for name, value in values.items() if value is not None}

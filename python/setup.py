@@ -1,0 +1,11 @@
+"""Makes the wheel of the package in the build folder. The wheel is for this platform, since the package has a module."""
+
+import setuptools
+
+
+class Platform(setuptools.Distribution):
+    def has_ext_modules(self):
+        return True
+
+
+setuptools.setup(distclass=Platform)

@@ -1,0 +1,35 @@
+"""Runs the code of the guide."""
+
+import contextlib
+import io
+import os
+import pathlib
+import re
+import unittest
+
+try:
+    import numpy
+except ImportError:
+    numpy = None
+
+SOURCE = pathlib.Path(os.environ["PLACEDPAR_SOURCE"])
+
+
+class Guide(unittest.TestCase):
+    @unittest.skipIf(numpy is None, "NumPy is not installed: the guide searches")
+    def test_the_code_of_the_guide_runs(self):
+        text = (SOURCE / "docs" / "guides" / "python.md").read_text(encoding="utf-8")
+        code = "\n".join(re.findall(r"```python\n(.*?)```", text, re.DOTALL))
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(SOURCE)
+        names = {}
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            exec(compile(code, "python.md", "exec"), names)
+        self.assertRegex(printed.getvalue(), r"ends +total +6\n")
+        self.assertIn("what holds it back", printed.getvalue())
+        self.assertEqual(len(names["table"]), 3 * 2 * 2)
+
+
+if __name__ == "__main__":
+    unittest.main()

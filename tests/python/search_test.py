@@ -1,0 +1,133 @@
+"""Tests searches from Python: results are those of the library, whatever computes the fitness and the policies."""
+
+import unittest
+
+import placedpar as pp
+
+try:
+    import numpy
+except ImportError:
+    numpy = None
+
+BOX = [(-5.12, 5.12)] * 10
+
+
+def sphere(rows):
+    """Adds up the squares column by column, in the order of the library."""
+    total = numpy.zeros(len(rows))
+    for column in rows.T:
+        total = total + column * column
+    return total
+
+
+@unittest.skipIf(numpy is None, "NumPy is not installed: searches need it")
+class Searches(unittest.TestCase):
+    def same(self, first, second):
+        self.assertEqual((first.string, first.value, first.generation, first.island),
+                         (second.string, second.value, second.generation, second.island))
+        self.assertEqual(list(first.x), list(second.x))
+        self.assertEqual(first._csv, second._csv)
+
+    def test_fitness_in_python_gives_the_search_of_the_library(self):
+        for settings in ({}, {"coding": "real", "elite": 2}, {"coding": "gray", "schedule": "sequential(2)"},
+                         {"topology": "torus", "crossover": "two-point", "reproduction": "tournament(3)"},
+                         {"emigration": "best(2)", "acceptance": "random", "mutation": "distance"}):
+            for seed in (1, 2):
+                common = {"islands": 4, "population": 20, "generations": 25, "seed": seed, **settings}
+                self.same(pp.search(sphere, BOX, **common), pp.search("sphere(dimensions = 10, bits = 16)", **common))
+
+    def test_a_policy_in_python_gives_the_search_of_the_library(self):
+        def tournament(fitness, count, random):
+            size = 2
+            chosen = []
+            for _ in range(count):
+                best = random.below(len(fitness))
+                for _ in range(size - 1):
+                    other = random.below(len(fitness))
+                    best = other if fitness[other] > fitness[best] else best
+                chosen.append(best)
+            return chosen
+
+        def both(exchange, neighbours):
+            return neighbours
+        both.every = 3
+
+        def best(fitness, random):
+            return [int(numpy.argmax(fitness))]
+
+        def worst(fitness, immigrants, random):
+            order = numpy.argsort(fitness, kind="stable")
+            return [int(i) for i in order[:len(immigrants)]]
+        named = {"reproduction": "tournament(2)", "topology": "ring(2)", "schedule": "broadcast(3)",
+                 "emigration": "best", "acceptance": "worst"}
+        own = {"reproduction": tournament, "topology": lambda n: [[(i + 1) % n, (i - 1) % n] for i in range(n)],
+               "schedule": both, "emigration": best, "acceptance": worst}
+        common = {"islands": 4, "population": 20, "generations": 30, "coding": "real"}
+        expected = pp.search(sphere, BOX, **common, **named)
+        for step, policy in own.items():
+            with self.subTest(step):
+                self.same(pp.search(sphere, BOX, **common, **{**named, step: policy}), expected)
+
+    def test_crossover_and_mutation_in_python_work_on_arrays(self):
+        seen = set()
+
+        def mean(a, b, random):
+            seen.add((a.shape, a.dtype.kind))
+            return (a + b) / 2, a
+
+        def reset(x, place, random):
+            x[place] = 0
+            return x
+        found = pp.search(sphere, BOX, coding="real", crossover=mean, mutation=reset, generations=60)
+        self.assertEqual(seen, {((10,), "f")})
+        self.assertLess(found.value, 1e-2)
+
+    def test_a_population_is_one_array(self):
+        shapes = []
+        pp.search(lambda rows: shapes.append(rows.shape) or rows.sum(axis=1), BOX, population=30, generations=3)
+        self.assertEqual(shapes, [(30, 10)] * 3)
+
+    def test_problems_of_pymoo_and_pygmo_are_taken_as_they_are(self):
+        class Pymoo:
+            n_obj, xl, xu = 1, numpy.array([-5.12] * 10), numpy.array([5.12] * 10)
+
+            def _evaluate(self, x, out, *arguments, **more):
+                out["F"] = sphere(x).reshape(-1, 1)
+
+        class Pygmo:
+            def fitness(self, x):
+                return [sphere(x.reshape(1, -1))[0]]
+
+            def get_bounds(self):
+                return [-5.12] * 10, [5.12] * 10
+        expected = pp.search(sphere, BOX, generations=10)
+        self.same(pp.search(Pymoo(), generations=10), expected)
+        self.same(pp.search(Pygmo(), generations=10), expected)
+        Pymoo.n_obj = 2
+        with self.assertRaisesRegex(pp.Error, "one objective"):
+            pp.search(Pymoo())
+
+    def test_maximising_is_minimising_the_negative(self):
+        least = pp.search(sphere, BOX, generations=10)
+        most = pp.search(lambda rows: -sphere(rows), BOX, generations=10, maximise=True)
+        self.assertEqual(list(least.x), list(most.x))
+        self.assertEqual(least.value, -most.value)
+
+    def test_errors_say_what_would_be_right(self):
+        for message, arguments in (
+                ("did you mean \"tournament\"", {"reproduction": "tournamnet"}),
+                ("shape \\(120, 10\\) must have one number for each row, but has 1200", {"problem": lambda rows: rows}),
+                ("low", {"bounds": [(5, -5)]}), ("has no policy", {"topology": "torus(3)", "islands": 4}),
+                ("ZeroDivisionError", {"reproduction": lambda fitness, count, random: 1 / 0})):
+            with self.assertRaises(pp.Error) as caught:
+                pp.search(**{"problem": sphere, "bounds": BOX, **arguments})
+            if "no policy" not in message:
+                self.assertRegex(str(caught.exception), message)
+        with self.assertRaises(ZeroDivisionError):
+            pp.search(lambda rows: 1 / 0, BOX)
+        with self.assertRaisesRegex(TypeError, "needs bounds"):
+            pp.search(sphere)
+
+
+if __name__ == "__main__":
+    unittest.main()
