@@ -36,7 +36,7 @@ const std::string* text_in_memory(const std::filesystem::path& path) {
     return texts_of_thread ? texts_of_thread->find(path) : nullptr;
 }
 
-bool is_file(const std::filesystem::path& path) {
+bool names_file(const std::filesystem::path& path) {
     std::error_code error;
     return text_in_memory(path) != nullptr || std::filesystem::is_regular_file(path, error);
 }

@@ -19,8 +19,8 @@ private:
     std::map<std::string, std::string, std::less<>> texts_; ///< by canonical path
 };
 
-/// Lets load_source() and is_file() of this thread read texts in memory while this object exists. REQUIRES: the texts
-/// outlive this object, and no other object of this class exists in the thread.
+/// Lets load_source() and names_file() of this thread read texts in memory while this object exists. REQUIRES: the
+/// texts outlive this object, and no other object of this class exists in the thread.
 class ReadsFromMemory {
 public:
     explicit ReadsFromMemory(const TextsInMemory&);
@@ -33,6 +33,6 @@ public:
 const std::string* text_in_memory(const std::filesystem::path&);
 
 /// Returns whether a path names a file or a text in memory. A directory is not a file.
-bool is_file(const std::filesystem::path&);
+bool names_file(const std::filesystem::path&);
 
 } // namespace placedpar

@@ -20,10 +20,11 @@ bool is_one_of(const Token& token, std::string_view symbols) {
 
 /// Returns whether a sign stands where an operand begins, so that no blank follows it.
 bool is_unary(const std::vector<Token>& tokens, std::size_t index) {
-    if (!is_one_of(tokens[index], "-+!~") || index == 0)
-        return is_one_of(tokens[index], "-+!~");
+    if (!is_one_of(tokens[index], "-+!~") || index < 2)
+        return false;
     const Token& before = tokens[index - 1];
-    return before.kind == TokenKind::symbol && !is_one_of(before, ")]");
+    const bool begins_value = tokens[index - 2].is_word("val");
+    return begins_value || (before.kind == TokenKind::symbol && !is_one_of(before, ")]"));
 }
 
 /// Returns the blanks between two words of a line. What the text has stays in front of a parenthesis that follows a

@@ -51,7 +51,7 @@ std::vector<Path> folders_of(const Reading& reading, const Place& named_at) {
 std::optional<Path> path_of(const std::vector<Path>& folders, const std::vector<std::string>& names) {
     for (const Path& folder : folders)
         for (const std::string& name : names)
-            if (is_file(folder / name))
+            if (names_file(folder / name))
                 return folder / name;
     return std::nullopt;
 }

@@ -236,7 +236,7 @@ private:
         all.insert(all.end(), folders.begin(), folders.end());
         std::string where;
         for (const FilePath& folder : all) {
-            if (is_file(folder / file))
+            if (names_file(folder / file))
                 return folder / file;
             where += fmt::format("{}\"{}\"", where.empty() ? "" : ", ", folder.empty() ? "." : folder.string());
         }

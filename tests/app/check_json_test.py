@@ -80,7 +80,8 @@ class CheckJson(unittest.TestCase):
     def test_a_configuration(self):
         path = self.file("a.pgm", "NODE n:\nNETWORK\n  DO\n    SET m (type, memsize := \"T800\", 1024)\n:\n")
         code, said = checked(path)
-        self.assertEqual((code, said["diagnostics"][0]["line"], said["diagnostics"][0]["column"]), (1, 4, 9))
+        self.assertEqual(code, 1)
+        self.assertEqual([(d.get("line"), d.get("column")) for d in said["diagnostics"]], [(None, None), (4, 9)])
 
     def test_a_study_and_its_netlist(self):
         self.file("ring.cfs", (EXAMPLES / "csp/commstime/commstime.cfs").read_text())

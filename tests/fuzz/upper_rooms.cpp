@@ -3,6 +3,10 @@
 
 #include "app/command.hpp"
 #include "app/record/scenario_record.hpp"
+#include "editor/language/completion.hpp"
+#include "editor/language/navigation.hpp"
+#include "editor/protocol/message_stream.hpp"
+#include "editor/server.hpp"
 #include "explore/generate/generate.hpp"
 #include "explore/problems.hpp"
 #include "explore/study/measure.hpp"
@@ -25,6 +29,8 @@
 #include "monitor/service/send_command.hpp"
 #include "monitor/service/token.hpp"
 #include "monitor/service/web.hpp"
+#include "netlist/language/layout.hpp"
+#include "netlist/language/names_in_text.hpp"
 #include "netlist/read.hpp"
 #include "tests/fuzz/reader.hpp"
 #include "text/number.hpp"
@@ -298,6 +304,37 @@ void read_scenario_settings(const std::string& text) {
         });
 }
 
+/// The input is all that an editor sends.
+void serve_an_editor(const std::string& text) {
+    std::istringstream in(text);
+    std::ostringstream out;
+    editor::serve_editor(in, out);
+    std::istringstream sent(out.str());
+    editor::MessageStream answers(sent, out);
+    while (const auto answer = answers.read())
+        boost::json::parse(*answer);
+}
+
+/// Asks about every few places of a netlist, and lays it out.
+void ask_about_netlist(const std::string& text) {
+    static const ProblemRegistry problems = known_problems(1);
+    static const Catalogue kinds = known_kinds(problems);
+    const auto file = std::make_shared<const SourceFile>("/nowhere/input.cfs", text);
+    const NetlistSyntax syntax = read_syntax(file);
+    for (std::size_t line = 1; line < 30 && !file->line(line).empty(); ++line)
+        for (std::size_t column = 1; column < 100 && column <= file->line(line).size() + 1; column += 3) {
+            const Location at{file, line, column};
+            editor::complete_netlist(syntax, kinds, at);
+            editor::hover_netlist(syntax, kinds, at);
+            editor::definition_in_netlist(syntax, at);
+            attempt_to([&] { editor::places_to_rename(syntax, kinds, at, "another"); });
+        }
+    if (const auto once = laid_out_netlist(file)) {
+        const auto again = laid_out_netlist(std::make_shared<const SourceFile>("/nowhere/input.cfs", *once));
+        require(again == once, "a second layout is as the first");
+    }
+}
+
 void read_arguments(const std::string& text) {
     attempt_to([&] { parse_time(text); });
     attempt_to([&] { StudyMeasure{text}; });
@@ -339,7 +376,9 @@ std::span<const Reader> readers() {
                                  {"answer", read_answer},
                                  {"places", read_place},
                                  {"request", read_request},
-                                 {"command", read_words}};
+                                 {"command", read_words},
+                                 {"editor", serve_an_editor},
+                                 {"words", ask_about_netlist}};
     return all;
 }
 
