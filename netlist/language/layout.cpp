@@ -1,6 +1,7 @@
 #include "netlist/language/layout.hpp"
 
 #include "netlist/language/names_in_text.hpp"
+#include "text/positions.hpp"
 
 #include <algorithm>
 #include <map>
@@ -107,9 +108,6 @@ private:
         std::size_t depth = 0; ///< of a block
     };
 
-    std::size_t offset_of(const Location& at) const {
-        return static_cast<std::size_t>(file_.line(at.line).data() - file_.text().data()) + at.column - 1;
-    }
     std::string_view between(std::size_t from, std::size_t until) const {
         return std::string_view(file_.text()).substr(from, until - from);
     }
