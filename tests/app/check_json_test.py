@@ -53,19 +53,17 @@ class CheckJson(unittest.TestCase):
             self.assertEqual(placedpar("check", file).stdout, said["summary"] + "\n")
 
     def test_a_netlist(self):
-        path = self.file("a.cfs", 'val \u00e9 1;\nT800 (memory = 1M) t, t;\nprocess p;\nuse "csp.identity" for q;\n')
-        code, said = checked(path)
-        self.assertEqual((code, said["valid"], said["summary"]), (1, False, ""))
         path = self.file("a.cfs", 'T800 (memory = 1M) t, /* \u00e9 */ tt, t;\nprocess p;\nuse "csp.identity" for quux;\n')
         code, said = checked(path)
+        self.assertEqual((code, said["valid"], said["summary"]), (1, False, ""))
         name = str(path)
         self.assertEqual(said["diagnostics"], [
             {"severity": "error", "file": name, "line": 1, "column": 36, "end_line": 1, "end_column": 37,
-             "message": said["diagnostics"][0]["message"], "hint": "",
+             "message": "the name \"t\" is declared twice", "hint": "",
              "also": [{"file": name, "line": 1, "column": 20, "end_line": 1, "end_column": 21,
-                       "message": said["diagnostics"][0]["also"][0]["message"]}]},
+                       "message": "first declared here, as a node"}]},
             {"severity": "error", "file": name, "line": 3, "column": 24, "end_line": 3, "end_column": 28,
-             "message": said["diagnostics"][1]["message"], "hint": said["diagnostics"][1]["hint"], "also": []}])
+             "message": "the name \"quux\" is undefined", "hint": "", "also": []}])
 
     def test_occam(self):
         path = self.file("a.occ", "PROC p ()\n  INT x:\n  x := long.name\n:\n")
