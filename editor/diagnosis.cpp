@@ -45,13 +45,6 @@ json::object position_json(const Position& position) {
     return {{"line", position.line}, {"character", position.character}};
 }
 
-std::size_t offset_of(const Location& at) {
-    const std::string_view line = at.file->line(at.line);
-    if (line.data() == nullptr)
-        return at.file->text().size();
-    return static_cast<std::size_t>(line.data() - at.file->text().data()) + std::min(at.column - 1, line.size());
-}
-
 /// Returns whether a place can be shown: its file is one that an editor can open.
 bool is_in_file(const Location& at) { return at.file && std::filesystem::path(at.file->path()).is_absolute(); }
 
@@ -109,7 +102,7 @@ json::object range_json(const Location& at) {
 
 json::object range_json(const Location& at, std::size_t bytes) {
     const Positions positions(at.file->text());
-    const std::size_t first = at.line == 0 ? 0 : offset_of(at);
+    const std::size_t first = offset_of(at);
     return {{"start", position_json(positions.position(first))},
             {"end", position_json(positions.position(first + bytes))}};
 }

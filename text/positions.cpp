@@ -77,6 +77,14 @@ Position Positions::position(std::size_t offset) const {
     return found;
 }
 
+std::size_t offset_of(const Location& at) {
+    const std::string_view line = at.file->line(at.line);
+    if (line.data() == nullptr) // behind the last line, or before the first
+        return at.line == 0 ? 0 : at.file->text().size();
+    return static_cast<std::size_t>(line.data() - at.file->text().data()) +
+           std::min(std::max<std::size_t>(at.column, 1) - 1, line.size());
+}
+
 Location end_of_word(const Location& at) {
     if (!at.file || at.line == 0 || at.column == 0)
         return at;

@@ -33,6 +33,8 @@ private:
     std::vector<std::size_t> starts_;
 };
 
+/// Returns the offset of a location in the text of its file. REQUIRES: the location has a file.
+std::size_t offset_of(const Location&);
 /// Returns the place behind the word that begins at a location: behind a name, a number or a string in quotes, or
 /// behind one other character. In a netlist (.cfs) a dot ends a name; in other languages it is part of a name. At the
 /// end of a line, and for line 0, returns the location itself.

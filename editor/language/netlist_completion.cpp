@@ -2,6 +2,7 @@
 
 #include "editor/language/netlist_context.hpp"
 #include "netlist/language/parser.hpp"
+#include "text/positions.hpp"
 
 #include <fmt/format.h>
 
@@ -152,6 +153,13 @@ std::size_t index_at(const std::vector<Token>& tokens, const Location& at) {
     return static_cast<std::size_t>(next - tokens.begin());
 }
 
+bool is_in_comment(const std::vector<Token>& tokens, std::size_t next, const Location& at) {
+    const std::size_t from = next == 0 ? 0 : offset_of(tokens[next - 1].end), until = offset_of(at);
+    const std::string_view before = std::string_view(at.file->text()).substr(0, until).substr(std::min(from, until));
+    const auto opening = before.rfind("/*");
+    return opening != before.npos && before.find("*/", opening + 2) == before.npos;
+}
+
 } // namespace
 
 std::vector<Completion> complete_netlist(const NetlistSyntax& syntax, const Catalogue& catalogue, const Location& at) {
@@ -159,7 +167,7 @@ std::vector<Completion> complete_netlist(const NetlistSyntax& syntax, const Cata
     const NetlistContext context = context_of(syntax.tokens, index);
     const bool in_string =
         syntax.tokens[index].kind == TokenKind::text || syntax.tokens[index].kind == TokenKind::illegal;
-    if (in_string && context.place != Place::program)
+    if ((in_string && context.place != Place::program) || is_in_comment(syntax.tokens, index, at))
         return {};
     return NetlistCompletions(syntax, catalogue).at(context);
 }

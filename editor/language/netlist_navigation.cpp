@@ -69,7 +69,7 @@ std::string name_text(const NetlistName& name) {
 std::optional<Location> named_file(const NetlistSyntax& syntax, const std::string& name) {
     const std::filesystem::path beside = std::filesystem::path(syntax.file->path()).parent_path() / name;
     std::optional<std::filesystem::path> path;
-    if (is_file(beside))
+    if (names_file(beside))
         path = beside;
     for (const std::string& each : syntax.included)
         if (!path && std::filesystem::path(each).filename() == std::filesystem::path(name).filename())

@@ -18,7 +18,6 @@ namespace {
 
 using occam::Declaration;
 using occam::DeclarationBox;
-using occam::Place;
 using occam::Program;
 
 bool is_in_name(char c) {
@@ -37,16 +36,17 @@ std::pair<std::string, std::size_t> name_at(const SourceFile& file, const Locati
     return {std::string(line.substr(first, last - first)), first + 1};
 }
 
-std::string text_of_line(const Program& program, const Place& at) {
+std::string text_of_line(const Program& program, const occam::Place& at) {
     const std::string_view line = program.files[at.file]->line(at.line);
     return std::string(line.substr(std::min(line.find_first_not_of(' '), line.size())));
 }
 
-/// Calls the function with each declaration of a list, and with all that a declaration has within it by name.
+/// Calls the function with each declaration of a list that gives something a name.
 template <class Function>
 void for_each_named(const std::vector<DeclarationBox>& declarations, const Function& function) {
     for (const DeclarationBox& each : declarations)
-        if (!each->name.empty() && each->at.line > 0)
+        if (each->at.line > 0 && !std::holds_alternative<occam::Use>(each->form) &&
+            !std::holds_alternative<occam::Placement>(each->form))
             function(*each);
 }
 

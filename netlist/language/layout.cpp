@@ -1,6 +1,7 @@
 #include "netlist/language/layout.hpp"
 
 #include "netlist/language/names_in_text.hpp"
+#include "text/positions.hpp"
 
 #include <algorithm>
 #include <map>
@@ -20,10 +21,11 @@ bool is_one_of(const Token& token, std::string_view symbols) {
 
 /// Returns whether a sign stands where an operand begins, so that no blank follows it.
 bool is_unary(const std::vector<Token>& tokens, std::size_t index) {
-    if (!is_one_of(tokens[index], "-+!~") || index == 0)
-        return is_one_of(tokens[index], "-+!~");
+    if (!is_one_of(tokens[index], "-+!~") || index < 2)
+        return false;
     const Token& before = tokens[index - 1];
-    return before.kind == TokenKind::symbol && !is_one_of(before, ")]");
+    const bool begins_value = tokens[index - 2].is_word("val");
+    return begins_value || (before.kind == TokenKind::symbol && !is_one_of(before, ")]"));
 }
 
 /// Returns the blanks between two words of a line. What the text has stays in front of a parenthesis that follows a
@@ -106,9 +108,6 @@ private:
         std::size_t depth = 0; ///< of a block
     };
 
-    std::size_t offset_of(const Location& at) const {
-        return static_cast<std::size_t>(file_.line(at.line).data() - file_.text().data()) + at.column - 1;
-    }
     std::string_view between(std::size_t from, std::size_t until) const {
         return std::string_view(file_.text()).substr(from, until - from);
     }

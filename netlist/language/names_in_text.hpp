@@ -16,8 +16,8 @@ namespace placedpar {
 /// A name that a netlist declares.
 struct NetlistName {
     enum class Category { val, type, node, process, connection, edge_channel, replicator };
-    std::string name;
-    Location at;
+    std::string name = "";
+    Location at = {};
     Category category = Category::val;
     std::string type = "";    ///< of a node, a process or a type: the word with which it is declared
     std::string program = ""; ///< of a process: what `use` names; "" if nothing does
@@ -33,12 +33,12 @@ struct NetlistNameUse {
 /// The syntax of a netlist as an editor needs it: words, statements, and the meaning of names.
 struct NetlistSyntax {
     std::shared_ptr<const SourceFile> file;
-    std::vector<Token> tokens; ///< of the file itself, without those of included files
-    Statements statements;
-    std::vector<NetlistName> names; ///< also of included files, in the order of the text
-    std::vector<NetlistNameUse> uses;
-    std::vector<Diagnostic> diagnostics; ///< of lexer and parser
-    std::vector<std::string> included;   ///< paths of the included files
+    std::vector<Token> tokens = {}; ///< of the file itself, without those of included files
+    Statements statements = {};
+    std::vector<NetlistName> names = {}; ///< also of included files, in the order of the text
+    std::vector<NetlistNameUse> uses = {};
+    std::vector<Diagnostic> diagnostics = {}; ///< of lexer and parser
+    std::vector<std::string> included = {};   ///< paths of the included files
 
     /// Returns the name that is declared or used at a place; null if there is none.
     const NetlistName* name_at(const Location&) const;

@@ -53,19 +53,17 @@ class CheckJson(unittest.TestCase):
             self.assertEqual(placedpar("check", file).stdout, said["summary"] + "\n")
 
     def test_a_netlist(self):
-        path = self.file("a.cfs", 'val \u00e9 1;\nT800 (memory = 1M) t, t;\nprocess p;\nuse "csp.identity" for q;\n')
-        code, said = checked(path)
-        self.assertEqual((code, said["valid"], said["summary"]), (1, False, ""))
         path = self.file("a.cfs", 'T800 (memory = 1M) t, /* \u00e9 */ tt, t;\nprocess p;\nuse "csp.identity" for quux;\n')
         code, said = checked(path)
+        self.assertEqual((code, said["valid"], said["summary"]), (1, False, ""))
         name = str(path)
         self.assertEqual(said["diagnostics"], [
-            {"severity": "error", "file": name, "line": 1, "column": 37, "end_line": 1, "end_column": 38,
-             "message": said["diagnostics"][0]["message"], "hint": "",
+            {"severity": "error", "file": name, "line": 1, "column": 36, "end_line": 1, "end_column": 37,
+             "message": "the name \"t\" is declared twice", "hint": "",
              "also": [{"file": name, "line": 1, "column": 20, "end_line": 1, "end_column": 21,
-                       "message": said["diagnostics"][0]["also"][0]["message"]}]},
+                       "message": "first declared here, as a node"}]},
             {"severity": "error", "file": name, "line": 3, "column": 24, "end_line": 3, "end_column": 28,
-             "message": said["diagnostics"][1]["message"], "hint": said["diagnostics"][1]["hint"], "also": []}])
+             "message": "the name \"quux\" is undefined", "hint": "", "also": []}])
 
     def test_occam(self):
         path = self.file("a.occ", "PROC p ()\n  INT x:\n  x := long.name\n:\n")
@@ -80,7 +78,8 @@ class CheckJson(unittest.TestCase):
     def test_a_configuration(self):
         path = self.file("a.pgm", "NODE n:\nNETWORK\n  DO\n    SET m (type, memsize := \"T800\", 1024)\n:\n")
         code, said = checked(path)
-        self.assertEqual((code, said["diagnostics"][0]["line"], said["diagnostics"][0]["column"]), (1, 4, 9))
+        self.assertEqual(code, 1)
+        self.assertEqual([(d.get("line"), d.get("column")) for d in said["diagnostics"]], [(None, None), (4, 9)])
 
     def test_a_study_and_its_netlist(self):
         self.file("ring.cfs", (EXAMPLES / "csp/commstime/commstime.cfs").read_text())
@@ -88,7 +87,8 @@ class CheckJson(unittest.TestCase):
         self.assertEqual((code, said["diagnostics"]), (0, []), said)
         self.assertIn("2 runs", said["summary"])
         code, said = checked(self.file("a.toml", 'netlist = "ring.cfs"\nsets = 3\n[set]\ncount = []\n'))
-        self.assertEqual([(d["line"], d["column"], d["end_column"]) for d in said["diagnostics"]], [(2, 1, 5), (4, 9, 10)])
+        places = sorted((d["line"], d["column"], d["end_column"]) for d in said["diagnostics"])
+        self.assertEqual(places, [(2, 1, 5), (4, 9, 10)])
         code, said = checked(self.file("a.toml", 'netlist = "ring.cfs"\n[set]\nno_such_setting = 3\n'))
         self.assertEqual(code, 1)
         self.assertIn("no_such_setting", json.dumps(said["diagnostics"]))

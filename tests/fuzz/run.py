@@ -99,8 +99,31 @@ SEEDS = {
                      for program in PROGRAMS for model in range(5) for link in (0, 3)]
                     + [booted((0, PEEK + POKE + packet(program)), (1, bytes(60)), (2, packet(program)), (3, packet(program)), (4, PEEK),
                               machine=bytes([3, 4, 3, how, 30])) for how, program in enumerate(PROGRAMS)],
+    "editor": lambda: [session(f"file:///nowhere/a{path.suffix}", path.read_text()[:2000])
+                       for pattern in ("csp/*/*.cfs", "occam/*/*.occ", "occam/*/*.pgm", "explore/*/*.toml")
+                       for path in sorted((TREE / "examples").glob(pattern))],
+    "words": lambda: files("examples/**/*.cfs"),
     "arguments": lambda: texts_of("tests/explore/**/*.cpp", "tests/report/*.cpp"),
 }
+
+
+def spoken(*messages):
+    """Returns messages to a language server."""
+    bodies = [json.dumps({"jsonrpc": "2.0", **message}).encode() for message in messages]
+    return b"".join(b"Content-Length: %d\r\n\r\n" % len(body) + body for body in bodies)
+
+
+def session(uri, text):
+    """Returns what an editor sends that opens a text, changes it, and asks everything about a place in it."""
+    document = {"textDocument": {"uri": uri, "version": 2}}
+    place = {**document, "position": {"line": 3, "character": 9}}
+    change = {"range": {"start": {"line": 1, "character": 2}, "end": {"line": 1, "character": 4}}, "text": "\U0001f600;"}
+    questions = [{"id": number, "method": f"textDocument/{name}", "params": {**place, "newName": "other"}} for number, name in
+                 enumerate(("hover", "completion", "definition", "rename", "formatting", "documentSymbol"))]
+    return spoken({"id": 0, "method": "initialize", "params": {}},
+                  {"method": "textDocument/didOpen", "params": {"textDocument": {"uri": uri, "languageId": "", "version": 1, "text": text}}},
+                  *questions, {"method": "textDocument/didChange", "params": {**document, "contentChanges": [change]}},
+                  {"method": "textDocument/didClose", "params": document})
 
 
 def instruction(function, operand):

@@ -3,6 +3,10 @@
 
 #include "app/command.hpp"
 #include "app/record/scenario_record.hpp"
+#include "editor/language/completion.hpp"
+#include "editor/language/navigation.hpp"
+#include "editor/protocol/message_stream.hpp"
+#include "editor/server.hpp"
 #include "explore/generate/generate.hpp"
 #include "explore/problems.hpp"
 #include "explore/study/measure.hpp"
@@ -21,6 +25,8 @@
 #include "monitor/protocol/bad_message.hpp"
 #include "monitor/protocol/message.hpp"
 #include "monitor/service/send_command.hpp"
+#include "netlist/language/layout.hpp"
+#include "netlist/language/names_in_text.hpp"
 #include "netlist/read.hpp"
 #include "serve/job.hpp"
 #include "tests/fuzz/reader.hpp"
@@ -306,6 +312,37 @@ void read_scenario_settings(const std::string& text) {
         });
 }
 
+/// The input is all that an editor sends.
+void serve_an_editor(const std::string& text) {
+    std::istringstream in(text);
+    std::ostringstream out;
+    editor::serve_editor(in, out);
+    std::istringstream sent(out.str());
+    editor::MessageStream answers(sent, out);
+    while (const auto answer = answers.read())
+        boost::json::parse(*answer);
+}
+
+/// Asks about every few places of a netlist, and lays it out.
+void ask_about_netlist(const std::string& text) {
+    static const ProblemRegistry problems = known_problems(1);
+    static const Catalogue kinds = known_kinds(problems);
+    const auto file = std::make_shared<const SourceFile>("/nowhere/input.cfs", text);
+    const NetlistSyntax syntax = read_syntax(file);
+    for (std::size_t line = 1; line < 30 && !file->line(line).empty(); ++line)
+        for (std::size_t column = 1; column < 100 && column <= file->line(line).size() + 1; column += 3) {
+            const Location at{file, line, column};
+            editor::complete_netlist(syntax, kinds, at);
+            editor::hover_netlist(syntax, kinds, at);
+            editor::definition_in_netlist(syntax, at);
+            attempt_to([&] { editor::places_to_rename(syntax, kinds, at, "another"); });
+        }
+    if (const auto once = laid_out_netlist(file)) {
+        const auto again = laid_out_netlist(std::make_shared<const SourceFile>("/nowhere/input.cfs", *once));
+        require(again == once, "a second layout is as the first");
+    }
+}
+
 void read_arguments(const std::string& text) {
     attempt_to([&] { parse_time(text); });
     attempt_to([&] { StudyMeasure{text}; });
@@ -348,7 +385,9 @@ std::span<const Reader> readers() {
                                  {"places", read_place},
                                  {"request", read_request},
                                  {"job", read_job},
-                                 {"command", read_words}};
+                                 {"command", read_words},
+                                 {"editor", serve_an_editor},
+                                 {"words", ask_about_netlist}};
     return all;
 }
 
