@@ -190,8 +190,7 @@ void Kernel::run_among(Surroundings& surroundings, std::uint32_t number) {
 
 [[gnu::cold, gnu::noinline]] void Kernel::read_wall_clock() { hot_.now = std::max(hot_.now, surroundings_->now()); }
 
-/// Takes the messages of other kernels, and lets the events happen that are due. Another thread may wait for a process
-/// that these wake, so every second turn belongs to such a process.
+/// Takes the messages of other kernels, and lets the events happen that are due.
 [[gnu::noinline]] void Kernel::look_around() {
     read_wall_clock();
     hot_.between_programs = true;
@@ -201,10 +200,8 @@ void Kernel::run_among(Surroundings& surroundings, std::uint32_t number) {
         hot_.future.happen_next();
     std::swap(hot_.ready, native_.woken);
     hot_.between_programs = false;
-    native_.is_turn_of_woken = !native_.is_turn_of_woken || hot_.ready.empty();
-    if (native_.is_turn_of_woken)
-        if (Process* const woken = native_.woken.pop_front())
-            hot_.ready.push_front(*woken);
+    if (Process* const woken = native_.turns.next(native_.woken, !hot_.ready.empty()))
+        hot_.ready.push_front(*woken);
 }
 
 /// Waits for other kernels or for the next event. Returns false when the run is over.

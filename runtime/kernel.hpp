@@ -172,7 +172,7 @@ public:
     }
     /// Runs natively, as one of the kernels of a run: time is that of the wall clock, and others send messages. An
     /// event that is due happens between two turns of processes, and the run is over when all its kernels have nothing
-    /// to do. Processes that a message or an event has woken have every second turn. `number`: of the kernel in the
+    /// to do. Processes that a message or an event has woken come first (TurnsOfWoken). `number`: of the kernel in the
     /// run. REQUIRES: called before the run; the surroundings outlive it.
     void run_among(Surroundings& surroundings, std::uint32_t number);
     /// Returns the surroundings of a native run; null in virtual time.
@@ -268,7 +268,7 @@ private:
     /// The state of a native run.
     struct Native {
         ProcessQueue woken; ///< ready processes that an arrival or an event has woken
-        bool is_turn_of_woken = false;
+        TurnsOfWoken turns;
     };
     /// The state of the end of the work and of the run.
     struct End {

@@ -253,4 +253,23 @@ private:
     Process* last_ = nullptr;
 };
 
+/// Distributes the turns of a thread of a native run. A process that a message of another thread or an event has woken
+/// comes before the others that are ready, for another thread may wait for it. After `most_in_a_row` such turns one of
+/// the others comes. So neither kind keeps the other one waiting for ever.
+class TurnsOfWoken {
+public:
+    static constexpr unsigned most_in_a_row = 8;
+
+    /// Takes the woken process that has the next turn from the queue. Returns null if another one has it. `others`:
+    /// other processes are ready.
+    Process* next(ProcessQueue& woken, bool others) {
+        Process* const p = others && in_a_row_ >= most_in_a_row ? nullptr : woken.pop_front();
+        in_a_row_ = p ? in_a_row_ + 1 : 0;
+        return p;
+    }
+
+private:
+    unsigned in_a_row_ = 0;
+};
+
 } // namespace placedpar

@@ -2,12 +2,22 @@
 
 #include "runtime/time.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <vector>
 
 namespace placedpar {
 
 class Kernel;
 struct Deadlock;
+
+/// Returns for how long a kernel that no message can wake pauses before it looks for messages again. `waited`: for how
+/// long it has had nothing to do. An eighth of this time makes a wait only a little longer, and an idle kernel uses
+/// hardly any of a core.
+constexpr Time pause_after(Time waited) {
+    constexpr Time shortest = std::chrono::microseconds(20), longest = std::chrono::milliseconds(4);
+    return std::clamp(waited / 8, shortest, longest);
+}
 
 /// What a kernel of a native run finds outside of itself: the wall clock, and the other kernels of the run. A kernel
 /// without surroundings keeps virtual time, and is alone.

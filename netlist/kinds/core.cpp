@@ -33,7 +33,8 @@ private:
                 .crossing = cycles("crossing"),
                 .switching = cycles("switching"),
                 .patience = cycles("patience"),
-                .waking = cycles("waking")};
+                .waking = cycles("waking"),
+                .oversleeping = cycles("oversleeping")};
     }
 
     hardware::ComputerCore& core_;
@@ -101,6 +102,9 @@ std::vector<AttributeDescription> core_attributes() {
     attributes.push_back(cost("switching", 0, "a switch to the next process"));
     attributes.push_back(cost("patience", 20'000, "time without work after which the thread sleeps"));
     attributes.push_back(cost("waking", 0, "time until a thread that sleeps has woken"));
+    attributes.push_back(cost("oversleeping", 0,
+                              "of a rank of MPI, which sleeps in pauses: by how much each lasts longer than asked; 0: "
+                              "messages wake the thread"));
     return attributes;
 }
 

@@ -2,6 +2,7 @@
 
 #include "runtime/channel.hpp"
 #include "runtime/kernel.hpp"
+#include "runtime/surroundings.hpp"
 #include "runtime/trace.hpp"
 
 #include <algorithm>
@@ -28,7 +29,8 @@ OperationCosts costs_of(const CoreCosts& core) {
 
 ComputerCore::ComputerCore(Kernel& kernel, std::string name, const CoreCosts& costs)
     : Executive(std::move(name), costs_of(costs)), kernel_(kernel), core_(costs) {
-    const auto least = std::min({costs.communication, costs.crossing, costs.switching, costs.patience, costs.waking});
+    const auto least = std::min(
+        {costs.communication, costs.crossing, costs.switching, costs.patience, costs.waking, costs.oversleeping});
     if (costs.clock_hz <= 0 || least < Cycles{0})
         throw std::logic_error("core " + this->name() + ": its clock must be positive, and no cost negative");
 }
@@ -80,16 +82,26 @@ void ComputerCore::leave(Process&, Process* successor) {
         take_next();
 }
 
+/// Returns the time from now to the end of the pause in which a core is that has waited for so long.
+Time ComputerCore::rest_of_pause(Time waited) const {
+    Time end = duration(core_.patience);
+    while (end < waited)
+        end += pause_after(end) + duration(core_.oversleeping);
+    return end - waited;
+}
+
 Time ComputerCore::time_to_start() const {
-    const bool sleeps = kernel_.now() - idle_since_ > duration(core_.patience);
-    return duration(core_.switching) + (sleeps ? duration(core_.waking) : Time{});
+    const Time waited = kernel_.now() - idle_since_;
+    if (waited <= duration(core_.patience))
+        return duration(core_.switching);
+    const bool pauses = core_.oversleeping > Cycles{0} && is_woken_;
+    return duration(core_.switching) + duration(core_.waking) + (pauses ? rest_of_pause(waited) : Time{});
 }
 
 void ComputerCore::take_next() {
-    is_turn_of_woken_ = !is_turn_of_woken_;
-    current_ = (is_turn_of_woken_ ? woken_ : ready_).pop_front();
+    current_ = turns_.next(woken_, !ready_.empty());
     if (!current_)
-        current_ = (is_turn_of_woken_ ? ready_ : woken_).pop_front();
+        current_ = ready_.pop_front();
     if (!current_)
         return;
     if (const Time start = time_to_start(); start > Time{})

@@ -23,6 +23,7 @@ struct CoreCosts {
     Cycles switching{};     ///< a switch to the next process
     Cycles patience{};      ///< time without work after which the thread sleeps
     Cycles waking{};        ///< time until a thread that sleeps has woken
+    Cycles oversleeping{};  ///< by how much each pause (pause_after) lasts longer; 0: messages wake the thread
 
     static constexpr std::int64_t usual_clock = 1'000'000'000; ///< a cycle is a nanosecond
 };
@@ -30,8 +31,10 @@ struct CoreCosts {
 /// A core of a computer that runs one thread of a native run (native/group.hpp), by the rules of the threads:
 ///
 /// 1. A process runs until it waits or ends. Then the process that has been ready longest runs, whatever its priority.
-/// Processes that another core has woken have every second turn.
+/// Processes that another core has woken come first (TurnsOfWoken).
 /// 2. If the core has had nothing to do for longer than its patience, the thread sleeps, and takes time to wake.
+/// 3. A core with `oversleeping` is a rank of MPI, which no message can wake: it sleeps in pauses, and finds a message
+/// at the end of a pause.
 class ComputerCore final : public Executive {
 public:
     /// Throws std::logic_error unless the clock is positive and no cost is negative.
@@ -62,6 +65,7 @@ private:
     };
     Time duration(Cycles cycles) const { return duration_of(static_cast<std::int64_t>(cycles), core_.clock_hz); }
     Time time_to_start() const;
+    Time rest_of_pause(Time waited) const;
     void take_next();
     void end_work();
     void end_turn();
@@ -70,7 +74,7 @@ private:
     CoreCosts core_;
     ProcessQueue ready_, woken_; ///< `woken_`: by another core
     bool is_woken_ = false;      ///< another core makes processes ready
-    bool is_turn_of_woken_ = false;
+    TurnsOfWoken turns_;
     Process* current_ = nullptr; ///< the process that has the core
     bool works_ = false;         ///< the process computes; else it has not started yet
     Time idle_since_{}, began_{}, busy_{};

@@ -8,8 +8,10 @@
 
 #include <doctest/doctest.h>
 
+#include <deque>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace placedpar;
@@ -93,6 +95,37 @@ TEST_CASE("a core that has had nothing to do for longer than its patience takes 
     CHECK(far - near == 2 * 50us); // pong wakes, and ping has fallen asleep meanwhile
 }
 
+TEST_CASE("a core that no message wakes finds it at the end of a pause") {
+    CoreCosts rank = costs_of_core;
+    rank.waking = Cycles{0};
+    rank.oversleeping = Cycles{5'000};
+    // The pauses of a rank that waits end at 20, 45, 70, 95, 120, 145, 170, 195.25 us and so on: each lasts an eighth
+    // of the time before it, at least 20 us, and 5 us more.
+    const auto input_of = [&](Time sent) {
+        Simulation simulation;
+        auto &a = simulation.add<ComputerCore>("a", CoreCosts{}), &b = simulation.add<ComputerCore>("b", rank);
+        Channel<int> channel("c");
+        channel.put_on(simulation.add<CoreLane>(b, 1'000'000'000'000));
+        Time input{};
+        const auto send = [&] {
+            wait_for(sent);
+            channel.out().output(1);
+        };
+        const auto receive = [&] {
+            channel.in().input();
+            input = now();
+        };
+        simulation.process("sender", send, &a);
+        simulation.process("receiver", receive, &b);
+        simulation.run();
+        return input;
+    };
+    for (const auto& [sent, found] : {std::pair(15us, 15us), std::pair(21us, 45us), std::pair(69us, 70us)}) {
+        CHECK(input_of(sent) >= Time(found));
+        CHECK(input_of(sent) < Time(found) + 2us);
+    }
+}
+
 TEST_CASE("no process of a core interrupts another, whatever their priorities and however long they compute") {
     Simulation simulation;
     ComputerCore& core = simulation.add<ComputerCore>("c", CoreCosts{});
@@ -112,7 +145,7 @@ TEST_CASE("no process of a core interrupts another, whatever their priorities an
     CHECK(core.time_busy() == 300ms);
 }
 
-TEST_CASE("a process that another core has woken has every second turn") {
+TEST_CASE("a process that another core has woken does not wait for the others that are ready") {
     CorePair pair(true, 1'000'000'000'000);
     for (int i = 0; i < 10; ++i)
         pair.simulation.process(
@@ -127,6 +160,44 @@ TEST_CASE("a process that another core has woken has every second turn") {
     // Ten processes compute for a millisecond in turn, but at most one of them comes before each of the two turns of
     // pong.
     CHECK(pair.last_round(10) < 3ms);
+}
+
+TEST_CASE("a process that is always ready has a turn after eight turns of processes that another core wakes") {
+    Simulation simulation;
+    auto &a = simulation.add<ComputerCore>("a", CoreCosts{}), &b = simulation.add<ComputerCore>("b", CoreCosts{});
+    CoreLane& lane = simulation.add<CoreLane>(b, 1'000'000'000'000);
+    constexpr int pairs = 20, messages = 100;
+    std::deque<Channel<int>> channels;
+    for (int i = 0; i < pairs; ++i) {
+        Channel<int>& channel = channels.emplace_back("c");
+        channel.put_on(lane);
+        const auto send = [&] {
+            for (int j = 0; j < messages; ++j) {
+                wait_for(50us); // meanwhile the receiver waits, and the others compute
+                channel.out().output(j);
+            }
+        };
+        const auto receive = [&] {
+            for (int j = 0; j < messages; ++j) {
+                channel.in().input();
+                compute(Cycles{10'000});
+            }
+        };
+        simulation.process("sender", send, &a);
+        simulation.process("receiver", receive, &b);
+    }
+    Time took{};
+    const auto busy = [&] {
+        wait_for(1ms);
+        const Time begun = now();
+        for (int turn = 0; turn < 10; ++turn)
+            wait_for(1ns); // gives the others a turn
+        took = now() - begun;
+    };
+    simulation.process("busy", busy, &b);
+    CHECK(simulation.run().time >= pairs * messages * 10us); // the receivers keep the core busy
+    CHECK(took >= 10 * 7 * 10us);
+    CHECK(took <= 10 * 8 * 10us);
 }
 
 TEST_CASE("a core refuses costs without sense") {
