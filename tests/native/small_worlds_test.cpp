@@ -20,11 +20,7 @@ constexpr std::array<Threads, 4> all_threads{Threads{0, 1, 2}, Threads{0, 0, 1},
 void check_course(const SmallWorld& world, const Threads& threads) {
     NativeWorld run(world, {threads.begin(), threads.end()});
     const bool completed = run.run();
-    const Interpreter interpreter(world);
-    auto states = interpreter.start();
-    for (const char channel : run.trace())
-        states = interpreter.after(states, static_cast<std::size_t>(channel - '0'));
-    if (states.empty() || !interpreter.can_end(states, completed))
+    if (!Interpreter(world).allows(run.trace(), completed))
         FAIL(world.text(), " on threads ", threads[0], threads[1], threads[2], " did ", run.trace(),
              completed ? " and completed" : " and got stuck");
 }

@@ -136,6 +136,13 @@ bool Interpreter::can_end(const States& states, bool completed) const {
     return false;
 }
 
+bool Interpreter::allows(const std::string& trace, bool completed) const {
+    States states = start();
+    for (const char channel : trace)
+        states = after(states, static_cast<std::size_t>(channel - '0'));
+    return !states.empty() && can_end(states, completed);
+}
+
 std::vector<Interpreter::State> Interpreter::next_states(const State& state) const {
     std::vector<State> found;
     for (std::size_t channel = 0; channel < world_.channels.size(); ++channel)

@@ -54,6 +54,8 @@ public:
     /// Returns whether in some of the states nothing more can happen, and the world may be called completed (or
     /// deadlocked).
     bool can_end(const States&, bool completed) const;
+    /// Returns whether CSP allows a course: communications on the channels that the trace names, and then its end.
+    bool allows(const std::string& trace, bool completed) const;
     /// Returns all reachable states. REQUIRES: no process has more than 15 actions.
     std::vector<State> reachable() const;
     /// Returns all traces from the start to an end.

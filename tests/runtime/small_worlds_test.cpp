@@ -122,11 +122,7 @@ private:
 
 void check_course(const SmallWorld& world, std::size_t where, std::optional<std::uint64_t> seed) {
     Course course = WorldRun(world, placements[where]).run(seed);
-    Interpreter interpreter(world);
-    auto states = interpreter.start();
-    for (char channel : course.trace)
-        states = interpreter.after(states, static_cast<std::size_t>(channel - '0'));
-    if (states.empty() || !interpreter.can_end(states, course.completed))
+    if (!Interpreter(world).allows(course.trace, course.completed))
         FAIL("placed ", where, " it did ", course.trace, course.completed ? " and completed" : " and got stuck",
              "; again: PLACEDPAR_WORLD='", world.text(), "' PLACEDPAR_SEED=", seed.value_or(0),
              " test_runtime -tc='the world that is asked for*'");
