@@ -1,4 +1,4 @@
-#include "app/options/sent_events.hpp"
+#include "gaprocs/processes/sent_events.hpp"
 
 #include "gaprocs/processes/messages.hpp"
 #include "runtime/packed_form.hpp"
@@ -12,10 +12,11 @@ namespace placedpar {
 
 namespace {
 
-enum class EventKind : std::uint8_t { generation, migration, answer, state };
+/// What a packed event begins with.
+enum class SentKind : std::uint8_t { generation, migration, answer, state };
 
 template <class... Parts>
-MessageBytes packed_event(EventKind kind, const Parts&... parts) {
+MessageBytes packed_event(SentKind kind, const Parts&... parts) {
     MessageBytes bytes;
     pack(kind, bytes);
     (pack(parts, bytes), ...);
@@ -23,7 +24,7 @@ MessageBytes packed_event(EventKind kind, const Parts&... parts) {
 }
 
 template <class T>
-T next(PackedReader& from) {
+T next_packed(PackedReader& from) {
     return PackedForm<T>::read(from);
 }
 
@@ -45,9 +46,9 @@ std::pair<std::uint64_t, std::vector<RealRange>> parts_of(const Representation& 
 }
 
 Representation next_representation(PackedReader& from) {
-    const auto kind = next<StringKind>(from);
-    const auto size = next<std::uint64_t>(from);
-    auto ranges = next<std::vector<RealRange>>(from);
+    const auto kind = next_packed<StringKind>(from);
+    const auto size = next_packed<std::uint64_t>(from);
+    auto ranges = next_packed<std::vector<RealRange>>(from);
     switch (kind) {
     case StringKind::binary: return BitString(size);
     case StringKind::real: return RealVector(std::move(ranges));
@@ -57,43 +58,43 @@ Representation next_representation(PackedReader& from) {
 }
 
 void tell_generation(PackedReader& from, SearchObserver& observer) {
-    const auto search = next<std::string>(from);
-    const auto number = next<std::uint64_t>(from);
-    const auto time = next<std::optional<Time>>(from);
+    const auto search = next_packed<std::string>(from);
+    const auto number = next_packed<std::uint64_t>(from);
+    const auto time = next_packed<std::optional<Time>>(from);
     const Representation representation = next_representation(from);
-    const auto population = next<std::vector<Genome>>(from);
-    const auto fitness = next<std::vector<double>>(from);
-    const auto goal = next<std::optional<Goal>>(from);
+    const auto population = next_packed<std::vector<Genome>>(from);
+    const auto fitness = next_packed<std::vector<double>>(from);
+    const auto goal = next_packed<std::optional<Goal>>(from);
     observer.observe(ObservedGeneration{search, number, time, representation, population, fitness, goal});
 }
 
 void tell_migration(PackedReader& from, SearchObserver& observer) {
-    const auto source = next<std::string>(from), to = next<std::string>(from);
-    const auto generation = next<std::uint64_t>(from);
-    const auto time = next<std::optional<Time>>(from);
-    const auto fitness = next<double>(from);
-    observer.observe(ObservedMigration{source, to, generation, time, fitness, next<bool>(from)});
+    const auto source = next_packed<std::string>(from), to = next_packed<std::string>(from);
+    const auto generation = next_packed<std::uint64_t>(from);
+    const auto time = next_packed<std::optional<Time>>(from);
+    const auto fitness = next_packed<double>(from);
+    observer.observe(ObservedMigration{source, to, generation, time, fitness, next_packed<bool>(from)});
 }
 
 void tell_answer(PackedReader& from, SearchObserver& observer) {
-    const auto analyst = next<std::string>(from), chosen = next<std::string>(from);
-    const auto generation = next<std::uint64_t>(from);
-    const auto time = next<std::optional<Time>>(from);
-    const auto names = next<std::vector<std::string>>(from);
-    const auto values = next<std::vector<double>>(from);
+    const auto analyst = next_packed<std::string>(from), chosen = next_packed<std::string>(from);
+    const auto generation = next_packed<std::uint64_t>(from);
+    const auto time = next_packed<std::optional<Time>>(from);
+    const auto names = next_packed<std::vector<std::string>>(from);
+    const auto values = next_packed<std::vector<double>>(from);
     observer.observe(ObservedAnswer{analyst, chosen, generation, time, names, values});
 }
 
 void keep_state(PackedReader& from, Checkpoints& checkpoints) {
-    const auto search = next<std::string>(from);
+    const auto search = next_packed<std::string>(from);
     SearchCheckpoint checkpoint;
-    checkpoint.search.generation = next<std::uint64_t>(from);
-    checkpoint.search.redraws = next<std::uint64_t>(from);
-    checkpoint.search.drawn = next<std::uint64_t>(from);
-    checkpoint.search.population = next<std::vector<Genome>>(from);
-    checkpoint.search.best = next<std::optional<Individual>>(from);
-    checkpoint.populations = next<std::uint64_t>(from);
-    checkpoint.best = next<Individual>(from);
+    checkpoint.search.generation = next_packed<std::uint64_t>(from);
+    checkpoint.search.redraws = next_packed<std::uint64_t>(from);
+    checkpoint.search.drawn = next_packed<std::uint64_t>(from);
+    checkpoint.search.population = next_packed<std::vector<Genome>>(from);
+    checkpoint.search.best = next_packed<std::optional<Individual>>(from);
+    checkpoint.populations = next_packed<std::uint64_t>(from);
+    checkpoint.best = next_packed<Individual>(from);
     checkpoints.keep(search, checkpoint);
 }
 
@@ -101,36 +102,36 @@ void keep_state(PackedReader& from, Checkpoints& checkpoints) {
 
 void SentCheckpoints::keep(const std::string& search, const SearchCheckpoint& checkpoint) {
     const SearchState& state = checkpoint.search;
-    send_(packed_event(EventKind::state, search, state.generation, state.redraws, state.drawn, state.population,
+    send_(packed_event(SentKind::state, search, state.generation, state.redraws, state.drawn, state.population,
                        state.best, checkpoint.populations, checkpoint.best));
 }
 
 void SentEvents::observe(const ObservedGeneration& event) {
     const auto [size, ranges] = parts_of(event.representation);
-    send_(packed_event(EventKind::generation, std::string(event.search), event.number, event.time,
+    send_(packed_event(SentKind::generation, std::string(event.search), event.number, event.time,
                        event.representation.kind(), size, ranges,
                        std::vector<Genome>(event.population.begin(), event.population.end()),
                        std::vector<double>(event.fitness.begin(), event.fitness.end()), event.goal));
 }
 
 void SentEvents::observe(const ObservedMigration& event) {
-    send_(packed_event(EventKind::migration, std::string(event.from), std::string(event.to), event.generation,
+    send_(packed_event(SentKind::migration, std::string(event.from), std::string(event.to), event.generation,
                        event.time, event.fitness, event.accepted));
 }
 
 void SentEvents::observe(const ObservedAnswer& event) {
-    send_(packed_event(EventKind::answer, std::string(event.analyst), std::string(event.chosen), event.generation,
+    send_(packed_event(SentKind::answer, std::string(event.analyst), std::string(event.chosen), event.generation,
                        event.time, std::vector<std::string>(event.names.begin(), event.names.end()),
                        std::vector<double>(event.values.begin(), event.values.end())));
 }
 
 void tell_event(std::span<const std::uint8_t> packed, SearchObserver* observer, Checkpoints* checkpoints) {
     PackedReader from(packed);
-    switch (next<EventKind>(from)) {
-    case EventKind::generation: return tell_generation(from, *observer);
-    case EventKind::migration: return tell_migration(from, *observer);
-    case EventKind::answer: return tell_answer(from, *observer);
-    case EventKind::state: return keep_state(from, *checkpoints);
+    switch (next_packed<SentKind>(from)) {
+    case SentKind::generation: return tell_generation(from, *observer);
+    case SentKind::migration: return tell_migration(from, *observer);
+    case SentKind::answer: return tell_answer(from, *observer);
+    case SentKind::state: return keep_state(from, *checkpoints);
     }
 }
 
