@@ -24,9 +24,10 @@ std::vector<bool> nodes_with_processes(const Network& network) {
 std::optional<std::size_t> rank_on(const Places& places, const Node& node) {
     const std::optional<std::size_t> rank = node.rank;
     if (rank >= places.count)
-        throw UserError(fmt::format("{}: \"{}\" has rank = {}, but the run has {}, counted from 0: give {} {} or more",
+        throw UserError(fmt::format("{}: \"{}\" has rank = {}, but the run has {}, counted from 0: {}",
                                     node.declared.text(), node.name, *rank, counted(places.count, places.noun),
-                                    places.how, *rank + 1));
+                                    *rank < places.most ? fmt::format("give {} {} or more", places.how, *rank + 1)
+                                                        : fmt::format("give a rank below {}", places.most)));
     return rank;
 }
 
@@ -88,6 +89,18 @@ std::size_t most_places(const Network& network) {
         if (const std::optional<std::size_t> rank = network.nodes[i].rank; rank && has_process[i])
             most = std::max(most, *rank + 1);
     return most;
+}
+
+void require_enough_nodes(const Network& network, std::size_t ranks) {
+    const std::size_t most = most_places(network);
+    if (ranks <= most)
+        return;
+    if (most == 0)
+        throw UserError(fmt::format("{}: no processor has a process, so {} ranks have nothing to share: start it "
+                                    "without mpirun",
+                                    network.source_path, ranks));
+    throw UserError(fmt::format("{}: there are {} ranks, but only {} processes: start at most {}", network.source_path,
+                                ranks, counted(most, "processor has", "processors have"), counted(most, "rank")));
 }
 
 std::vector<std::size_t> place_nodes(const Network& network, const Places& places, const std::vector<Time>& loads) {

@@ -9,16 +9,23 @@
 
 namespace placedpar::native {
 
+/// The most threads of a native run (our choice, far more than computers have cores).
+inline constexpr std::size_t most_threads = 1024;
+
 /// The threads or MPI ranks on which a network can be placed.
 struct Places {
     std::size_t count = 1;         ///< at least 1
     std::string noun = "thread";   ///< for messages
     std::string how = "--threads"; ///< how a user states the count
+    std::size_t most = most_threads;
 };
 
 /// Returns the number of places that can have processes: one for each node with processes, or more if the ranks of
 /// nodes are higher.
 std::size_t most_places(const Network&);
+
+/// Throws UserError if the network has fewer places for processes than mpirun has started ranks.
+void require_enough_nodes(const Network&, std::size_t ranks);
 
 /// Returns the place of each node; 0 for a node without processes. A node with the attribute `rank` is on this place.
 /// The others depend on the loads:

@@ -30,37 +30,41 @@ std::string RankGiver::why_not_given_up() const {
 }
 
 /// Sends once for each message that it is taken.
-void RankTaker::say_taker() {
-    if (!std::exchange(taker_said_, true))
-        member_.send_taker(from_, number_);
+void RankTaker::promise() {
+    if (state_ != State::open)
+        return;
+    state_ = State::promised;
+    member_.send_taker(from_, number_);
 }
 
-/// Asks for a parcel, unless the message has come.
+/// Asks for a parcel, unless that has been done or the message has come.
 void RankTaker::ask(Offer& offer) {
-    if (!offer.has_come && !std::exchange(offer.is_asked, true))
-        member_.expect_parcel(from_, number_, offer.bytes);
+    if (offer.state != Offer::State::announced)
+        return;
+    offer.state = Offer::State::expected;
+    member_.expect_parcel(from_, number_, offer.bytes);
 }
 
 void RankTaker::input(AnyChannel& channel, const SourceLocation& where) {
     if (count_ > 0 || !channel.is_attempted_input())
-        say_taker();
+        promise();
     if (count_ > 0)
         ask(first());
-    if (count_ == 0 || !first().has_come) {
+    if (count_ == 0 || first().state != Offer::State::come) {
         inputter_ = &Kernel::here().running();
         inputter_->wait_for(Activity::inputting, &channel, where);
-        if (!taker_said_)
+        if (state_ == State::open)
             return; // given up, perhaps just before a message came
     }
     const Offer& taken = first();
     first_ = 1 - first_;
     --count_;
-    taker_said_ = false;
+    state_ = State::open;
     channel.hand_over_packed(taken.packed);
 }
 
 bool RankTaker::give_up_input(AnyChannel&) {
-    if (!inputter_ || taker_said_)
+    if (!inputter_ || state_ != State::open)
         return false;
     wake();
     return true;
@@ -71,45 +75,46 @@ void RankTaker::wake() {
         waiting->kernel().make_ready(*waiting);
 }
 
-void RankTaker::add(bool has_come, std::span<const std::uint8_t> packed, std::size_t bytes) {
+void RankTaker::add(Offer::State state, std::span<const std::uint8_t> packed, std::size_t bytes) {
+    if (count_ == offers_.size())
+        throw NoMessage("a message that no process can have sent yet");
     Offer& offer = offers_[(first_ + count_++) % offers_.size()];
     offer.packed.assign(packed.begin(), packed.end());
     offer.bytes = bytes;
-    offer.has_come = has_come;
-    offer.is_asked = false;
+    offer.state = state;
     if (count_ > 1)
         return;
     if (!inputter_)
         return channel_.announce();
-    say_taker();
-    if (has_come)
+    promise();
+    if (state == Offer::State::come)
         wake();
     else
         ask(offer);
 }
 
 void RankTaker::message_came(std::span<const std::uint8_t> packed) {
-    if (!is_over_)
-        add(true, packed, 0);
+    if (state_ != State::over)
+        add(Offer::State::come, packed, 0);
 }
 
 void RankTaker::parcel_announced(std::size_t bytes) {
-    if (is_over_)
+    if (state_ == State::over)
         member_.expect_parcel(from_, number_, bytes);
     else
-        add(false, {}, bytes);
+        add(Offer::State::announced, {}, bytes);
 }
 
 void RankTaker::parcel_came(MessageBytes packed) {
-    if (is_over_)
+    if (state_ == State::over)
         return;
     first().packed = std::move(packed);
-    first().has_come = true;
+    first().state = Offer::State::come;
     wake();
 }
 
 void RankTaker::end() {
-    is_over_ = true;
+    state_ = State::over;
     for (std::size_t i = 0; i < count_; ++i)
         ask(offers_[(first_ + i) % offers_.size()]);
 }

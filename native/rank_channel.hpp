@@ -68,14 +68,19 @@ public:
 private:
     /// A message that has not been taken.
     struct Offer {
-        MessageBytes packed;
+        enum class State { announced, expected, come }; ///< a letter has come at once
+        State state = State::come;
+        MessageBytes packed;   ///< the message, if it has come
         std::size_t bytes = 0; ///< length of a parcel
-        bool has_come = false; ///< `packed` is the message
-        bool is_asked = false; ///< the parcel is expected
+    };
+    enum class State {
+        open,     ///< the first message may be left
+        promised, ///< the other end knows that the first message is taken
+        over      ///< the kernel has stopped
     };
 
-    void say_taker();
-    void add(bool has_come, std::span<const std::uint8_t> packed, std::size_t bytes);
+    void promise();
+    void add(Offer::State, std::span<const std::uint8_t> packed, std::size_t bytes);
     void ask(Offer&);
     void wake();
     Offer& first() { return offers_[first_]; }
@@ -86,8 +91,7 @@ private:
     int from_;
     std::array<Offer, 2> offers_; ///< the outputter goes on when it knows of the taker, so a second one may come early
     std::size_t first_ = 0, count_ = 0;
-    bool taker_said_ = false; ///< the other end knows that the first message is taken
-    bool is_over_ = false;
+    State state_ = State::open;
     Process* inputter_ = nullptr; ///< who waits
 };
 

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <thread>
 #include <utility>
 
@@ -29,12 +31,8 @@ int parcel_of(std::size_t channel) { return static_cast<int>(channel) + 1; }
 
 constexpr std::size_t letter_head = 1 + sizeof(Channel32);
 
-/// Sleeps for a part of the time that a rank has already waited, so that an idle rank uses hardly any of a core, and a
-/// short wait is not made much longer.
 void sleep_after(Time waited, Time at_most) {
-    constexpr Time shortest = std::chrono::microseconds(20), longest = std::chrono::milliseconds(4);
-    const Time pause = std::min(std::clamp(waited / 8, shortest, longest), at_most);
-    std::this_thread::sleep_for(std::chrono::ceil<std::chrono::nanoseconds>(pause));
+    std::this_thread::sleep_for(std::chrono::ceil<std::chrono::nanoseconds>(std::min(pause_after(waited), at_most)));
 }
 
 } // namespace
@@ -104,6 +102,13 @@ void RankMember::stop_others() {
 
 Time RankMember::now() const { return std::chrono::duration_cast<Time>(std::chrono::steady_clock::now() - begun_); }
 
+/// Ends the program, and with it all ranks: without the letter their run has no sound end.
+[[noreturn]] void RankMember::refuse_damaged(const RankLetter& letter, const NoMessage& what) const {
+    fmt::print(stderr, "placedpar: rank {} received a damaged letter of {} bytes from rank {}: {}\n", mail_.own(),
+               letter.bytes.size(), letter.from, what.what());
+    std::abort();
+}
+
 /// Handles a letter that concerns no process. Returns false for other letters.
 bool RankMember::handle_at_once(const RankLetter& letter) {
     PackedReader from(letter.bytes);
@@ -114,20 +119,35 @@ bool RankMember::handle_at_once(const RankLetter& letter) {
     case Kind::quiet:
         ++received_;
         is_quiet_ = !is_stopped_;
-        break;
-    case Kind::over: is_over_ = true; break;
-    case Kind::question: is_asked_ = true; break;
+        return true;
+    case Kind::over: is_over_ = true; return true;
+    case Kind::question: is_asked_ = true; return true;
     case Kind::answer:
         heed(detection_.take(static_cast<std::size_t>(letter.from), PackedForm<QuietAnswer>::read(from)));
-        break;
+        return true;
     case Kind::stop:
         ++received_;
         others_stop_ = true;
         interrupt();
-        break;
-    case Kind::note: mail_.expect_parcel(letter.from, note_parcel, PackedForm<std::uint64_t>::read(from)); break;
+        return true;
+    case Kind::note: mail_.expect_parcel(letter.from, note_parcel, PackedForm<std::uint64_t>::read(from)); return true;
     }
-    return true;
+    throw NoMessage("its kind does not exist");
+}
+
+/// Passes a letter to the end of its channel.
+void RankMember::handle_for_process(const RankLetter& letter) {
+    PackedReader from(letter.bytes);
+    const Kind kind = PackedForm<Kind>::read(from);
+    const auto channel = PackedForm<Channel32>::read(from);
+    if (channel >= ends_.size() || !ends_[channel])
+        throw NoMessage(fmt::format("channel {} does not lead to this rank", channel));
+    if (kind == Kind::message)
+        ends_[channel]->message_came(from.take(from.left()));
+    else if (kind == Kind::taker)
+        ends_[channel]->taker_came();
+    else
+        ends_[channel]->parcel_announced(PackedForm<std::uint64_t>::read(from));
 }
 
 /// Receives letters and parcels up to the first that a process receives, which is held. Returns whether there is one.
@@ -136,8 +156,12 @@ bool RankMember::fetch() {
         std::optional<RankLetter> letter = mail_.receive();
         if (!letter)
             break;
-        if (!handle_at_once(*letter))
-            held_ = letter;
+        try {
+            if (!handle_at_once(*letter))
+                held_ = letter;
+        } catch (const NoMessage& what) {
+            refuse_damaged(*letter, what);
+        }
     }
     while (!held_parcel_) {
         std::optional<RankParcel> parcel = mail_.receive_parcel();
@@ -159,15 +183,11 @@ void RankMember::handle_held() {
     if (!letter)
         return;
     ++received_;
-    PackedReader from(letter->bytes);
-    const Kind kind = PackedForm<Kind>::read(from);
-    RankEnd& end = *ends_[PackedForm<Channel32>::read(from)];
-    if (kind == Kind::message)
-        end.message_came(from.take(from.left()));
-    else if (kind == Kind::taker)
-        end.taker_came();
-    else
-        end.parcel_announced(PackedForm<std::uint64_t>::read(from));
+    try {
+        handle_for_process(*letter);
+    } catch (const NoMessage& what) {
+        refuse_damaged(*letter, what);
+    }
 }
 
 void RankMember::take_arrivals() noexcept {
@@ -205,7 +225,7 @@ void RankMember::heed(QuietDetection::Verdict verdict) {
 /// Returns for how long a rank looks for messages without a pause. This needs a core for each rank.
 Time RankMember::patience() const {
     static const unsigned cores = std::thread::hardware_concurrency(); // it takes microseconds to ask
-    return static_cast<unsigned>(mail_.count_here()) <= cores ? Time(std::chrono::microseconds(50)) : Time{0};
+    return static_cast<unsigned>(mail_.count_here()) <= cores ? most_patience_of_rank : Time{0};
 }
 
 /// Returns how the rest ends; nothing if it goes on.

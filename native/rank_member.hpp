@@ -20,6 +20,9 @@ class Simulation;
 
 namespace placedpar::native {
 
+/// The time for which a rank looks for messages before it pauses.
+inline constexpr Time most_patience_of_rank = std::chrono::microseconds(50);
+
 /// The end of a channel that leads to another rank. Receives what the other end sends.
 class RankEnd {
 public:
@@ -85,7 +88,8 @@ private:
     bool fetch();
     void handle_held();
     bool handle_at_once(const RankLetter&);
-    bool handle_parcel();
+    void handle_for_process(const RankLetter&);
+    [[noreturn]] void refuse_damaged(const RankLetter&, const NoMessage&) const;
     void take_part_in_rounds(bool awaits_end);
     void begin_round(const QuietAnswer& own_answer);
     void heed(QuietDetection::Verdict);

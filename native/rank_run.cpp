@@ -11,7 +11,6 @@
 #include "netlist/network/names.hpp"
 #include "netlist/software.hpp"
 #include "ranks/ranks.hpp"
-#include "text/counted.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -22,6 +21,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <limits>
 #include <list>
 #include <mutex>
 #include <stdexcept>
@@ -35,16 +35,12 @@ namespace {
 
 using namespace native;
 
+constexpr std::size_t most_ranks = std::numeric_limits<std::size_t>::max(); // as many as MPI starts
+
 /// Returns the rank of each node.
 std::vector<std::size_t> ranks_of_nodes(const Network& network, const RankRunSettings& settings, std::size_t ranks) {
-    return place_nodes(network, {ranks, "rank", "mpirun -n"}, settings.loads ? settings.loads() : std::vector<Time>{});
-}
-
-void require_enough_nodes(const Network& network, std::size_t ranks) {
-    if (const std::size_t most = most_places(network); ranks > most)
-        throw UserError(fmt::format("{}: mpirun started {} ranks, but only {} processes: start at most {}",
-                                    network.source_path, ranks, counted(most, "processor has", "processors have"),
-                                    counted(most, "rank")));
+    return place_nodes(network, {ranks, "rank", "mpirun -n", most_ranks},
+                       settings.loads ? settings.loads() : std::vector<Time>{});
 }
 
 /// Throws UserError if messages of the channel cannot travel to another rank.

@@ -1,5 +1,6 @@
 // This module is loaded if mpirun has started the program (see ranks/ranks.hpp).
 
+#include "ranks/expected_parcels.hpp"
 #include "ranks/rank_mail.hpp"
 #include "ranks/ranks.hpp"
 
@@ -8,7 +9,6 @@
 
 #include <mpi.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -111,20 +111,13 @@ public:
     }
 
     void expect_parcel(int from, int number, std::size_t bytes) override {
-        Expected& expected = expected_.emplace_back();
-        expected.parcel = {from, number, std::vector<std::uint8_t>(bytes)};
+        auto& expected = expected_.add(from, number, bytes);
         MPI_Irecv(expected.parcel.bytes.data(), mpi_length(bytes), MPI_BYTE, from, first_parcel + number, own_world_,
                   &expected.request);
     }
 
     std::optional<RankParcel> receive_parcel() override {
-        for (auto each = expected_.begin(); each != expected_.end(); ++each)
-            if (is_next_of_its_number(*each) && is_complete(each->request)) {
-                std::optional<RankParcel> parcel = std::move(each->parcel);
-                expected_.erase(each);
-                return parcel;
-            }
-        return std::nullopt;
+        return expected_.take([](auto& expected) { return is_complete(expected.request); });
     }
 
     bool has_all_parcels() const override { return expected_.empty(); }
@@ -140,18 +133,7 @@ private:
         std::vector<std::uint8_t> bytes;
         MPI_Request request = MPI_REQUEST_NULL;
     };
-    struct Expected {
-        RankParcel parcel;
-        MPI_Request request = MPI_REQUEST_NULL;
-    };
 
-    /// Returns whether no earlier parcel with the same sender and number is expected: a later one may arrive first.
-    bool is_next_of_its_number(const Expected& expected) const {
-        const auto first = std::ranges::find_if(expected_, [&](const Expected& each) {
-            return each.parcel.from == expected.parcel.from && each.parcel.number == expected.parcel.number;
-        });
-        return &*first == &expected;
-    }
     void forget_sent() {
         if (!sent_.empty()) [[unlikely]]
             sent_.remove_if([](Sent& each) { return is_complete(each.request); });
@@ -164,7 +146,7 @@ private:
     Place* in_use_ = nullptr; ///< the place whose letter is being read
     std::list<Sent> spare_;   ///< memory for a letter
     std::list<Sent> sent_;    ///< what MPI has not sent yet
-    std::list<Expected> expected_;
+    ExpectedParcels<MPI_Request> expected_;
 };
 
 class MpiRanks final : public Ranks {

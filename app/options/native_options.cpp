@@ -1,9 +1,9 @@
 #include "app/options/native_options.hpp"
 
 #include "app/options/common_options.hpp"
-#include "app/options/sent_events.hpp"
 #include "explore/problems.hpp"
 #include "explore/workers.hpp"
+#include "gaprocs/processes/sent_events.hpp"
 #include "native/native_run.hpp"
 #include "native/placement.hpp"
 #include "native/rank_run.hpp"
@@ -26,7 +26,6 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t most_threads = 1024; // our choice, far more than computers have cores
 constexpr double slowest_pace = 1e-6, fastest_pace = 1e6;
 
 /// The kinds of the processes of one thread, with problems of its own, which may keep what they have computed.
@@ -79,7 +78,7 @@ void add_native(Options& command, NativeOptions& options) {
 }
 
 void add_threads(Options& command, std::size_t& threads) {
-    add_number(command, "--threads", threads, 1, most_threads,
+    add_number(command, "--threads", threads, 1, native::most_threads,
                "number of threads of a native run; by default one for each core");
 }
 

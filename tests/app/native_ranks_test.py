@@ -127,6 +127,17 @@ class OnRanks(unittest.TestCase):
             time.sleep(0.01)
         self.assertLess(time.monotonic(), until)
 
+    def test_ctrl_c_while_loads_are_simulated_ends_all_ranks(self):
+        with start(2, *LONG, "--map", "balance") as mpirun:
+            while len(ranks_of(mpirun)) < 2:
+                time.sleep(0.01)
+            time.sleep(1)
+            for rank in ranks_of(mpirun).values():
+                os.kill(rank, signal.SIGINT)
+            _, errors = mpirun.communicate(timeout=20)
+        self.assertEqual(mpirun.returncode, 1)
+        self.assertEqual(errors.count("interrupted before the run began"), 1, errors)
+
     def test_a_killed_rank_ends_the_run(self):
         chance = random.Random(1)
         for dying in (0, 1, 2):
@@ -148,14 +159,15 @@ class OnRanks(unittest.TestCase):
             file = pathlib.Path(folder, "search.checkpoint")
             kept = ("--native", "--checkpoint", file, "--checkpoint-every", "1")
             for ranks in (3, 2, 3):
+                before = file.read_bytes() if file.exists() else b""
                 with start(ranks, "run", ISLANDS, *kept) as mpirun:
-                    while not file.exists() and mpirun.poll() is None:
-                        time.sleep(0.01)
-                    time.sleep(chance.uniform(0, 0.3))
-                    for rank in list(ranks_of(mpirun).values())[1:2]:
-                        os.kill(rank, signal.SIGKILL)
-                    mpirun.communicate(timeout=20)
-            self.assertTrue(file.exists())
+                    while (not file.exists() or file.read_bytes() == before) and mpirun.poll() is None:
+                        time.sleep(0.001)
+                    time.sleep(chance.uniform(0, 0.02))
+                    os.kill(ranks_of(mpirun)[1], signal.SIGKILL)
+                    _, errors = mpirun.communicate(timeout=20)
+                    self.assertNotEqual(mpirun.returncode, 0)
+                    self.assertIn("rank 1 ", errors)
             self.assertEqual(results(ISLANDS, *kept, program=on(2)), expected)
             self.assertEqual(results(ISLANDS, "--checkpoint", file), expected)
 
@@ -191,7 +203,7 @@ class Refused(unittest.TestCase):
         self.assertEqual(run.stderr.count(message), 1, run.stderr)
 
     def test_more_ranks_than_processors(self):
-        self.refused(on(4)("run", RING, "--native"), "mpirun started 4 ranks, but only 3 processors have processes: start at most 3 ranks")
+        self.refused(on(4)("run", RING, "--native"), "there are 4 ranks, but only 3 processors have processes: start at most 3 ranks")
 
     def test_threads_of_a_rank(self):
         self.refused(on(2)("run", RING, "--native", "--threads", 2), "start more ranks")

@@ -124,6 +124,14 @@ class Endings(unittest.TestCase):
         self.assertEqual(run.returncode, 2)
         self.assertIn("wait cycle: buffer[0] -> buffer[2] -> buffer[1] -> buffer[0]", run.stdout)
 
+    def test_a_thousand_threads_run_and_more_are_refused(self):
+        ring = EXAMPLES / "csp/deadlock/ring.cfs"
+        run = placedpar("run", ring, "--native", "--threads", 1024, "--set", "n=1024")
+        self.assertEqual(run.returncode, 2, run.stderr)
+        self.assertIn("thread 1023", run.stdout)
+        run = placedpar("run", ring, "--native", "--threads", 5000)
+        self.assertEqual((run.returncode, '"5000" is not a whole number from 1 to 1024' in run.stderr), (1, True))
+
     def test_ctrl_c_ends_a_run_within_a_second(self):
         run = subprocess.Popen([PROGRAM, "run", EXAMPLES / "genetic/islands/islands.cfs", "--native", "--set",
                                 "trials=1000000"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

@@ -70,19 +70,8 @@ RunReport run_on(std::size_t threads, const std::string& text, const std::vector
 
 TEST_CASE("a token goes round a ring, whatever the number of threads") {
     constexpr int rounds = 1000;
-    const auto relay = kind_of("relay", [](ProcessEnvironment& environment) {
-        const auto in = environment.input<int>("in");
-        const auto out = environment.output<int>("out");
-        int token = 0;
-        for (int i = 0; i < rounds; ++i) {
-            if (environment.index() > 0)
-                token = in.input();
-            out.output(token + 1);
-            if (environment.index() == 0)
-                token = in.input();
-        }
-        environment.measure("token", token);
-    });
+    const auto relay =
+        kind_of("relay", [](ProcessEnvironment& environment) { test::relay_token(environment, rounds); });
     for (const std::size_t threads : {1U, 2U, 3U, 5U}) {
         const RunReport report = run_on(threads, test::ring_of(5, "relay"), {relay});
         CHECK(report.result.ending == Ending::completed);

@@ -127,6 +127,25 @@ TEST_CASE("a rank above the number of threads is refused with its place in the n
     CHECK(place_nodes(network, {5}) == Placed{0, 4, 2});
 }
 
+TEST_CASE("no more threads are suggested than a run can have") {
+    CHECK_THROWS_WITH_AS(place_nodes(ring_with({-1, 99999}), {2}),
+                         doctest::Contains("2 threads, counted from 0: give a rank below 1024"), UserError);
+    CHECK_THROWS_WITH_AS(place_nodes(ring_with({-1, 1023}), {2}), doctest::Contains("give --threads 1024 or more"),
+                         UserError);
+}
+
+TEST_CASE("more ranks than processors with processes are refused with the number that is possible") {
+    CHECK_NOTHROW(require_enough_nodes(ring_with({-1, -1}), 2));
+    CHECK_THROWS_WITH_AS(require_enough_nodes(ring_with({-1, -1}), 3),
+                         doctest::Contains("only 2 processors have processes: start at most 2 ranks"), UserError);
+    Catalogue catalogue;
+    const Network empty = *read_netlist_text("T800 t;", catalogue, {}).network;
+    CHECK_THROWS_WITH_AS(
+        require_enough_nodes(empty, 2),
+        doctest::Contains("no processor has a process, so 2 ranks have nothing to share: start it without mpirun"),
+        UserError);
+}
+
 TEST_CASE("the netlist's text keeps a rank, and simulations do not see it") {
     CHECK(ring_with({-1, 1, -1}).nodes[1].rank == 1);
     CHECK_FALSE(ring_with({-1, 1, -1}).nodes[0].rank);

@@ -1,238 +1,33 @@
 // Tests native runs on ranks, which are threads of the test here. tests/app/native_ranks_test.py tests mpirun.
 
-#include "native/rank_run.hpp"
+#include "tests/native/made_up_ranks.hpp"
+#include "tests/native/ring_of.hpp"
 
-#include "classics/kinds.hpp"
-#include "netlist/kinds/csp_kinds.hpp"
-#include "netlist/kinds/description.hpp"
 #include "netlist/machine.hpp"
-#include "netlist/read.hpp"
-#include "ranks/rank_mail.hpp"
-#include "ranks/ranks.hpp"
 #include "runtime/alternation.hpp"
 #include "runtime/parallel.hpp"
 #include "runtime/recovery.hpp"
 #include "runtime/timer.hpp"
-#include "tests/native/ring_of.hpp"
 #include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
-#include <deque>
-#include <exception>
-#include <list>
-#include <mutex>
 #include <numeric>
-#include <thread>
+#include <string>
 
 using namespace placedpar;
+using namespace placedpar::test;
 using namespace std::chrono_literals;
-
-namespace {
-
-/// Messages between ranks that are threads.
-struct MadeUpWorld {
-    struct Letter {
-        int from;
-        std::vector<std::uint8_t> bytes;
-    };
-    std::mutex mutex;
-    std::vector<std::deque<Letter>> letters;
-    std::vector<std::deque<RankParcel>> parcels; ///< by the receiving rank
-    std::vector<std::deque<Ranks::Message>> texts;
-    std::size_t parcels_sent = 0;
-
-    explicit MadeUpWorld(int ranks)
-        : letters(static_cast<std::size_t>(ranks)), parcels(letters.size()), texts(letters.size()) {}
-};
-
-class MadeUpMail final : public RankMail {
-public:
-    MadeUpMail(MadeUpWorld& world, int own) : world_(world), own_(own) {}
-    int own() const override { return own_; }
-    int count() const override { return static_cast<int>(world_.letters.size()); }
-    int count_here() const override { return count(); }
-    void send(int to, std::span<const std::uint8_t> letter) override {
-        REQUIRE(letter.size() <= longest_letter);
-        const std::lock_guard lock(world_.mutex);
-        world_.letters[static_cast<std::size_t>(to)].push_back({own_, {letter.begin(), letter.end()}});
-    }
-    std::optional<RankLetter> receive() override {
-        const std::lock_guard lock(world_.mutex);
-        auto& mine = world_.letters[static_cast<std::size_t>(own_)];
-        if (mine.empty())
-            return std::nullopt;
-        letter_ = std::move(mine.front());
-        mine.pop_front();
-        return RankLetter{letter_.from, letter_.bytes};
-    }
-    void send_parcel(int to, int number, std::vector<std::uint8_t> bytes) override {
-        const std::lock_guard lock(world_.mutex);
-        ++world_.parcels_sent;
-        world_.parcels[static_cast<std::size_t>(to)].push_back({own_, number, std::move(bytes)});
-    }
-    void expect_parcel(int from, int number, std::size_t bytes) override {
-        expected_.push_back({from, number, std::vector<std::uint8_t>(bytes)});
-    }
-    std::optional<RankParcel> receive_parcel() override {
-        const std::lock_guard lock(world_.mutex);
-        auto& mine = world_.parcels[static_cast<std::size_t>(own_)];
-        for (auto each = expected_.begin(); each != expected_.end(); ++each) {
-            const auto found = std::ranges::find_if(mine, [&](const RankParcel& parcel) {
-                return parcel.from == each->from && parcel.number == each->number;
-            });
-            if (found == mine.end())
-                continue;
-            REQUIRE(found->bytes.size() == each->bytes.size());
-            std::optional<RankParcel> parcel = std::move(*found);
-            mine.erase(found);
-            expected_.erase(each);
-            return parcel;
-        }
-        return std::nullopt;
-    }
-    bool has_all_parcels() const override { return expected_.empty(); }
-
-private:
-    MadeUpWorld& world_;
-    int own_;
-    MadeUpWorld::Letter letter_;
-    std::list<RankParcel> expected_;
-};
-
-class MadeUpRanks final : public Ranks {
-public:
-    MadeUpRanks(MadeUpWorld& world, int own) : world_(world), own_(own) {}
-    int own() const override { return own_; }
-    int count() const override { return static_cast<int>(world_.texts.size()); }
-    void send(int to, const std::string& text) override {
-        const std::lock_guard lock(world_.mutex);
-        world_.texts[static_cast<std::size_t>(to)].push_back({own_, text});
-    }
-    std::optional<Message> receive() override {
-        const std::lock_guard lock(world_.mutex);
-        auto& mine = world_.texts[static_cast<std::size_t>(own_)];
-        if (mine.empty())
-            return std::nullopt;
-        Message first = std::move(mine.front());
-        mine.pop_front();
-        return first;
-    }
-    std::unique_ptr<RankMail> open_mail() override { return std::make_unique<MadeUpMail>(world_, own_); }
-
-private:
-    MadeUpWorld& world_;
-    int own_;
-};
-
-Catalogue rank_kinds(const std::vector<ProcessKind>& own) {
-    Catalogue catalogue;
-    add_csp_kinds(catalogue);
-    add_classical_kinds(catalogue);
-    for (const ProcessKind& kind : own)
-        catalogue.add(ProcessKind(kind));
-    return catalogue;
-}
-
-struct OnRanks {
-    std::optional<RunReport> report;
-    std::exception_ptr thrown;
-    std::vector<std::string> notes;
-    std::size_t parcels = 0;
-    bool others_were_silent = true;
-};
-
-enum class Interrupted { none, last, all };
-
-/// Runs a netlist on ranks. `sends_notes`: each rank above 0 sends two notes.
-OnRanks on_ranks(int ranks, const std::string& text, const std::vector<ProcessKind>& own,
-                 Interrupted interrupted = Interrupted::none, bool sends_notes = false) {
-    MadeUpWorld world(ranks);
-    OnRanks result;
-    const auto run = [&](int rank) {
-        const Catalogue catalogue = rank_kinds(own);
-        ReadResult read = read_netlist_text(text, catalogue, {});
-        REQUIRE_MESSAGE(read.network, render(read.diagnostics.front()));
-        RankRunSettings settings;
-        settings.make_catalogue = [&](const std::function<void(MessageBytes)>& send_note) {
-            for (const auto number : {std::uint8_t{0}, std::uint8_t{1}})
-                if (rank > 0 && sends_notes)
-                    send_note({static_cast<std::uint8_t>(rank), number});
-            return std::make_shared<const Catalogue>(rank_kinds(own));
-        };
-        settings.receive_note = [&](std::span<const std::uint8_t> note) {
-            result.notes.emplace_back(note.begin(), note.end());
-        };
-        settings.is_interrupted = [&] {
-            return interrupted == Interrupted::all || (interrupted == Interrupted::last && rank == ranks - 1);
-        };
-        MadeUpRanks own_ranks(world, rank);
-        return run_on_ranks(*read.network, settings, own_ranks);
-    };
-    std::vector<std::jthread> threads;
-    for (int rank = 1; rank < ranks; ++rank)
-        threads.emplace_back([&, rank] {
-            if (run(rank))
-                result.others_were_silent = false;
-        });
-    try {
-        result.report = run(0);
-    } catch (...) {
-        result.thrown = std::current_exception();
-    }
-    threads.clear();
-    result.parcels = world.parcels_sent;
-    CHECK(result.others_were_silent);
-    for (const auto& left : world.letters)
-        CHECK(left.empty());
-    for (const auto& left : world.parcels)
-        CHECK(left.empty());
-    return result;
-}
-
-std::string what_was_thrown(const OnRanks& result) {
-    try {
-        if (result.thrown)
-            std::rethrow_exception(result.thrown);
-    } catch (const std::exception& thrown) {
-        return thrown.what();
-    }
-    return "";
-}
-
-template <class T = int>
-ProcessKind rank_kind(const std::string& name, std::function<void(ProcessEnvironment&)> body) {
-    ProcessKind kind;
-    kind.name = name;
-    kind.about = "Tests native runs on ranks.";
-    kind.ports = {description::input<T>("in", "numbers", "numbers"),
-                  description::output<T>("out", "numbers", "numbers")};
-    kind.body = std::move(body);
-    return kind;
-}
-
-} // namespace
 
 TEST_CASE("a token goes round a ring, whatever the number of ranks") {
     constexpr int rounds = 300;
-    const auto relay = rank_kind("relay", [](ProcessEnvironment& environment) {
-        const auto in = environment.input<int>("in");
-        const auto out = environment.output<int>("out");
-        int token = 0;
-        for (int i = 0; i < rounds; ++i) {
-            if (environment.index() > 0)
-                token = in.input();
-            out.output(token + 1);
-            if (environment.index() == 0)
-                token = in.input();
-        }
-        environment.measure("token", token);
-    });
+    const auto relay = rank_kind("relay", [](ProcessEnvironment& environment) { relay_token(environment, rounds); });
     for (const int ranks : {1, 2, 3, 5}) {
-        const OnRanks run = on_ranks(ranks, test::ring_of(5, "relay"), {relay}, Interrupted::none, true);
+        const OnRanks run = on_ranks(ranks, ring_of(5, "relay"), {relay}, {.sends_notes = true});
         REQUIRE_MESSAGE(run.report, what_was_thrown(run));
         CHECK(run.report->result.ending == Ending::completed);
         CHECK(run.report->measured("p[0]", "token") == 5 * rounds);
@@ -253,10 +48,10 @@ TEST_CASE("a deadlock over ranks is reported as that of a simulated run") {
         environment.input<int>("in").input();
     });
     const Catalogue catalogue = rank_kinds({sender});
-    const Network network = *read_netlist_text(test::ring_of(4, "sender"), catalogue, {}).network;
+    const Network network = *read_netlist_text(ring_of(4, "sender"), catalogue, {}).network;
     const Deadlock simulated = *Machine(network, catalogue, 1).run().result.deadlock;
     for (const int ranks : {1, 2, 3, 4}) {
-        const OnRanks run = on_ranks(ranks, test::ring_of(4, "sender"), {sender});
+        const OnRanks run = on_ranks(ranks, ring_of(4, "sender"), {sender});
         REQUIRE(run.report);
         REQUIRE(run.report->result.ending == Ending::stuck);
         REQUIRE(run.report->result.deadlock);
@@ -269,7 +64,7 @@ TEST_CASE("a deadlock over ranks names partners that have ended, and components 
         par([&] { environment.input<int>("in").input(); }, [&] { wait_for(1ms); });
         environment.output<int>("out").output(1);
     });
-    const OnRanks run = on_ranks(2, test::ring_of(2, "both"), {both});
+    const OnRanks run = on_ranks(2, ring_of(2, "both"), {both});
     REQUIRE(run.report);
     REQUIRE(run.report->result.deadlock);
     CHECK(run.report->result.deadlock->cycle == std::vector<std::string>{"p[0]", "p[0]/0", "p[1]", "p[1]/0"});
@@ -278,7 +73,7 @@ TEST_CASE("a deadlock over ranks names partners that have ended, and components 
         if (environment.index() == 0)
             environment.input<int>("in").input();
     });
-    const OnRanks ended = on_ranks(2, test::ring_of(2, "early"), {early});
+    const OnRanks ended = on_ranks(2, ring_of(2, "early"), {early});
     REQUIRE(ended.report->result.deadlock);
     CHECK(ended.report->result.deadlock->text().starts_with("no wait cycle: p[0] inputs for ever, but p[1] has ended"));
 }
@@ -302,7 +97,7 @@ TEST_CASE("long messages are sent as parcels, and short ones are not") {
         });
     };
     for (const std::size_t length : {0u, 1u, 400u, 500u, 5000u, 300000u}) {
-        const OnRanks run = on_ranks(2, test::ring_of(2, "sends"), {sends(length)});
+        const OnRanks run = on_ranks(2, ring_of(2, "sends"), {sends(length)});
         REQUIRE(run.report);
         const auto n = static_cast<double>(length);
         CHECK(run.report->measured("p[1]", "sum") == 3 * n * (n + 1) / 2);
@@ -331,7 +126,7 @@ TEST_CASE("an ALT leaves the message of a rank, long or short, until it is chose
                 });
             environment.measure("order", order);
         });
-        const OnRanks run = on_ranks(2, test::ring_of(2, "alternates"), {alternates});
+        const OnRanks run = on_ranks(2, ring_of(2, "alternates"), {alternates});
         REQUIRE_MESSAGE(run.report, what_was_thrown(run));
         CHECK(run.report->result.ending == Ending::completed);
         CHECK(run.report->measured("p[1]", "order") == 17);
@@ -345,7 +140,7 @@ TEST_CASE("a message that no process takes does not keep the run from its end") 
             if (environment.index() == 0)
                 environment.output<std::vector<int>>("out").output(std::vector<int>(length, 7));
         });
-        const OnRanks run = on_ranks(2, test::ring_of(2, "ignores"), {ignores});
+        const OnRanks run = on_ranks(2, ring_of(2, "ignores"), {ignores});
         REQUIRE(run.report);
         CHECK(run.report->result.ending == Ending::stuck);
         CHECK(run.report->result.deadlock->channels.front().inputter == "p[1] (has ended)");
@@ -360,7 +155,7 @@ TEST_CASE("what a process throws ends all ranks, and names the rank, the process
         }
         environment.input<int>("in").input();
     });
-    const std::string what = what_was_thrown(on_ranks(3, test::ring_of(3, "failing"), {failing}));
+    const std::string what = what_was_thrown(on_ranks(3, ring_of(3, "failing"), {failing}));
     CHECK(what.starts_with("rank 2: "));
     CHECK(what.find("process p[2] (failing) at ") != std::string::npos);
     CHECK(what.ends_with("there is no sand in this box"));
@@ -374,7 +169,8 @@ TEST_CASE("an interruption of ranks ends processes that compute, and that of one
                     all ? compute(Cycles{1}) : wait_for(1ms);
             environment.input<int>("in").input();
         });
-        const OnRanks run = on_ranks(3, test::ring_of(3, "busy"), {busy}, all ? Interrupted::all : Interrupted::last);
+        const OnRanks run =
+            on_ranks(3, ring_of(3, "busy"), {busy}, {.interrupted = all ? Interrupted::all : Interrupted::last});
         REQUIRE(run.report);
         CHECK(run.report->result.ending == Ending::interrupted);
         CHECK(run.report->result.time < Time(5s));
@@ -396,7 +192,7 @@ TEST_CASE("processes on ranks wait for the end of the work again and again") {
         }
     });
     for (const int ranks : {1, 2, 3}) {
-        const OnRanks run = on_ranks(ranks, test::ring_of(3, "again"), {again});
+        const OnRanks run = on_ranks(ranks, ring_of(3, "again"), {again});
         REQUIRE(run.report);
         CHECK(run.report->result.ending == Ending::completed);
         CHECK(run.report->measured("p[1]", "sum") == 6);
@@ -419,7 +215,7 @@ TEST_CASE("an input from another rank can be given up, and an output cannot") {
         environment.measure("given up", given_up);
         environment.measure("got", got);
     });
-    const OnRanks run = on_ranks(2, test::ring_of(2, "hasty"), {hasty});
+    const OnRanks run = on_ranks(2, ring_of(2, "hasty"), {hasty});
     REQUIRE_MESSAGE(run.report, what_was_thrown(run));
     CHECK(run.report->measured("p[1]", "got") == 5);
     CHECK(run.report->measured("p[1]", "given up") >= 1);
@@ -428,7 +224,7 @@ TEST_CASE("an input from another rank can be given up, and an output cannot") {
         if (environment.index() == 0)
             output_or_fail(environment.output<int>("out"), 1, now() + 1ms);
     });
-    CHECK(what_was_thrown(on_ranks(2, test::ring_of(2, "gives_up"), {gives_up}))
+    CHECK(what_was_thrown(on_ranks(2, ring_of(2, "gives_up"), {gives_up}))
               .find("an output to another rank of mpirun cannot be given up") != std::string::npos);
 }
 
@@ -443,9 +239,15 @@ struct Unpackable {
 
 TEST_CASE("messages that cannot be packed, and too many ranks, are refused before the run") {
     const auto odd = rank_kind<Unpackable>("odd", [](ProcessEnvironment&) { FAIL("the run has begun"); });
-    const std::string what = what_was_thrown(on_ranks(2, test::ring_of(2, "odd"), {odd}));
+    const std::string what = what_was_thrown(on_ranks(2, ring_of(2, "odd"), {odd}));
     CHECK(what.find("the channel \"p[0].out -> p[1].in\" from the port \"out\" of kind \"odd\" leads to another rank, "
                     "but its messages cannot be packed") != std::string::npos);
-    CHECK(what_was_thrown(on_ranks(3, test::ring_of(2, "csp.identity"), {})).find("start at most") !=
-          std::string::npos);
+    CHECK(what_was_thrown(on_ranks(3, ring_of(2, "csp.identity"), {})).find("start at most") != std::string::npos);
+}
+
+TEST_CASE("an interruption while ranks find their loads ends all of them before the run") {
+    const auto idle = rank_kind("idle", [](ProcessEnvironment&) {});
+    CHECK(
+        what_was_thrown(on_ranks(2, ring_of(2, "idle"), {idle}, {.interrupted = Interrupted::all, .balances = true})) ==
+        "interrupted before the run began");
 }
