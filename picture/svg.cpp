@@ -345,25 +345,33 @@ private:
     void add_wires_to_legend() {
         if (view_ == View::software)
             return add_channels_to_legend();
-        bool channels = false, code = false, idle = false;
+        bool channels = false, code = false, idle = false, wires = false, slots = false;
         for (std::size_t i = 0; i < carried_.size(); ++i) {
+            (leads_to_slot(n_.connections[i]) ? slots : wires) = true;
             channels = channels || !carried_[i].empty();
             code = code || is_used_by_code(n_, n_.connections[i]);
             idle = idle || is_idle(i);
         }
+        const std::string line = slots ? "line" : "wire";
         if (channels || code)
             add_to_legend(40, line_across("wire"),
-                          !code       ? "wire that carries channels"
-                          : !channels ? "wire that carries bytes of programs"
-                                      : "wire that carries channels, or bytes of programs");
+                          line + (!code       ? " that carries channels"
+                                  : !channels ? " that carries bytes of programs"
+                                              : " that carries channels, or bytes of programs"));
         if (channels) {
             add_to_legend(48, print_count({{{22, 0}, width_of_count(2, 1), 14}, 1, 2, false}), "how many, each way");
         }
         if (idle)
-            add_to_legend(40, line_across("wire idle"), "wire without a channel");
+            add_to_legend(40, line_across("wire idle"), line + " without a channel");
         if (!carried_.empty())
-            add_to_legend(12, SvgPen().text({5, 3}, "link", "0"), "number of a link");
+            add_to_legend(12, SvgPen().text({5, 3}, "link", "0"),
+                          !slots   ? "number of a link"
+                          : !wires ? "number of a slot"
+                                   : "number of a link or slot");
     }
+
+    /// Returns whether the line stands for a device in the slot of a bus or a memory.
+    bool leads_to_slot(const LinkConnection& line) const { return n_.nodes[line.b.node].kind->medium.has_value(); }
 
     void add_channels_to_legend() {
         if (carried_.empty())

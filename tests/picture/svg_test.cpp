@@ -34,6 +34,17 @@ TEST_CASE("a wire without channels is drawn as idle, and the legend says what th
     CHECK(count_of(busy, "class=\"wire idle\"") == 0);
 }
 
+TEST_CASE("the legend calls what leads to a shared memory a line, and what is numbered there a slot") {
+    const std::string memory = "core c[2]; shared_memory m; rep i = 0 for 2 connect c[i].bus[0] to m.slot[i + 1];";
+    const std::string cores = print_svg(network_of(memory));
+    CHECK(count_of(cores, ">line without a channel<") == 1);
+    CHECK(count_of(cores, ">number of a slot<") == 1);
+    CHECK(count_of(cores, ">wire") + count_of(cores, "number of a link") == 0);
+    const std::string both = print_svg(network_of(memory + picture::chain(2)));
+    CHECK(count_of(both, ">number of a link or slot<") == 1);
+    CHECK(count_of(print_svg(network_of(picture::chain(2))), ">number of a link<") == 1);
+}
+
 TEST_CASE("names with XML characters are escaped") {
     const std::string svg = print_svg(network_of("T800 t; process p; use \"a<b>&c\" for p; place p on t;"));
     CHECK(svg.find("a&lt;b&gt;&amp;c") != std::string::npos);
