@@ -14,5 +14,5 @@ int main(int arguments, char** argument) {
     const long times = arguments > 1 ? std::atol(argument[1]) : 1'000'000;
     for (const std::size_t threads : {std::size_t{1}, std::size_t{2}})
         fmt::print("{} {}: {:.0f} ns there and back\n", threads, threads == 1 ? "thread" : "threads",
-                   native::nanoseconds_there_and_back({.threads = threads, .times = times}));
+                   native::nanoseconds_there_and_back({.kernels = threads, .times = times}));
 }

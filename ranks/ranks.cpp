@@ -57,8 +57,6 @@ bool left_to_rank_zero(const std::string& command) {
     return true;
 }
 
-namespace {
-
 Ranks::Message wait_for_message(Ranks& ranks) {
     for (;;) {
         if (std::optional<Ranks::Message> message = ranks.receive())
@@ -66,6 +64,8 @@ Ranks::Message wait_for_message(Ranks& ranks) {
         std::this_thread::sleep_for(rank_patience);
     }
 }
+
+namespace {
 
 /// What a rank above 0 tells rank 0 about its preparation: a mark, and the digest or the reason of a failure.
 constexpr char has_prepared = '+', has_failed = '-';

@@ -37,6 +37,9 @@ public:
 /// The pause between two checks for messages.
 inline constexpr std::chrono::milliseconds rank_patience{4};
 
+/// Waits for the next message, and returns it.
+Ranks::Message wait_for_message(Ranks&);
+
 /// Returns the ranks with which mpirun, or Slurm's srun, started this program; null if neither started it. Throws
 /// UserError if this PlacedPar was built without MPI.
 ///

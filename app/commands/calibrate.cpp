@@ -7,7 +7,11 @@
 #include "explore/prediction/native_netlist.hpp"
 #include "explore/problems.hpp"
 #include "ranks/ranks.hpp"
+#include "report/manifest.hpp"
 #include "text/output_file.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -15,6 +19,7 @@
 #include <iterator>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace placedpar {
@@ -46,26 +51,63 @@ std::vector<std::string> problems_to_measure(const CalibrateOptions& options) {
     return problems.empty() ? known_problems(1).names() : problems;
 }
 
-ExitCode calibrate_computer(const CalibrateOptions& options) {
-    if (left_to_rank_zero("calibrate"))
-        return ExitCode::success;
-    require_writable(options.out);
-    require_apart(std::array<std::filesystem::path, 1>{options.out}, options.netlist);
-    InterruptedBySignals interruption;
+ExitCode measure_and_write(const CalibrateOptions& options, const std::vector<std::string>& problems, Ranks* ranks,
+                           const Interruption& interruption) {
     ProgressLine line;
     const Calibration calibration =
         measure_computer({.repetitions = options.repetitions,
-                          .problems = problems_to_measure(options),
+                          .problems = problems,
                           .progress = [&](const std::string& what) { line.show("measuring " + what); },
-                          .is_interrupted = [&] { return interruption.requested(); }});
+                          .is_interrupted = [&] { return interruption.requested(); },
+                          .ranks = ranks});
     line.clear();
     if (interruption.requested())
         return exit_code_of(Ending::interrupted);
     if (calibration.is_disturbed())
-        print_warnings("warning: threads wait for cores that other programs use; calibrate again when the computer is "
-                       "quiet\n");
+        print_warnings("warning: threads or ranks wait for cores that other programs use; calibrate again when the "
+                       "computer is quiet\n");
     write_whole(options.out, print_calibration(calibration));
     return ExitCode::success;
+}
+
+/// Returns the two ranks of mpirun; null without mpirun. Throws UserError in rank 0 if there are more; the other ranks
+/// must then end silently.
+std::unique_ptr<Ranks> two_ranks() {
+    std::unique_ptr<Ranks> ranks = ranks_of_mpirun();
+    if (ranks && ranks->count() > 2 && ranks->own() == 0)
+        throw UserError(fmt::format("mpirun started {} ranks, but messages are measured between two: mpirun -n 2 "
+                                    "placedpar calibrate",
+                                    ranks->count()));
+    return ranks && ranks->count() > 1 ? std::move(ranks) : nullptr;
+}
+
+/// Checks the options, and returns the problems to measure.
+std::vector<std::string> prepare(const CalibrateOptions& options) {
+    require_writable(options.out);
+    require_apart(std::array<std::filesystem::path, 1>{options.out}, options.netlist);
+    return problems_to_measure(options);
+}
+
+ExitCode calibrate_with_ranks(const CalibrateOptions& options, Ranks& ranks, const Interruption& interruption) {
+    std::vector<std::string> problems;
+    const auto prepare_here = [&] {
+        if (ranks.own() == 0)
+            problems = prepare(options);
+        return version_text();
+    };
+    if (ranks.count() > 2 || !all_prepared(ranks, prepare_here))
+        return ExitCode::success;
+    if (ranks.own() == 0)
+        return measure_and_write(options, problems, &ranks, interruption);
+    help_to_measure(ranks);
+    return ExitCode::success;
+}
+
+ExitCode calibrate_computer(const CalibrateOptions& options) {
+    const std::unique_ptr<Ranks> ranks = two_ranks();
+    const InterruptedBySignals interruption;
+    return ranks ? calibrate_with_ranks(options, *ranks, interruption)
+                 : measure_and_write(options, prepare(options), nullptr, interruption);
 }
 
 Action declare_calibrate(Options& command, const std::string&) {
@@ -85,7 +127,8 @@ Action declare_calibrate(Options& command, const std::string&) {
 
 extern const Command calibrate_command{
     .name = "calibrate",
-    .about = "Measures what native runs cost on this computer, and writes it as an include for netlists",
+    .about = "Measures what native runs cost on this computer, under mpirun also between ranks, and writes it as an "
+             "include for netlists",
     .place = 13,
     .declare = declare_calibrate,
 };

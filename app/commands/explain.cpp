@@ -23,6 +23,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 namespace placedpar {
 
@@ -143,16 +144,24 @@ ExitCode exit_code_of(const Explanation& explanation) {
                                     : exit_code_of(explanation.report.result.ending);
 }
 
-/// Returns the predicted times of native runs on other numbers of threads, as a table.
-std::string print_threads(const ExplainOptions& options, const Interruption& interruption) {
+/// Returns the predicted times of native runs on other numbers of threads, and of ranks if the calibration has them, as
+/// a table.
+std::string print_predictions(const ExplainOptions& options, const Interruption& interruption) {
     NetlistOptions stated = options.netlist;
     stated.calibration.clear();
     const Network network =
         load_network(parse_netlist(stated, [](const std::string&) {}).parsed, overrides_of(stated.set),
                      known_kinds(known_problems(0)), [](const std::string&) {});
-    std::string text = painted(Paint::heading, "\nthreads  predicted time\n");
-    for (const ThreadsTime& each : predict_threads(network, options.netlist.calibration, options.seed, interruption))
-        text += fmt::format("{:>7}  {:>14}\n", each.threads, to_string(each.time));
+    using enum PredictedPlaces::Kind;
+    std::string text;
+    for (const auto& [kind, noun] : {std::pair(threads, "threads"), std::pair(ranks, "ranks")}) {
+        if (!describes(kind, options.netlist.calibration))
+            continue;
+        text += painted(Paint::heading, fmt::format("\n{:>7}  predicted time\n", noun));
+        for (const auto& [places, time] :
+             predict_times(network, kind, options.netlist.calibration, options.seed, interruption))
+            text += fmt::format("{:>7}  {:>14}\n", places, to_string(time));
+    }
     return text;
 }
 
@@ -170,7 +179,7 @@ ExitCode explain(const ExplainOptions& options, const std::string& typed) {
         add_answers(explanation, network, options, interruption);
     print_out(print_explanation(explanation, network));
     if (!options.netlist.calibration.empty())
-        print_out(print_threads(options, interruption));
+        print_out(print_predictions(options, interruption));
     write_output(explanation, network, options);
     listeners.recorders.finish({network, explanation.report, options.manifest(typed), listeners.searches},
                                explanation.path);

@@ -5,6 +5,7 @@
 #include "explore/prediction/native_netlist.hpp"
 #include "explore/problems.hpp"
 #include "explore/workers.hpp"
+#include "native/placement.hpp"
 #include "occam/configuration/configuration.hpp"
 #include "text/user_error.hpp"
 
@@ -78,9 +79,26 @@ void add_netlist(Options& command, NetlistOptions& options) {
 }
 
 void add_predict(Options& command, NetlistOptions& options) {
-    add_file(command, "--predict", options.calibration,
-             "simulates a native run on the computer that FILE describes: placedpar calibrate writes it");
+    const Option predict =
+        add_file(command, "--predict", options.calibration,
+                 "simulates a native run on the computer that FILE describes: placedpar calibrate writes it");
+    add_number(command, "--ranks", options.ranks, 1, native::most_threads,
+               "number of ranks of mpirun for which --predict simulates the run, instead of threads")
+        .needs(predict);
 }
+
+namespace {
+
+PredictedPlaces places_of(const NetlistOptions& options) {
+    using enum PredictedPlaces::Kind;
+    if (options.ranks > 0 && options.threads > 0)
+        throw UserError("--ranks and --threads: a run is predicted either on ranks or on threads: give one of them");
+    if (options.ranks > 0)
+        return {ranks, options.ranks};
+    return {threads, options.threads > 0 ? options.threads : count_cores()};
+}
+
+} // namespace
 
 TypedNetlist parse_netlist(const NetlistOptions& options, const WarningSink& warn) {
     const ReadOptions read = read_options_of(options.read);
@@ -89,8 +107,8 @@ TypedNetlist parse_netlist(const NetlistOptions& options, const WarningSink& war
         return stated;
     const ProblemRegistry problems = known_problems(0);
     const Network network = load_network(stated.parsed, stated.set, known_kinds(problems), warn);
-    const std::size_t threads = options.threads > 0 ? options.threads : count_cores();
-    return {ParsedNetlist::of_text(native_netlist(network, threads, options.calibration), options.file, {}), {}};
+    return {ParsedNetlist::of_text(native_netlist(network, places_of(options), options.calibration), options.file, {}),
+            {}};
 }
 
 Network load_network(const NetlistOptions& options) {

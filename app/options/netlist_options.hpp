@@ -36,10 +36,11 @@ struct NetlistOptions {
     ReadOptionsTyped read;
     std::string calibration = ""; ///< of --predict; "": the netlist's own machine is meant
     std::size_t threads = 0;      ///< of the predicted run; 0: one for each core of this computer
+    std::size_t ranks = 0;        ///< of the predicted run; 0: it is on threads
     WarningSink warn = print_warnings;
 };
 void add_netlist(Options&, NetlistOptions&);
-/// Declares --predict; the command declares --threads.
+/// Declares --predict and --ranks; the command declares --threads.
 void add_predict(Options&, NetlistOptions&);
 
 /// A netlist with the settings of --set.

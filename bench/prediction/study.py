@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """usage: study.py PLACEDPAR FOLDER [--quick]
 
-Calibrates this computer, and compares predicted with measured times of native runs of 20 netlists on two threads: farms
-of 1 to 7 slaves, islands and pipelines, with evaluations of about 1 us to 10 ms. Then compares two threads with one, and with DEAP.
-Writes calibration, table (CSV) and plot (SVG, by gnuplot) into FOLDER. Takes a few minutes; --quick makes a few runs
+Calibrates this computer, and compares predicted with measured times of native runs of 20 netlists on two threads, and on
+two ranks of mpirun if it is installed: farms of 1 to 7 slaves, islands and pipelines, with evaluations of about 1 us to
+10 ms. Then compares two threads with one, with DEAP, and with pagmo.
+Writes calibration, tables (CSV) and plots (SVG, by gnuplot) into FOLDER. Takes some minutes; --quick makes a few runs
 only. A measured time is the median of the runs; the least is beside it, for a computer that others use, too.
 """
 
@@ -30,6 +31,14 @@ ISLANDS = [(2, "1 us"), (4, "1 us"), (4, "10 us"), (8, "100 us"), (4, "1 ms")]
 PIPELINES = [(1, "10 us"), (2, "100 us"), (3, "100 us"), (2, "1 ms")]
 
 
+# As root, mpirun wants to be allowed.
+ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+
+
+def mpirun(ranks):
+    return ["mpirun", "-n", str(ranks)]
+
+
 def problem(length):
     return f"costly(work = {WORK[length]})"
 
@@ -50,25 +59,31 @@ class Program:
     def __init__(self, path):
         self.path = path
 
-    def seconds(self, netlist, settings, *options):
-        command = [self.path, "run", str(netlist), *options]
+    def seconds(self, netlist, settings, *options, start=()):
+        command = [*start, self.path, "run", str(netlist), *options]
         for name, value in settings.items():
             command += ["--set", f"{name}={value}"]
-        first = subprocess.run(command, check=True, capture_output=True, text=True).stdout.splitlines()[0]
+        first = subprocess.run(command, check=True, capture_output=True, text=True, env=ENVIRONMENT).stdout.splitlines()[0]
         number, unit = re.search(r"(?:after|at) ([\d.]+) (\w+)$", first).groups()
         return float(number) * UNITS[unit]
 
     def measured(self, netlist, settings, threads, runs):
         return [self.seconds(netlist, settings, "--native", "--threads", str(threads)) for _ in range(runs)]
 
+    def measured_on_ranks(self, netlist, settings, ranks, runs):
+        return [self.seconds(netlist, settings, "--native", start=mpirun(ranks)) for _ in range(runs)]
 
-def compare(program, calibration, runs, quick):
+
+def compare(program, calibration, places, runs, quick):
+    """Compares on two places, which are "threads" or "ranks"."""
     rows = []
     chosen = list(netlists())
+    measured = program.measured if places == "threads" else program.measured_on_ranks
+    print(f"two {places}:")
     print(f"{'netlist':22} {'predicted':>12} {'median':>12} {'least':>12} {'error':>8} {'to least':>8}")
     for name, netlist, settings in chosen[::7] if quick else chosen:
-        predicted = program.seconds(netlist, settings, "--predict", calibration, "--threads", "2")
-        times = program.measured(netlist, settings, 2, runs)
+        predicted = program.seconds(netlist, settings, "--predict", calibration, f"--{places}", "2")
+        times = measured(netlist, settings, 2, runs)
         median, least = statistics.median(times), min(times)
         rows.append((name, predicted, median, least))
         print(f"{name:22} {predicted * 1e3:9.3f} ms {median * 1e3:9.3f} ms {least * 1e3:9.3f} ms "
@@ -102,12 +117,17 @@ def rivals(program, runs, quick):
     answers = [subprocess.run([python, script, str(generations)], check=True, capture_output=True, text=True).stdout.split()
                for _ in range(runs)]
     print(f"... DEAP with multiprocessing, two processes: {min(float(answer[0]) for answer in answers):.3f} s")
-    print("... pagmo: build/.../bench/rastrigin compares with it, if it was found when PlacedPar was built")
+    rival = pathlib.Path(program.path).resolve().parents[1] / "bench" / "rastrigin" / "rastrigin_archipelago"
+    if not rival.exists():
+        print("... pagmo: skipped, since it was missing when PlacedPar was built: tools/rivals.sh fetches it")
+        return
+    answers = [subprocess.run([rival, str(generations)], check=True, capture_output=True, text=True).stdout for _ in range(runs)]
+    print(f"... pagmo's archipelago, two islands: {min(answers, key=lambda each: float(each.split()[0])).strip()}")
 
 
-def draw(rows, folder):
+def draw(rows, folder, name):
     """Draws predicted over measured times, with the band."""
-    with open(folder / "prediction.csv", "w", encoding="utf-8", newline="") as file:
+    with open(folder / f"{name}.csv", "w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file)
         writer.writerow(("netlist", "predicted_s", "median_s", "least_s"))
         writer.writerows(rows)
@@ -118,7 +138,7 @@ def draw(rows, folder):
         data.writelines(f"{1000 * median} {1000 * predicted}\n" for _, predicted, median, _ in rows)
         data.flush()
         low, high = (f(time for row in rows for time in row[1:3]) * 1000 for f in (min, max))
-        script = f"""set terminal svg size 640,480; set output "{folder / 'prediction.svg'}"
+        script = f"""set terminal svg size 640,480; set output "{folder / (name + '.svg')}"
 set logscale xy; set xlabel "measured [ms]"; set ylabel "predicted [ms]"; set key top left; set size square
 set xrange [{low / 1.2}:{high * 1.2}]; set yrange [{low / 1.2}:{high * 1.2}]
 set xtics (100, 150, 200, 300, 400, 500, 700, 1000); set ytics (100, 150, 200, 300, 400, 500, 700, 1000)
@@ -137,12 +157,17 @@ def main():
     options.folder.mkdir(parents=True, exist_ok=True)
     calibration = str(options.folder / "here.inc")
     print(f"load: {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores", flush=True)
-    subprocess.run([options.program, "calibrate", "-o", calibration, "--repetitions", "6" if options.quick else "15",
-                    *(word for length in WORK for word in ("--problem", problem(length)))], check=True)
+    ranks = shutil.which("mpirun") and pathlib.Path(options.program).with_name("placedpar_mpi.so").exists()
+    subprocess.run([*(mpirun(2) if ranks else ()), options.program, "calibrate", "-o", calibration, "--repetitions",
+                    "6" if options.quick else "15",
+                    *(word for length in WORK for word in ("--problem", problem(length)))], check=True, env=ENVIRONMENT)
     program = Program(options.program)
     runs = 2 if options.quick else 7
-    rows = compare(program, calibration, runs, options.quick)
-    draw(rows, options.folder)
+    draw(compare(program, calibration, "threads", runs, options.quick), options.folder, "prediction")
+    if ranks:
+        draw(compare(program, calibration, "ranks", runs, options.quick), options.folder, "prediction-ranks")
+    else:
+        print("two ranks: skipped, since mpirun is missing, or PlacedPar was built without MPI")
     speedups(program, runs, options.quick)
     rivals(program, runs, options.quick)
     print(f"load: {os.getloadavg()[0]:.1f}")

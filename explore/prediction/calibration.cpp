@@ -12,9 +12,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <ctime>
 #include <fstream>
 #include <memory>
+#include <sched.h>
 #include <utility>
 
 namespace placedpar {
@@ -68,6 +70,23 @@ std::string farm_of(std::size_t population) {
         population);
 }
 
+/// Lets this thread, and the threads that it starts, run on every core. mpirun binds each rank to one.
+class OnEveryCore {
+public:
+    OnEveryCore() {
+        sched_getaffinity(0, sizeof before_, &before_);
+        cpu_set_t all;
+        std::memset(&all, 0xff, sizeof all);
+        sched_setaffinity(0, sizeof all, &all);
+    }
+    ~OnEveryCore() { sched_setaffinity(0, sizeof before_, &before_); }
+    OnEveryCore(const OnEveryCore&) = delete;
+    OnEveryCore& operator=(const OnEveryCore&) = delete;
+
+private:
+    cpu_set_t before_{};
+};
+
 class Calibrator {
 public:
     explicit Calibrator(const CalibrationSettings& settings) : settings_(settings) {}
@@ -75,7 +94,10 @@ public:
     Calibration run() {
         Calibration result;
         result.repetitions = settings_.repetitions;
-        measure_messages(result);
+        if (settings_.ranks)
+            measure_ranks(result);
+        const OnEveryCore unbound;
+        measure_threads(result);
         result.string = repeat("individuals in messages", [this] { return string_nanoseconds(); });
         for (const std::string& problem : settings_.problems)
             if (!settings_.is_interrupted())
@@ -86,6 +108,8 @@ public:
     }
 
 private:
+    static constexpr long often = 20'000, seldom = 100; // messages
+
     template <class Measure>
     MeasuredCost repeat(const std::string& what, Measure measure) {
         settings_.progress(what);
@@ -95,23 +119,36 @@ private:
         return settings_.is_interrupted() ? MeasuredCost{} : cost_of(std::move(values));
     }
 
-    void measure_messages(Calibration& result) {
-        using native::nanoseconds_there_and_back;
-        constexpr long often = 20'000, seldom = 100;
+    /// `switches` and `matches`: measure a number of switches, or a match, in nanoseconds.
+    template <class Switches, class Matches>
+    MessageCosts measure_messages(const std::string& where, Switches switches, Matches matches) {
         constexpr std::size_t large = 256 * 1024;
+        return {.switching = repeat("switches of " + where, [&] { return switches(often); }),
+                .there_and_back =
+                    repeat("messages in one of " + where, [&] { return matches({.kernels = 1, .times = often}); }),
+                .across = repeat("messages between " + where, [&] { return matches({.times = often}); }),
+                .kilobyte = repeat("large messages between " + where, [&] {
+                    const auto one_way = [&](std::size_t kernels) {
+                        return matches({.kernels = kernels, .times = seldom, .bytes = large}) / 2;
+                    };
+                    return std::max((one_way(2) - one_way(1)) / (large / 1024.0), 0.0);
+                })};
+    }
+
+    void measure_threads(Calibration& result) {
         static constexpr Time pause = std::chrono::microseconds(200); // far longer than the patience of a thread
-        result.switching = repeat("switches", [] { return native::nanoseconds_of_switch(often); });
-        result.there_and_back =
-            repeat("messages in a thread", [] { return nanoseconds_there_and_back({.threads = 1, .times = often}); });
-        result.across = repeat("messages between threads", [] { return nanoseconds_there_and_back({.times = often}); });
-        result.across_asleep = repeat("messages to threads that sleep",
-                                      [] { return nanoseconds_there_and_back({.times = seldom, .pause = pause}); });
-        result.kilobyte = repeat("large messages", [] {
-            const auto one_way = [](std::size_t threads) {
-                return nanoseconds_there_and_back({.threads = threads, .times = seldom, .bytes = large}) / 2;
-            };
-            return std::max((one_way(2) - one_way(1)) / (large / 1024.0), 0.0);
+        result.threads = measure_messages("threads", native::nanoseconds_of_switch, native::nanoseconds_there_and_back);
+        result.across_asleep = repeat("messages to threads that sleep", [] {
+            return native::nanoseconds_there_and_back({.times = seldom, .pause = pause});
         });
+    }
+
+    void measure_ranks(Calibration& result) {
+        native::RankMatches matches(*settings_.ranks);
+        result.ranks = measure_messages(
+            "ranks", [&](long times) { return matches.nanoseconds_of_switch(times); },
+            [&](const native::PingPong& match) { return matches.nanoseconds_there_and_back(match); });
+        result.oversleeping = repeat("pauses of ranks", native::nanoseconds_of_oversleeping);
     }
 
     double string_nanoseconds() const {
@@ -190,5 +227,7 @@ Calibration measure_computer(const CalibrationSettings& settings) {
     result.date = today();
     return result;
 }
+
+void help_to_measure(Ranks& ranks) { native::play_with_rank_zero(ranks); }
 
 } // namespace placedpar

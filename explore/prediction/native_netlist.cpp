@@ -8,14 +8,16 @@
 #include "netlist/kinds/catalogue.hpp"
 #include "netlist/network/names.hpp"
 #include "netlist/print/print.hpp"
-#include "text/load_source.hpp"
+#include "netlist/read.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
+#include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -30,18 +32,39 @@ const std::string* problem_of(const ProcessInstance& process) {
     return problem == process.parameters.end() ? nullptr : std::get_if<std::string>(&problem->second);
 }
 
-std::string text_of_calibration(const std::filesystem::path& path) {
-    const LoadedSource loaded = load_source(path);
-    if (!loaded.problems.empty())
-        throw UserError(render(loaded.problems));
-    return loaded.file->text();
+/// Returns the directive that includes a file. Throws UserError if the language has no way to write its name.
+std::string include_of(const std::filesystem::path& path) {
+    const std::string name = std::filesystem::absolute(path).string();
+    if (name.find_first_of("\"\\\n\r") != std::string::npos)
+        throw UserError(fmt::format("{}: a netlist cannot include a file with a quotation mark, a backslash or a line "
+                                    "break in its path: rename it",
+                                    name));
+    return fmt::format("#include \"{}\"\n", name);
 }
 
 /// The costs that a calibration states.
 class StatedCosts {
 public:
-    explicit StatedCosts(const std::filesystem::path& path) : path_(path), text_(text_of_calibration(path)) {
-        require("define core", "it does not describe a computer");
+    /// Throws UserError if the file cannot be read, or is not an include.
+    explicit StatedCosts(std::filesystem::path path) : path_(std::move(path)), include_(include_of(path_)) {
+        const ReadResult read = read_netlist_text(include_, devices_);
+        if (!read.network)
+            refuse("it does not describe a computer", "\n" + render(read));
+    }
+
+    const std::string& include() const { return include_; }
+    bool describes(PredictedPlaces::Kind kind) const {
+        return can_use(kind == PredictedPlaces::Kind::ranks ? "this_rank probe; this_network other_probe;"
+                                                            : "this_core probe; this_memory other_probe;");
+    }
+    /// Throws UserError unless the calibration describes such places.
+    void require(PredictedPlaces::Kind kind) const {
+        if (!describes(kind) && kind == PredictedPlaces::Kind::ranks)
+            throw UserError(fmt::format("{0}: it does not describe ranks: write it by mpirun -n 2 placedpar calibrate "
+                                        "NETLIST -o {0}",
+                                        path_.string()));
+        if (!describes(kind))
+            refuse("it does not describe a computer");
     }
 
     /// Returns the value of a parameter of a process, as an expression of the netlist; nothing if the process keeps its
@@ -52,7 +75,7 @@ public:
         if (parameter == "cycles_per_individual")
             return of_problem("individual", process);
         if (parameter == "string_bytes" || parameter == "fitness_bytes")
-            return "individual_bytes";
+            return declared("individual_bytes", "it does not state individual_bytes");
         const bool is_cost = parameter.starts_with("cycles") || parameter == "words";
         return is_cost && process.parameters.at(parameter) != Value{0} ? std::optional<std::string>("0") : std::nullopt;
     }
@@ -62,18 +85,30 @@ private:
         const std::string* const problem = problem_of(process);
         if (!problem)
             return "0";
-        const std::string val = val_of_problem(what, *problem);
-        require("val " + val + " ", fmt::format("it has no cost of the problem \"{}\"", *problem));
+        return declared(val_of_problem(what, *problem), fmt::format("it has no cost of the problem \"{}\"", *problem));
+    }
+    /// Returns the name of a val. Refuses a calibration that does not declare it.
+    std::string declared(const std::string& val, const std::string& otherwise) const {
+        if (!can_use(fmt::format("val probe {};", val)))
+            refuse(otherwise);
         return val;
     }
-    void require(const std::string& words, const std::string& otherwise) const {
-        if (text_.find(words) == std::string::npos)
-            throw UserError(
-                fmt::format("{0}: {1}: write it by placedpar calibrate NETLIST -o {0}", path_.string(), otherwise));
+    /// Returns whether a netlist that includes the calibration may make this statement.
+    bool can_use(const std::string& statement) const {
+        const auto [known, is_new] = tried_.try_emplace(statement);
+        if (is_new)
+            known->second = read_netlist_text(include_ + statement, devices_).network.has_value();
+        return known->second;
+    }
+    [[noreturn]] void refuse(const std::string& why, const std::string& details = "") const {
+        throw UserError(
+            fmt::format("{0}: {1}: write it by placedpar calibrate NETLIST -o {0}{2}", path_.string(), why, details));
     }
 
+    Catalogue devices_;
     std::filesystem::path path_;
-    std::string text_;
+    std::string include_;
+    mutable std::map<std::string, bool> tried_; ///< statements, and whether a netlist may make them
 };
 
 /// Returns a name that no process has.
@@ -91,22 +126,37 @@ Node node_of(const Catalogue& devices, std::string_view model, std::string type,
     return node;
 }
 
+/// The words for one kind of places.
+struct PlaceWords {
+    native::Places places; ///< for messages
+    const char *node, *core, *memory;
+};
+
+PlaceWords words_for(const PredictedPlaces& places) {
+    if (places.kind == PredictedPlaces::Kind::ranks)
+        return {{places.count, "rank", "--ranks"}, "rank", "this_rank", "this_network"};
+    return {{places.count, "thread", "--threads"}, "thread", "this_core", "this_memory"};
+}
+
 /// Returns the network with its processes on cores, without the costs that its parameters state.
-Network on_cores(const Network& network, std::size_t threads) {
+Network on_cores(const Network& network, const PredictedPlaces& predicted) {
     const Catalogue devices;
     Network result;
     require_native(network);
-    const std::vector<std::size_t> thread_of = native::place_nodes(network, {threads});
-    const std::string thread = free_name("thread", network);
-    for (std::size_t i = 0; i < threads; ++i)
-        result.nodes.push_back(node_of(devices, "core", "this_core", fmt::format("{}[{}]", thread, i)));
-    result.nodes.push_back(node_of(devices, "shared_memory", "this_memory", free_name("memory_of_threads", network)));
-    for (std::size_t i = 0; i < threads; ++i)
+    const PlaceWords words = words_for(predicted);
+    const std::size_t count = predicted.count;
+    const std::vector<std::size_t> place_of = native::place_nodes(network, words.places);
+    const std::string name = free_name(words.node, network);
+    for (std::size_t i = 0; i < count; ++i)
+        result.nodes.push_back(node_of(devices, "core", words.core, fmt::format("{}[{}]", name, i)));
+    result.nodes.push_back(
+        node_of(devices, "shared_memory", words.memory, free_name(fmt::format("memory_of_{}s", words.node), network)));
+    for (std::size_t i = 0; i < count; ++i)
         result.attachments.push_back(
-            {.node = i, .bus = threads, .slot = static_cast<int>(i) + 1, .name = {}, .connected = {}});
+            {.node = i, .bus = count, .slot = static_cast<int>(i) + 1, .name = {}, .connected = {}});
     result.processes = network.processes;
     for (ProcessInstance& process : result.processes)
-        process.node = thread_of[process.node];
+        process.node = place_of[process.node];
     result.channels = network.channels;
     for (NetworkChannel& channel : result.channels)
         channel.placement = {};
@@ -136,31 +186,41 @@ std::vector<std::string> problems_of(const Network& network) {
     return problems;
 }
 
-std::string native_netlist(const Network& network, std::size_t threads, const std::filesystem::path& calibration) {
-    threads = std::min(threads, std::max<std::size_t>(native::most_places(network), 1));
-    Network cores = on_cores(network, threads);
+std::string native_netlist(const Network& network, const PredictedPlaces& places,
+                           const std::filesystem::path& calibration) {
+    PredictedPlaces useful = places;
+    if (places.kind == PredictedPlaces::Kind::ranks)
+        native::require_enough_nodes(network, places.count);
+    else
+        useful.count = std::min(places.count, std::max<std::size_t>(native::most_places(network), 1));
     const StatedCosts stated(calibration);
+    stated.require(places.kind);
+    Network cores = on_cores(network, useful);
     std::string costs = "\n/* costs of this computer */\n";
     for (ProcessInstance& process : cores.processes)
         move_costs(process, stated, costs);
-    return fmt::format("#include \"{}\"\n\n", std::filesystem::absolute(calibration).string()) + print_cfs(cores) +
-           costs;
+    return stated.include() + "\n" + print_cfs(cores) + costs;
 }
 
-std::vector<ThreadsTime> predict_threads(const Network& network, const std::filesystem::path& calibration,
-                                         std::uint64_t seed, const Interruption& interruption) {
+bool describes(PredictedPlaces::Kind kind, const std::filesystem::path& calibration) {
+    return StatedCosts(calibration).describes(kind);
+}
+
+std::vector<PredictedTime> predict_times(const Network& network, PredictedPlaces::Kind kind,
+                                         const std::filesystem::path& calibration, std::uint64_t seed,
+                                         const Interruption& interruption) {
     const ProblemRegistry problems = known_problems(seed);
     const Catalogue kinds = known_kinds(problems);
-    std::vector<ThreadsTime> times;
+    std::vector<PredictedTime> times;
     const std::size_t most = std::max<std::size_t>(native::most_places(network), 1);
     std::size_t least = 1; // a node with a rank needs its thread
     for (const ProcessInstance& process : network.processes)
         least = std::max(least, network.nodes[process.node].rank.value_or(0) + 1);
-    for (std::size_t threads = least; threads <= most && !interruption.requested();
-         threads += std::max<std::size_t>(1, std::bit_floor(threads) / 2)) {
-        const ParsedNetlist netlist = ParsedNetlist::of_text(native_netlist(network, threads, calibration));
+    for (std::size_t places = least; places <= most && !interruption.requested();
+         places += std::max<std::size_t>(1, std::bit_floor(places) / 2)) {
+        const ParsedNetlist netlist = ParsedNetlist::of_text(native_netlist(network, {kind, places}, calibration));
         const Network cores = load_network(netlist, {}, kinds, [](const std::string&) {});
-        times.push_back({threads, run_netlist(cores, kinds, {.seed = seed}).result.time});
+        times.push_back({places, run_netlist(cores, kinds, {.seed = seed}).result.time});
     }
     return times;
 }

@@ -11,20 +11,33 @@
 
 namespace placedpar {
 
-/// Describes a native run of the network on so many threads (at most one for each node with processes), as a netlist
-/// that can be simulated: the threads are cores with the costs in `calibration`, a file that print_calibration() has
-/// made, and the searches cost what they cost there. Computations of other kinds take no time, as in a native run.
-///
-/// Throws UserError if the network cannot run natively, if the file cannot be read, or if it lacks a problem.
-std::string native_netlist(const Network&, std::size_t threads, const std::filesystem::path& calibration);
+/// The threads of this computer, or the ranks of mpirun, on which a native run is predicted.
+struct PredictedPlaces {
+    enum class Kind { threads, ranks };
+    Kind kind = Kind::threads;
+    std::size_t count = 1; ///< at least 1
+};
 
-struct ThreadsTime {
-    std::size_t threads;
+/// Describes a native run of the network on these places, as a netlist that can be simulated: the places are cores with
+/// the costs in `calibration`, a file that print_calibration() has made, and the searches cost what they cost there.
+/// Computations of other kinds take no time, as in a native run. There are at most as many threads as nodes with
+/// processes.
+///
+/// Throws UserError if the network cannot run natively there, if the file cannot be read, or if it lacks ranks or a
+/// problem.
+std::string native_netlist(const Network&, const PredictedPlaces&, const std::filesystem::path& calibration);
+
+/// Returns whether the file describes such places. Throws as native_netlist().
+bool describes(PredictedPlaces::Kind, const std::filesystem::path& calibration);
+
+struct PredictedTime {
+    std::size_t places;
     Time time;
 };
-/// Returns the predicted times of native runs on 1, 2, 3, 4, 6, 8, 12, 16 and so on threads, as far as the network has
-/// processors. An interruption leaves some out. Throws as native_netlist(), and what the processes throw.
-std::vector<ThreadsTime> predict_threads(const Network&, const std::filesystem::path& calibration, std::uint64_t seed,
+/// Returns the predicted times of native runs on 1, 2, 3, 4, 6, 8, 12, 16 and so on threads or ranks, as far as the
+/// network has processors. An interruption leaves some out. Throws as native_netlist(), and what the processes throw.
+std::vector<PredictedTime> predict_times(const Network&, PredictedPlaces::Kind,
+                                         const std::filesystem::path& calibration, std::uint64_t seed,
                                          const Interruption&);
 
 /// Returns the problems that the processes of the network search, each once, as the netlist names them.

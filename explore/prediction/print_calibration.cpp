@@ -1,5 +1,6 @@
 #include "explore/prediction/calibration.hpp"
 #include "native/group.hpp"
+#include "native/rank_member.hpp"
 
 #include <fmt/format.h>
 
@@ -19,13 +20,13 @@ std::string interval(const MeasuredCost& cost) {
     return fmt::format("{:.4g} ns ({:.4g} to {:.4g})", cost.median, cost.low, cost.high);
 }
 
-double patience_ns() { return std::chrono::duration<double, std::nano>(native::most_patience).count(); }
+double nanoseconds(Time time) { return std::chrono::duration<double, std::nano>(time).count(); }
 
 /// Returns the time until a thread has woken. If it is longer than the patience of a thread, the sender of a message
 /// falls asleep before the answer comes, and the message there and back waits twice.
 double waking_ns(const Calibration& c) {
-    const double both = std::max(c.across_asleep.median - c.across.median, 0.0);
-    return both > patience_ns() ? both / 2 : both;
+    const double both = std::max(c.across_asleep.median - c.threads.across.median, 0.0);
+    return both > nanoseconds(native::most_patience) ? both / 2 : both;
 }
 
 /// Returns the bytes of an individual whose copies in the model take as long as was measured. The model copies them
@@ -35,20 +36,42 @@ std::int64_t string_bytes(const Calibration& c) {
     return std::clamp<std::int64_t>(std::llround(static_cast<double>(cycles(c.string.median)) / copies), 1, 65536);
 }
 
-/// Returns the declaration of the cores. A message there and back in a thread is four inputs or outputs and two
-/// switches; between threads, two switches and two inputs or outputs one after the other.
-std::string print_core(const Calibration& c) {
-    const double in_thread = (c.there_and_back.median - 2 * c.switching.median) / 4;
+/// Returns the declaration of the cores or ranks, but for their sleep. A message there and back in one of them is four
+/// inputs or outputs and two switches; between two, two switches and two inputs or outputs one after the other.
+std::string print_core(const MessageCosts& c, Time patience) {
+    const double within = (c.there_and_back.median - 2 * c.switching.median) / 4;
     const double across = c.across.median / 2 - c.switching.median;
     return fmt::format("define core (clock = {}M, channelcall = {}, crossing = {}, switching = {},\n"
-                       "             patience = {}, waking = {}) this_core;\n",
-                       static_cast<std::int64_t>(cycles_in_a_nanosecond * 1000), cycles(in_thread), cycles(across),
-                       cycles(c.switching.median), cycles(patience_ns()), cycles(waking_ns(c)));
+                       "             patience = {}, ",
+                       static_cast<std::int64_t>(cycles_in_a_nanosecond * 1000), cycles(within), cycles(across),
+                       cycles(c.switching.median), cycles(nanoseconds(patience)));
 }
 
-std::string print_memory(const Calibration& c) {
+std::string print_memory(const MessageCosts& c, const char* name) {
     const double per_second = 1024e9 / std::max(c.kilobyte.median, 1.0);
-    return fmt::format("define shared_memory (byterate = {}) this_memory;\n", std::llround(per_second));
+    return fmt::format("define shared_memory (byterate = {}) {};\n", std::llround(per_second), name);
+}
+
+std::string print_threads(const Calibration& c) {
+    return print_core(c.threads, native::most_patience) +
+           fmt::format("waking = {}) this_core;\n", cycles(waking_ns(c))) + print_memory(c.threads, "this_memory");
+}
+
+std::string print_ranks(const Calibration& c) {
+    return "\n/* the ranks of mpirun, and what their messages go through */\n" +
+           print_core(*c.ranks, native::most_patience_of_rank) +
+           fmt::format("oversleeping = {}) this_rank;\n", std::max<std::int64_t>(cycles(c.oversleeping.median), 1)) +
+           print_memory(*c.ranks, "this_network");
+}
+
+std::string comment_on(const MessageCosts& c, const std::string& one) {
+    const std::string two = one + "s that are awake";
+    return fmt::format("   a switch to the next process            {}\n"
+                       "   a message there and back in a {:<10}{}\n"
+                       "   ... between two {:<24}{}\n"
+                       "   1024 bytes from {:<24}{}\n",
+                       interval(c.switching), one, interval(c.there_and_back), two, interval(c.across),
+                       one + " to " + one, interval(c.kilobyte));
 }
 
 std::string print_problem(const ProblemCost& cost) {
@@ -60,7 +83,10 @@ std::string print_problem(const ProblemCost& cost) {
 
 } // namespace
 
-bool Calibration::is_disturbed() const { return across.median > 2 * patience_ns(); }
+bool Calibration::is_disturbed() const {
+    return threads.across.median > 2 * nanoseconds(native::most_patience) ||
+           (ranks && ranks->across.median > 2 * nanoseconds(native::most_patience_of_rank));
+}
 
 std::string val_of_problem(const std::string& what, const std::string& problem) {
     std::string name = what + "_";
@@ -79,18 +105,18 @@ std::string print_calibration(const Calibration& c) {
         "/* What native runs cost on this computer, measured by placedpar calibrate on {}.\n"
         "   Processor: {}.\n"
         "   Each cost is the median of {} measurements, with the interval that encloses the true median in 95 of\n"
-        "   100 cases. A cycle is {:.1g} ns.\n\n"
-        "   a switch to the next process            {}\n"
-        "   a message there and back in a thread    {}\n"
-        "   ... between two threads that are awake  {}\n"
-        "   ... between two threads that sleep      {}\n"
-        "   1024 bytes from thread to thread        {}\n"
-        "   an individual sent and its result       {} */\n\n",
-        c.date, c.processor, c.repetitions, 1 / cycles_in_a_nanosecond, interval(c.switching),
-        interval(c.there_and_back), interval(c.across), interval(c.across_asleep), interval(c.kilobyte),
-        interval(c.string));
-    text += print_core(c) + print_memory(c);
-    text += fmt::format("val individual_bytes {};\n", string_bytes(c));
+        "   100 cases. A cycle is {:.1g} ns.\n\n{}"
+        "   a message there and back, both asleep   {}\n"
+        "   an individual sent and its result       {}\n",
+        c.date, c.processor, c.repetitions, 1 / cycles_in_a_nanosecond, comment_on(c.threads, "thread"),
+        interval(c.across_asleep), interval(c.string));
+    if (c.ranks)
+        text += fmt::format("\n   Ranks of mpirun:\n{}   a pause of 20 us is longer by           {}\n",
+                            comment_on(*c.ranks, "rank"), interval(c.oversleeping));
+    text += "*/\n\n" + print_threads(c);
+    if (c.ranks)
+        text += print_ranks(c);
+    text += fmt::format("\nval individual_bytes {};\n", string_bytes(c));
     for (const ProblemCost& problem : c.problems)
         text += print_problem(problem);
     return text;

@@ -8,9 +8,12 @@ import tempfile
 import time
 import unittest
 
+from native_ranks_test import start
 from program import EXAMPLES, PROGRAM, placedpar
+from ranks_test import MODULE, MPIRUN
 
 ISLANDS = EXAMPLES / "native" / "islands.cfs"
+CLUSTER = EXAMPLES / "native" / "cluster.inc"
 FEW = ("--repetitions", "6")
 
 
@@ -77,6 +80,41 @@ class Calibrate(unittest.TestCase):
         self.assertEqual([row[0] for row in table], ["1", "2", "3", "4"])
         self.assertEqual(run.returncode, 0, run.stderr)
 
+    def test_ranks_are_predicted_and_explained_beside_threads(self):
+        ranks = placedpar("run", ISLANDS, "--predict", CLUSTER, "--ranks", 2, "--set", "problem=costly(work = 300)")
+        self.assertRegex(ranks.stdout, r"rank\[1\] +core")
+        threads = placedpar("run", ISLANDS, "--native", "--threads", 2, "--set", "problem=costly(work = 300)")
+        self.assertEqual(populations(ranks), populations(threads))
+        explained = placedpar("explain", ISLANDS, "--predict", CLUSTER, "--ranks", 2, "--no-what-if", "--set", "problem=costly(work = 300)")
+        self.assertIn("  ranks  predicted time\n", explained.stdout)
+        self.assertNotIn("threads  predicted time", explained.stdout)  # cluster.inc has no threads
+
+    @unittest.skipUnless(MPIRUN and MODULE.exists(), "built without MPI")
+    def test_mpirun_measures_between_ranks(self):
+        both = self.folder / "both.inc"
+        with start(2, "calibrate", ISLANDS, *FEW, "-o", both) as mpirun:
+            _, errors = mpirun.communicate(timeout=60)
+        self.assertEqual(mpirun.returncode, 0, errors)
+        text = both.read_text(encoding="utf-8")
+        between = [float(each) for each in re.findall(r"between two (?:thread|rank)s that are awake +([\d.]+)", text)]
+        self.assertEqual(len(between), 2)
+        self.assertIn(") this_rank;", text)
+        for places in ("--threads", "--ranks"):
+            run = placedpar("run", ISLANDS, "--predict", both, places, 2)
+            self.assertEqual(populations(run), populations(placedpar("run", ISLANDS)), run.stderr)
+        explained = placedpar("explain", ISLANDS, "--predict", both, "--threads", 2, "--no-what-if").stdout
+        self.assertIn("threads  predicted time\n", explained)
+        self.assertIn("  ranks  predicted time\n", explained)
+
+    @unittest.skipUnless(MPIRUN and MODULE.exists(), "built without MPI")
+    def test_more_than_two_ranks_and_wrong_input_are_reported_once(self):
+        for ranks, arguments, message in ((3, (ISLANDS,), "mpirun -n 2 placedpar calibrate"), (2, ("nothing.cfs",), "nothing.cfs"),
+                                          (2, ("--problem", "nothing"), "unknown search problem 'nothing'")):
+            with self.subTest(arguments=arguments), start(ranks, "calibrate", *FEW, *arguments) as mpirun:
+                _, errors = mpirun.communicate(timeout=60)
+                self.assertEqual(mpirun.returncode, 1)
+                self.assertEqual(errors.count(message), 1, errors)
+
     def test_refusals(self):
         for arguments, message in (
                 (("calibrate", "--problem", "nothing"), "unknown search problem 'nothing'"),
@@ -88,6 +126,10 @@ class Calibrate(unittest.TestCase):
                 (("run", ISLANDS, "--predict", self.here, "--native"), "leave out --native, or --predict"),
                 (("run", ISLANDS, "--predict", self.here, "--set", "problem=sphere"), 'no cost of the problem "sphere"'),
                 (("run", ISLANDS, "--threads", "2"), "--threads is for native runs"),
+                (("run", ISLANDS, "--predict", self.here, "--ranks", "2"), "write it by mpirun -n 2 placedpar calibrate"),
+                (("run", ISLANDS, "--predict", self.here, "--ranks", "2", "--threads", "2"), "give one of them"),
+                (("run", ISLANDS, "--predict", CLUSTER, "--ranks", "5"), "there are 5 ranks, but only 4 processors have processes"),
+                (("run", ISLANDS, "--ranks", "2"), "--ranks requires --predict"),
         ):
             with self.subTest(arguments=arguments):
                 run = placedpar(*arguments)
