@@ -200,13 +200,19 @@ RankMatches::RankMatches(Ranks& ranks) : ranks_(ranks), mail_(ranks.open_mail())
 
 RankMatches::~RankMatches() { ranks_.send(1, no_more); }
 
-double RankMatches::nanoseconds_there_and_back(const PingPong& match) {
+/// Begins a match. Returns when rank 1 has left the one before: until then it would take the letters of this one.
+void RankMatches::announce(const PingPong& match) {
     ranks_.send(1, text_of(match));
+    wait_for_message(ranks_);
+}
+
+double RankMatches::nanoseconds_there_and_back(const PingPong& match) {
+    announce(match);
     return play_on_ranks(*mail_, match);
 }
 
 double RankMatches::nanoseconds_of_switch(long times) {
-    ranks_.send(1, text_of({.kernels = 1}));
+    announce({.kernels = 1});
     Simulation simulation;
     RankMember member(*mail_, simulation, 0);
     member.begin();
@@ -219,6 +225,7 @@ void play_with_rank_zero(Ranks& ranks) {
         const std::string text = wait_for_message(ranks).text;
         if (text == no_more)
             return;
+        ranks.send(0, "ready");
         play_on_ranks(*mail, match_of(text));
     }
 }

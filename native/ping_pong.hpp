@@ -43,6 +43,8 @@ public:
     double nanoseconds_of_switch(long times);
 
 private:
+    void announce(const PingPong&);
+
     Ranks& ranks_;
     std::unique_ptr<RankMail> mail_;
 };

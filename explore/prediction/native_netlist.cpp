@@ -49,7 +49,7 @@ public:
     explicit StatedCosts(std::filesystem::path path) : path_(std::move(path)), include_(include_of(path_)) {
         const ReadResult read = read_netlist_text(include_, devices_);
         if (!read.network)
-            throw UserError(render(read));
+            refuse("it does not describe a computer", "\n" + render(read));
     }
 
     const std::string& include() const { return include_; }
@@ -100,8 +100,9 @@ private:
             known->second = read_netlist_text(include_ + statement, devices_).network.has_value();
         return known->second;
     }
-    [[noreturn]] void refuse(const std::string& why) const {
-        throw UserError(fmt::format("{0}: {1}: write it by placedpar calibrate NETLIST -o {0}", path_.string(), why));
+    [[noreturn]] void refuse(const std::string& why, const std::string& details = "") const {
+        throw UserError(
+            fmt::format("{0}: {1}: write it by placedpar calibrate NETLIST -o {0}{2}", path_.string(), why, details));
     }
 
     Catalogue devices_;
