@@ -95,8 +95,6 @@ void Process::begin_wait(Activity activity, const AnyChannel* channel, const Sou
     finish_wait();
 }
 
-[[gnu::flatten]] void Process::wait_on() { finish_wait(); }
-
 void Process::wait_for(Activity activity, std::span<const AnyChannel* const> channels, const SourceLocation& where,
                        bool awaits_timer) {
     struct End {

@@ -169,8 +169,6 @@ public:
     /// Begins a wait in a communication: from now on the process waits until it is made ready. Records the reason and
     /// the place for reports.
     void begin_wait(Activity, const AnyChannel*, const SourceLocation&);
-    /// Waits until the process is made ready. REQUIRES: this process is running, and its wait has begun.
-    void wait_on();
     /// Waits for the components of the process's PAR. With an executive, the process runs the last component itself,
     /// which must not have been made ready.
     void wait_for_components(Process& last, const SourceLocation&);
