@@ -3,10 +3,10 @@
 
 const byId = id => document.getElementById(id);
 
-function makeEditor(id, mode, label) {
+function makeEditor(id, mode, label, placeholder) {
   const editor = CodeMirror(byId(id), {
     mode, lineNumbers: true, matchBrackets: true, indentUnit: 2, tabSize: 8, indentWithTabs: false, inputStyle: "contenteditable",
-    screenReaderLabel: label, viewportMargin: 200, gutters: ["CodeMirror-linenumbers", "signs"],
+    screenReaderLabel: label, placeholder, viewportMargin: 200, gutters: ["CodeMirror-linenumbers", "signs"],
   });
   // Tab indents, as writers of occam expect; after Escape it leaves the editor.
   const keys = {
@@ -25,8 +25,8 @@ function makeEditor(id, mode, label) {
 }
 
 const editors = {
-  netlist: makeEditor("netlist", "netlist", "Netlist"),
-  occam: makeEditor("occam", "occam", "Program in occam"),
+  netlist: makeEditor("netlist", "netlist", "Netlist", "A netlist, which says which processes run on which machine.\nWithout one, the program in occam is run on a T800."),
+  occam: makeEditor("occam", "occam", "Program in occam", "A program in occam. A netlist uses it by its name."),
 };
 const names = { netlist: "network.cfs", occam: "program.occ" };
 const stored = new Map(); // texts of files in occam that are not in the editor at present
