@@ -56,6 +56,18 @@ if(TARGET placedpar_mpi)
     install(TARGETS placedpar_mpi LIBRARY DESTINATION lib/placedpar COMPONENT mpi) # ranks/ranks.cpp looks there
 endif()
 
+# The package for Python, if its module is built: where python3 looks below the prefix, which is dist-packages in Debian.
+if(TARGET placedpar_python)
+    install(CODE "if(EXISTS \"$<TARGET_FILE:placedpar_python>\")
+        set(site lib/python${python_version}/dist-packages)
+        if(CMAKE_INSTALL_PREFIX STREQUAL /usr)
+            set(site lib/python3/dist-packages)
+        endif()
+        file(INSTALL DESTINATION \"\${CMAKE_INSTALL_PREFIX}/\${site}/placedpar\" TYPE FILE
+             FILES ${python_package} \"$<TARGET_FILE:placedpar_python>\")
+    endif()" COMPONENT python)
+endif()
+
 # What is linked or embedded, as Debian names it in packages.txt, with the licence that Debian's package has.
 file(STRINGS ${PROJECT_SOURCE_DIR}/packages.txt libraries REGEX "^(lib|node-|zlib)")
 list(TRANSFORM libraries REPLACE " .*" "")
