@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Builds the site of the documents: build.py PROGRAM HEADERS FOLDER, with the public headers of a build.
+"""Builds the site of the documents: build.py PROGRAM HEADERS FOLDER [--python PACKAGES], from the files of a build.
 
 FOLDER/html/index.html opens from the file system. The other folders there are steps: source/ has the pages, with links
 to the rooms; xml/ what Doxygen read in the headers; runs/ the pages of runs that the examples show.
@@ -89,19 +89,37 @@ def read_headers(headers, xml):
     subprocess.run(["doxygen", "-"], input=settings, text=True, check=True)
 
 
+PYTHON_PAGE = """# Interfaces in Python
+
+[The guide](../docs/guides/python.md) shows how these are used.
+
+```{eval-rst}
+.. automodule:: placedpar
+   :members:
+   :imported-members:
+   :exclude-members: NetlistWarning
+```
+"""
+
+
 def main():
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("program", type=pathlib.Path)
     options.add_argument("headers", type=pathlib.Path, help="the folder placedpar of the staged headers")
     options.add_argument("folder", type=pathlib.Path)
+    options.add_argument("--python", type=pathlib.Path, help="the folder that has the package placedpar")
     given = options.parse_args()
     folder = given.folder.absolute()
     link_pages(folder / "source")
     read_headers(given.headers.absolute(), folder / "xml")
     write_interface_pages(folder / "xml", folder / "source" / "interfaces" / "cpp")
+    if given.python:
+        (folder / "source" / "interfaces" / "python.md").write_text(PYTHON_PAGE)
     shutil.rmtree(folder / "runs", ignore_errors=True)
     draw_runs(given.program.absolute(), folder / "runs")
     environment = os.environ | {"PLACEDPAR_API_XML": str(folder / "xml"), "PLACEDPAR_RUNS": str(folder / "runs")}
+    if given.python:
+        environment["PYTHONPATH"] = str(given.python.absolute())
     (folder / "html").mkdir(exist_ok=True)
     (folder / "html" / "index.html").write_text('<meta http-equiv="refresh" content="0; url=README.html">\n')
     return subprocess.run(["sphinx-build", "-q", "-E", "-W", "--keep-going", "-j", "auto", "-c", HERE, "-d", folder / "doctrees",

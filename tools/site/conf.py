@@ -18,7 +18,7 @@ root_doc = "README"
 include_patterns = ["*.md", "docs/**.md", "examples/**.md", "interfaces/**.md", "*/README.md", "*/*/README.md"]
 exclude_patterns = ["docs/occam-course/answers", "tools/skeleton"]
 
-extensions = ["myst_parser", "breathe", "contents", "languages", "linked_files", "run_pages"]
+extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "contents", "languages", "linked_files", "run_pages"]
 myst_heading_anchors = 4  # as GitHub makes them: links to headings work in both
 myst_enable_extensions = ["colon_fence"]
 breathe_projects = {"placedpar": os.environ["PLACEDPAR_API_XML"]}  # build.py sets it

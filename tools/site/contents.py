@@ -12,7 +12,7 @@ CHAPTERS = (
                "docs/learn/one-generation", "docs/occam-course/README"]),
     ("Guides", ["docs/guides/*"]),
     ("Examples", ["examples/*/README"]),
-    ("Reference", ["docs/reference/*", "interfaces/cpp/README"]),
+    ("Reference", ["docs/reference/*", "interfaces/cpp/README", "interfaces/python*"]),
     ("Source", ["CONTRIBUTING", "*/README"]),
 )
 
