@@ -19,8 +19,8 @@ private:
     std::map<std::string, std::string, std::less<>> texts_; ///< by canonical path
 };
 
-/// Lets load_source() and names_file() of this thread read texts in memory while this object exists. REQUIRES: the texts
-/// outlive this object, and no other object of this class exists in the thread.
+/// Lets load_source() and names_file() of this thread read texts in memory while this object exists. REQUIRES: the
+/// texts outlive this object, and no other object of this class exists in the thread.
 class ReadsFromMemory {
 public:
     explicit ReadsFromMemory(const TextsInMemory&);
