@@ -4,13 +4,16 @@
 const nameOfPage = crypto.getRandomValues(new Uint32Array(3)).join("-");
 let jobs = 0;
 
-/** Returns the server's answer. Says on the way how many jobs are before this one. */
+/** Returns the server's answer. Says on the way which place the job has in the queue. */
 async function answerOf(job, signal, says = () => {}) {
   const name = `${nameOfPage}-${++jobs}`;
+  let ended = false;
   const watch = setInterval(async () => {
     const place = await fetch(`/place?${name}`).then(answer => answer.json()).catch(() => ({}));
+    if (ended)
+      return;
     if (place.place > 0)
-      says(`Waiting: ${place.place} before this one.`);
+      says(`Waiting: place ${place.place}.`);
     else if (place.place === 0)
       says("Running.");
   }, 700);
@@ -22,6 +25,7 @@ async function answerOf(job, signal, says = () => {}) {
       throw new Error((await response.text()).trim());
     return await response.json();
   } finally {
+    ended = true;
     clearInterval(watch);
   }
 }
@@ -44,6 +48,9 @@ async function checkNow() {
   const alone = Object.keys(files).filter(name => name !== main && name.endsWith(".occ"));
   try {
     const answers = await Promise.all([main, ...alone].map(name => answerOf({ do: "check", main: name, files }, signal)));
+    const failed = answers.find(answer => answer.refused);
+    if (failed)
+      byId("status").textContent = `The program cannot be checked: ${failed.refused}`;
     const found = new Map();
     for (const fault of answers.flatMap(answer => answer.faults ?? []))
       found.set(JSON.stringify([fault.file, fault.line, fault.column, fault.message]), fault);

@@ -7,8 +7,16 @@ let examples = {}, exercises = [], exercise = null, running = null;
 const says = text => { byId("status").textContent = text; };
 const folderOf = name => name.slice(0, name.lastIndexOf("/") + 1);
 
+/** Ends the job that is being done; its answer would appear under another program. */
+function abandon() {
+  running?.abort();
+  running = null;
+  byId("stop").hidden = true;
+}
+
 /** Shows programs: {netlist: [name, text], occam: name, files: {name: text of occam}, exercise: number}. */
 function show(state) {
+  abandon();
   putText("netlist", ...state.netlist);
   putOccam(state.occam, state.files);
   exercise = state.exercise || null;
@@ -64,8 +72,8 @@ function isPart(path) {
 }
 
 async function work(task) {
-  running?.abort();
-  running = new AbortController();
+  abandon();
+  const own = running = new AbortController(), isOwn = () => running === own;
   byId("stop").hidden = false;
   says("Running.");
   const job = { do: task, main: task === "exercise" ? names.occam : mainFile(), files: filesOfPage(), seed: Number(byId("seed").value) || 0,
@@ -73,11 +81,14 @@ async function work(task) {
   if (!job.files[job.main])
     return finish("There is no program: write a netlist or a program in occam, or choose an example.");
   try {
-    const answer = await answerOf(job, running.signal, says);
+    const answer = await answerOf(job, own.signal, text => isOwn() && says(text));
+    if (!isOwn())
+      return;
     showAnswer(answer, { explain: "explanation", listing: "listing", exercise: "verdict" }[task]);
     finish(sentenceOn(answer));
   } catch (error) {
-    finish(error.name === "AbortError" ? "Stopped." : `The server does not answer: ${error.message}`);
+    if (isOwn())
+      finish(error.name === "AbortError" ? "Stopped." : `The server does not answer: ${error.message}`);
   }
 }
 
@@ -108,19 +119,26 @@ document.addEventListener("keydown", event => {
     (exercise ? byId("check") : byId("run")).click();
 });
 
+/** Shows the program in the address. If it is damaged, does something else and says so. */
+async function showLink(otherwise = () => {}) {
+  try {
+    show(await stateOf(location.hash));
+  } catch {
+    otherwise();
+    says("The link is damaged: its program cannot be read.");
+  }
+}
+
 async function begin() {
   const get = path => fetch(path).then(answer => answer.json());
   [examples, exercises, catalogue] = await Promise.all(["/examples", "/exercises", "/catalogue"].map(get));
   listExamples();
   byId("exercises").append(...exercises.map(each => new Option(`${each.number} ${each.title}`, each.number)));
-  try {
-    if (location.hash.length > 1)
-      return show(await stateOf(location.hash));
-  } catch {
-    says("The link is damaged: its program cannot be read.");
-  }
-  showExample(beginning);
+  if (location.hash.length > 1)
+    await showLink(() => showExample(beginning));
+  else
+    showExample(beginning);
 }
 
-window.addEventListener("hashchange", async () => show(await stateOf(location.hash)));
+window.addEventListener("hashchange", () => location.hash.length > 1 && showLink());
 begin();

@@ -18,6 +18,12 @@ connect buffer[i].out to buffer[(i + 1) % n].in;
 place bufer[i] on t[i];
 }
 """
+FOREVER = """PROC forever (CHAN OF BYTE keyboard, screen, error)
+  WHILE TRUE
+    SKIP
+:
+"""
+PHILOSOPHERS = "csp/philosophers/philosophers.cfs"
 EDITOR = "document.querySelector('#netlist .CodeMirror').CodeMirror"
 MARKS = f"""JSON.stringify({EDITOR}.getAllMarks().filter(mark => /fault/.test(mark.className)).map(mark => mark.find())
   .map(({{from, to}}) => [from.line + 1, {EDITOR}.getRange(from, to)]))"""
@@ -154,6 +160,39 @@ class InBrowsers(ServiceTest):
         self.ready(tab)
         self.assertEqual(tab.value(f"{EDITOR}.getValue()"), program)
 
+    def run_again_and_stop(self, tab):
+        """Runs a program that never ends, runs it again, stops it, and leaves it for another program."""
+        stop, examples = "document.getElementById('stop')", "document.getElementById('examples')"
+        tab.value("document.getElementById('new').click()")
+        tab.value(f"editors.occam.setValue({json.dumps(FOREVER)})")
+        for _ in range(2):
+            tab.value("document.getElementById('run').click()")
+            time.sleep(1)
+        self.assertEqual((tab.value(STATUS), tab.value(stop + ".hidden")), ("Running.", False))
+        tab.value(stop + ".click()")
+        self.wait_for(tab, f"{STATUS} === 'Stopped.' && {stop}.hidden")
+        tab.value("document.getElementById('run').click()")
+        tab.value(f"({examples}.value = {json.dumps(PHILOSOPHERS)}, {examples}.dispatchEvent(new Event('change')))")
+        time.sleep(1)
+        self.assertEqual((tab.value(STATUS), tab.value(stop + ".hidden")), ("", True))
+        self.wait_for_no_job()
+
+    def wait_for_no_job(self):
+        end = time.monotonic() + SECONDS
+        while self.service.children():
+            self.assertLess(time.monotonic(), end, "a job is still being done")
+            time.sleep(0.05)
+
+    def follow_damaged_links(self, tab):
+        damaged = f"{STATUS} === 'The link is damaged: its program cannot be read.'"
+        program = tab.value(f"{EDITOR}.getValue()")
+        tab.value("void (location.hash = 'damaged')")
+        self.wait_for(tab, damaged)
+        self.assertEqual(tab.value(f"{EDITOR}.getValue()"), program)
+        tab.open(self.service.page + "#damaged")
+        self.ready(tab)
+        self.wait_for(tab, damaged)
+
     def complete_and_solve(self, tab):
         """Completes the name of a kind, and checks the solution of an exercise."""
         tab.value("document.getElementById('new').click()")
@@ -172,6 +211,8 @@ class InBrowsers(ServiceTest):
             self.write_and_mend(tab)
             self.see_the_deadlock(tab)
             self.follow_the_link(tab)
+            self.run_again_and_stop(tab)
+            self.follow_damaged_links(tab)
             self.complete_and_solve(tab)
             tab.resize(420)
             self.wait_for(tab, "innerWidth <= 500 && document.documentElement.scrollWidth <= innerWidth")
