@@ -39,12 +39,14 @@ void connect(Stream& to_read, Stream& to_write) {
     to_write.assign(ends[1]);
 }
 
-/// Starts this program for one job. It inherits these ends as standard input and output, and no other file.
+/// Starts this program for one job. It inherits these ends as standard input and output, and no other file. What it
+/// writes to standard error is lost: it could fill the operator's terminal or log.
 pid_t start(int input, int output, const RunLimits& limits) {
     posix_spawn_file_actions_t actions;
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawn_file_actions_adddup2(&actions, input, 0);
     ::posix_spawn_file_actions_adddup2(&actions, output, 1);
+    ::posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
     ::posix_spawn_file_actions_addclosefrom_np(&actions, 3);
     std::string seconds = std::to_string(limits.seconds), megabytes = std::to_string(limits.megabytes);
     std::array<std::string, 7> words = {"placedpar", "serve", "--job", "--seconds", seconds, "--memory", megabytes};
@@ -63,7 +65,12 @@ std::string refused(const char* ended, const std::string& why) {
     return boost::json::serialize(boost::json::object{{"ended", ended}, {"refused", why}});
 }
 
-std::string ended_by_force(const RunLimits& limits) {
+/// Returns the answer for a process that ended without one. A process is killed only at a limit.
+std::string why_no_answer(int status, const RunLimits& limits) {
+    if (!WIFSIGNALED(status) || (WTERMSIG(status) != SIGKILL && WTERMSIG(status) != SIGXCPU))
+        return refused("failed", fmt::format("the run has crashed: a defect of PlacedPar, unless the run needed more "
+                                             "memory than the {} Mbyte it may have",
+                                             limits.megabytes));
     return refused("killed", fmt::format("the run was ended by force: it may take {} s and {} Mbyte of memory, and its "
                                          "answer may have {} Mbyte",
                                          limits.seconds, limits.megabytes, largest_answer_bytes >> 20));
@@ -85,7 +92,8 @@ public:
         connect(input, input_);
         connect(output_, output);
         child_ = start(input.native_handle(), output.native_handle(), runs_->limits_.run);
-        asio::async_write(input_, asio::buffer(job_.job), [self = shared_from_this()](const error_code&, std::size_t) {
+        text_ = std::exchange(job_.job, {})();
+        asio::async_write(input_, asio::buffer(text_), [self = shared_from_this()](const error_code&, std::size_t) {
             error_code ignored;
             self->input_.close(ignored);
         });
@@ -111,7 +119,7 @@ private:
         if (Runs* runs = std::exchange(runs_, nullptr))
             runs->ended(*this, error == asio::error::eof && answer_.ends_with('\n')
                                    ? std::move(answer_)
-                                   : ended_by_force(runs->limits_.run));
+                                   : why_no_answer(status_, runs->limits_.run));
     }
 
     void kill() {
@@ -121,7 +129,7 @@ private:
         if (child_ < 0)
             return;
         ::kill(child_, SIGKILL); // it has ended already, or must
-        ::waitpid(std::exchange(child_, -1), nullptr, 0);
+        ::waitpid(std::exchange(child_, -1), &status_, 0);
         if (!runs_)
             output_.close(ignored);
     }
@@ -131,7 +139,8 @@ private:
     Stream input_, output_; ///< of the process
     asio::steady_timer timer_;
     pid_t child_ = -1;
-    std::string answer_;
+    int status_ = 0; ///< of the ended process, as waitpid() returns it
+    std::string text_, answer_;
 };
 
 Runs::Runs(asio::io_context& io, const QueueLimits& limits) : io_(io), limits_(limits) {
@@ -144,14 +153,19 @@ Runs::~Runs() {
         each->withdraw();
 }
 
-std::optional<Runs::Number> Runs::add(std::string name, bool is_check, std::string job, Done done) {
-    if (waiting_.size() >= limits_.most_waiting)
+bool Runs::has_room_for(const std::string& peer) const {
+    const auto of_peer = static_cast<std::size_t>(std::ranges::count(waiting_, peer, &Waiting::peer));
+    return waiting_.size() < limits_.most_waiting && of_peer < limits_.most_waiting_of_peer;
+}
+
+std::optional<Runs::Number> Runs::add(std::string name, std::string peer, bool is_check, Text job, Done done) {
+    if (!has_room_for(peer))
         return std::nullopt;
     auto place = waiting_.end();
     if (is_check)
         place = std::ranges::find_if_not(waiting_, &Waiting::is_check);
     const Number number = ++last_;
-    waiting_.insert(place, {number, std::move(name), is_check, std::move(job), std::move(done)});
+    waiting_.insert(place, {number, std::move(name), std::move(peer), is_check, std::move(job), std::move(done)});
     begin_next();
     return number;
 }

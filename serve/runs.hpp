@@ -15,8 +15,8 @@
 namespace placedpar::serve {
 
 struct QueueLimits {
-    std::size_t at_once = 0;        ///< number of jobs at a time; 0: one for each core
-    std::size_t most_waiting = 500; ///< value of our choice
+    std::size_t at_once = 0; ///< number of jobs at a time; 0: one for each core
+    std::size_t most_waiting = 500, most_waiting_of_peer = 100; ///< values of our choice
     RunLimits run;
 };
 
@@ -27,28 +27,31 @@ public:
     /// Receives the answer, which is JSON.
     using Done = std::function<void(std::string)>;
     using Number = std::uint64_t;
+    /// Returns the job's text. It is called when the job begins, so that waiting jobs need little memory.
+    using Text = std::function<std::string()>;
 
     Runs(boost::asio::io_context& io, const QueueLimits& limits);
     ~Runs();
 
-    /// Begins a job or adds it to the queue. Returns nothing if too many are waiting. `name` is for place_of().
-    std::optional<Number> add(std::string name, bool is_check, std::string job, Done done);
+    /// Begins a job or adds it to the queue. Returns nothing if too many are waiting, of all or of this peer
+    /// (web::Caller). `name` is for place_of().
+    std::optional<Number> add(std::string name, std::string peer, bool is_check, Text job, Done done);
     /// Ends a job, and kills its process, without an answer. No effect if the job has been answered.
     void withdraw(Number job);
-    /// Returns the number of jobs before the one with this name; 0 if it has begun, nothing if there is no such job.
+    /// Returns the job's place in the queue, from 1; 0 if it has begun; nothing if there is no such job.
     std::optional<std::size_t> place_of(const std::string& name) const;
-    std::size_t waiting() const { return waiting_.size(); }
 
 private:
     class Process;
     struct Waiting {
         Number number;
-        std::string name;
+        std::string name, peer;
         bool is_check;
-        std::string job;
+        Text job;
         Done done;
     };
 
+    bool has_room_for(const std::string& peer) const;
     void begin_next();
     void ended(Process& process, std::string answer);
 

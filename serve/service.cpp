@@ -17,7 +17,7 @@ namespace asio = boost::asio;
 
 namespace {
 
-constexpr std::size_t largest_job_bytes = 1u << 20, most_sessions = 1000, most_sessions_of_peer = 600; ///< our choice
+constexpr std::size_t largest_job_bytes = 256u << 10, most_sessions = 1000, most_sessions_of_peer = 600; ///< our choice
 
 web::Token token_for(const ServiceSettings& settings) {
     if (!settings.token_file.empty())

@@ -46,28 +46,59 @@ std::string catalogue_json() {
     return json::serialize(kinds_json(known_kinds(problems)));
 }
 
-/// Throws std::invalid_argument unless the member is a text that may be missing.
+/// Throws std::invalid_argument if the member is there and is not a text.
 void require_text(const json::object& job, const char* name) {
     if (const json::value* found = job.if_contains(name); found && !found->is_string())
         throw std::invalid_argument(fmt::format("\"{}\" is not a text", name));
 }
 
-void require_job(const json::object& job) {
+void require_task(const json::object& job) {
     constexpr std::array tasks = {"check", "run", "explain", "listing", "exercise"};
-    for (const char* name : {"do", "main", "exercise", "keys"})
-        require_text(job, name);
     if (std::ranges::find(tasks, std::string(job.at("do").as_string())) == tasks.end())
         throw std::invalid_argument("\"do\" is none of check, run, explain, listing and exercise");
-    if (!job.at("files").as_object().contains(job.at("main").as_string()))
+}
+
+void require_files(const json::object& job) {
+    if (!job.at("files").is_object())
+        throw std::invalid_argument("\"files\" is not an object of texts");
+    const json::object& files = job.at("files").as_object();
+    if (!files.contains(job.at("main").as_string()))
         throw std::invalid_argument("\"main\" is not among the files");
-    if (job.at("files").as_object().size() > most_files)
+    if (files.size() > most_files)
         throw std::invalid_argument(fmt::format("more than {} files", most_files));
-    for (const auto& [name, text] : job.at("files").as_object())
+    for (const auto& [name, text] : files)
         if (!text.is_string() || name.empty() || name.front() == '/' || name.find("..") != name.npos)
             throw std::invalid_argument(
                 "a file needs a text, and a name without \"..\" that does not begin with \"/\"");
-    if (const json::value* seed = job.if_contains("seed"))
-        seed->to_number<std::uint64_t>();
+}
+
+void require_seed(const json::object& job) {
+    const json::value* seed = job.if_contains("seed");
+    boost::system::error_code error;
+    if (seed)
+        seed->to_number<std::uint64_t>(error);
+    if (error)
+        throw std::invalid_argument("\"seed\" is not a whole number");
+}
+
+void require_job(const json::object& job) {
+    for (const char* name : {"do", "main", "files"})
+        if (!job.contains(name))
+            throw std::invalid_argument(fmt::format("\"{}\" is missing", name));
+    for (const char* name : {"do", "main", "exercise", "keys"})
+        require_text(job, name);
+    require_task(job);
+    require_files(job);
+    require_seed(job);
+}
+
+/// Returns the job's member "do". Throws std::exception if the text is not a job.
+std::string task_of(const std::string& text) {
+    const json::value value = json::parse(text);
+    if (!value.is_object())
+        throw std::invalid_argument("it is not an object");
+    require_job(value.as_object());
+    return std::string(value.at("do").as_string());
 }
 
 } // namespace
@@ -109,11 +140,9 @@ web::Answer Site::data(const web::Request& request) const {
     return {404, plain, "not found; the page is /\n"};
 }
 
-std::string Site::completed(const std::string& body, bool& is_check) const {
+std::string Site::completed(const std::string& body) const {
     json::value value = json::parse(body);
     json::object& job = value.as_object();
-    require_job(job);
-    is_check = job.at("do").as_string() == "check";
     json::object& files = job.at("files").as_object();
     for (const auto& [name, text] : examples_)
         files.emplace(name, text); // a file of the page replaces it
@@ -121,22 +150,24 @@ std::string Site::completed(const std::string& body, bool& is_check) const {
 }
 
 web::Withdraw Site::begin(const web::Request& request, const web::Reply& reply) {
-    std::string job;
-    bool is_check = false;
+    std::string task;
     try {
-        job = completed(request.body, is_check);
+        task = task_of(request.body);
     } catch (const std::exception& wrong) {
         reply({400, plain, fmt::format("not a job: {}\n", wrong.what())});
         return {};
     }
-    auto done = [this, reply, kept = is_check ? "" : request.body](std::string answer) {
-        if (!keep_.empty() && !kept.empty())
+    const bool is_check = task == "check";
+    auto job = [this, body = request.body] { return completed(body); };
+    auto done = [this, reply, kept = keep_.empty() || is_check ? std::string() : request.body](std::string answer) {
+        if (!kept.empty())
             keep(kept, answer);
         reply({200, json_type, std::move(answer)});
     };
-    const auto number = runs_.add(request.query.substr(0, longest_name), is_check, std::move(job), std::move(done));
+    const auto number = runs_.add(request.query.substr(0, longest_name), request.peer, is_check, std::move(job),
+                                  std::move(done));
     if (!number) {
-        reply({503, plain, fmt::format("{} jobs are waiting: try again later\n", runs_.waiting())});
+        reply({503, plain, "too many jobs are waiting: try again later\n"});
         return {};
     }
     return [this, job_number = *number] { runs_.withdraw(job_number); };

@@ -25,8 +25,8 @@ public:
 private:
     web::Answer data(const web::Request&) const;
     web::Withdraw begin(const web::Request&, const web::Reply&);
-    /// Returns the job with the examples among its files. Throws std::exception if it is not a job.
-    std::string completed(const std::string& body, bool& is_check) const;
+    /// Returns the job with the examples among its files.
+    std::string completed(const std::string& body) const;
     void keep(const std::string& job, const std::string& answer);
 
     Runs& runs_;

@@ -7,8 +7,6 @@
 #include <boost/beast/http.hpp>
 #include <fmt/format.h>
 
-#include <sys/socket.h>
-
 #include <algorithm>
 #include <chrono>
 #include <map>
@@ -26,6 +24,7 @@ namespace {
 constexpr std::chrono::seconds most_patience{30}; ///< longest wait for a request to arrive or its answer to be read;
                                                   ///< our choice
 constexpr std::uint32_t most_header_bytes = 8192;
+constexpr std::uint64_t largest_unwanted_body_bytes = 8192; ///< our choice
 constexpr const char* plain = "text/plain; charset=utf-8";
 
 } // namespace
@@ -46,14 +45,15 @@ public:
         parser_->body_limit(server_->settings_.most_body_bytes);
         since_ = std::chrono::steady_clock::now();
         stream_.expires_after(most_patience);
-        http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](const error_code& error, std::size_t) {
-            if (error == http::error::body_limit && self->server_)
-                self->refuse_body();
-            else if (error)
-                self->end();
-            else
-                self->take();
-        });
+        http::async_read_header(stream_, buffer_, *parser_,
+                                [self = shared_from_this()](const error_code& error, std::size_t) {
+                                    if (error == http::error::body_limit && self->server_)
+                                        self->refuse_body();
+                                    else if (error)
+                                        self->end();
+                                    else
+                                        self->take_header();
+                                });
     }
 
     void end() {
@@ -67,10 +67,41 @@ public:
     }
 
 private:
+    /// Reads the body, except a large body of a request that is refused or comes without the token: many such bodies
+    /// would fill the memory. A small body is always read, since a client may send it all before it reads the answer.
+    void take_header() {
+        if (!server_)
+            return;
+        last_ = has_large_body() && (!trusted() || refused());
+        if (last_)
+            take();
+        else
+            read_body();
+    }
+
+    bool has_large_body() const {
+        const auto length = parser_->content_length();
+        return parser_->chunked() || (length && *length > largest_unwanted_body_bytes);
+    }
+
+    void read_body() {
+        http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](const error_code& error, std::size_t) {
+            if (error == http::error::body_limit && self->server_)
+                self->refuse_body();
+            else if (error)
+                self->end();
+            else
+                self->take();
+        });
+    }
+
     /// Answers a request whose body is too large to be read.
     void refuse_body() {
         last_ = true;
-        answer({413, plain, fmt::format("at most {} bytes are allowed\n", server_->settings_.most_body_bytes)});
+        std::optional<Answer> refusal = refused();
+        answer(refusal ? std::move(*refusal)
+                       : Answer{413, plain,
+                                fmt::format("the body has more than {} bytes\n", server_->settings_.most_body_bytes)});
     }
 
     void take() {
@@ -141,23 +172,25 @@ private:
         const std::string target(parser_->get().target());
         const std::size_t mark = target.find('?');
         const std::string authorization(parser_->get()[http::field::authorization]);
-        const bool trusted = server_->trusts(authorization);
-        last_ = !trusted && !authorization.empty();
-        if (last_)
+        const bool is_trusted = trusted();
+        if (!is_trusted && !authorization.empty()) {
+            last_ = true;
             server_->say_(fmt::format("{} sent a wrong token", caller_.name));
+        }
         return {posts(), target.substr(0, mark), mark == target.npos ? "" : target.substr(mark + 1),
-                std::move(parser_->get().body()), trusted};
+                std::move(parser_->get().body()), is_trusted, caller_.peer};
     }
 
-    /// Ends the session if the client closes the connection before its request is answered. A client that sends more
-    /// meanwhile is not watched any more.
+    bool trusted() const { return server_->trusts(std::string(parser_->get()[http::field::authorization])); }
+
+    /// Ends the session if the client closes the connection, or sends more, before its request is answered. No browser
+    /// sends more, and the end of a connection could not be seen behind bytes that nothing reads.
     void watch() {
+        if (buffer_.size() > 0)
+            return end();
         stream_.expires_never();
-        stream_.socket().async_wait(Listener::Socket::wait_read, [self = shared_from_this()](const error_code& error) {
-            char next;
-            if (self->answered_ || !self->server_)
-                return;
-            if (error || ::recv(self->stream_.socket().native_handle(), &next, 1, MSG_PEEK | MSG_DONTWAIT) <= 0)
+        stream_.socket().async_wait(Listener::Socket::wait_read, [self = shared_from_this()](const error_code&) {
+            if (!self->answered_)
                 self->end();
         });
     }

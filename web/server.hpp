@@ -18,7 +18,8 @@ struct Request {
     std::string path;   ///< such as "/history"
     std::string query;  ///< what follows "?", such as "machine=digger-7"
     std::string body;   ///< JSON; "" unless the request posts
-    bool trusted;       ///< the client has sent the token, or none is required
+    bool trusted;       ///< the client has sent the token, or none is required; if it is false, the body may be missing
+    std::string peer;   ///< Caller::peer of the client
 };
 
 struct Answer {
