@@ -9,6 +9,7 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
@@ -46,7 +47,6 @@ constexpr std::array allowed_calls = {SYS_read,
                                       SYS_rt_sigprocmask,
                                       SYS_rt_sigreturn,
                                       SYS_sigaltstack,
-                                      SYS_tgkill,
                                       SYS_getrandom,
                                       SYS_exit,
                                       SYS_exit_group,
@@ -75,29 +75,36 @@ constexpr sock_filter load(std::size_t offset) {
 
 constexpr sock_filter answer(std::uint32_t value) { return BPF_STMT(BPF_RET | BPF_K, value); }
 
-/// Appends rules that answer with an error if the loaded word is this number.
-void refuse_if(Rules& rules, long number, std::uint32_t error) {
+/// Appends rules that answer in this way if the loaded word is this number.
+void answer_if(Rules& rules, long number, std::uint32_t value) {
     rules.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(number), 0, 1));
-    rules.push_back(answer(SECCOMP_RET_ERRNO | error));
+    rules.push_back(answer(value));
+}
+
+/// Appends rules that allow the call with this number if the condition holds for its first argument, and refuse the
+/// call otherwise. The condition is a jump over one rule if it does not hold.
+void allow_if(Rules& rules, long number, const sock_filter& condition) {
+    rules.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(number), 0, 4));
+    rules.push_back(load(offsetof(seccomp_data, args)));
+    rules.push_back(condition);
+    rules.push_back(answer(SECCOMP_RET_ALLOW));
+    rules.push_back(answer(SECCOMP_RET_ERRNO | EPERM));
 }
 
 /// Returns the rules for system calls. A thread may be started, but no process. The C library starts threads by clone3,
-/// whose flags are in memory that rules cannot read, and by clone if there is no such call. Calls of another
-/// architecture have other numbers.
+/// whose flags are in memory that rules cannot read, and by clone if there is no such call. Signals may be sent to this
+/// process only: abort() sends one. Calls of another architecture have other numbers.
 Rules rules_of_calls() {
     Rules rules{load(offsetof(seccomp_data, arch))};
     rules.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, native_calls, 1, 0));
     rules.push_back(answer(SECCOMP_RET_ERRNO | ENOSYS));
     rules.push_back(load(offsetof(seccomp_data, nr)));
-    refuse_if(rules, SYS_clone3, ENOSYS);
-    for (const long number : allowed_calls) {
-        rules.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(number), 0, 1));
-        rules.push_back(answer(SECCOMP_RET_ALLOW));
-    }
-    rules.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(SYS_clone), 0, 3));
-    rules.push_back(load(offsetof(seccomp_data, args)));
-    rules.push_back(BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, CLONE_THREAD, 0, 1));
-    rules.push_back(answer(SECCOMP_RET_ALLOW));
+    answer_if(rules, SYS_clone3, SECCOMP_RET_ERRNO | ENOSYS);
+    for (const long number : allowed_calls)
+        answer_if(rules, number, SECCOMP_RET_ALLOW);
+    const auto own = static_cast<std::uint32_t>(::getpid());
+    allow_if(rules, SYS_tgkill, BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, own, 0, 1));
+    allow_if(rules, SYS_clone, BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, CLONE_THREAD, 0, 1));
     rules.push_back(answer(SECCOMP_RET_ERRNO | ENOENT));
     return rules;
 }
