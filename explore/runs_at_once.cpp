@@ -1,7 +1,5 @@
 #include "explore/runs_at_once.hpp"
 
-#include "explore/workers.hpp"
-
 #include <algorithm>
 #include <atomic>
 #include <vector>
@@ -9,8 +7,8 @@
 namespace placedpar {
 
 void run_at_once(std::size_t pieces, const std::function<void(std::size_t, Interruption&)>& work,
-                 const Interruption& interruption, const std::function<void(std::size_t)>& done) {
-    std::vector<Interruption> interruptions(std::min(pieces, count_cores()));
+                 const Interruption& interruption, const std::function<void(std::size_t)>& done, std::size_t at_once) {
+    std::vector<Interruption> interruptions(std::min(pieces, at_once));
     std::atomic<std::size_t> next{0}, ended{0};
     auto run = [&](std::size_t worker) {
         Interruption& own = interruptions[worker];

@@ -19,8 +19,11 @@ Overrides with_set(const Overrides& set, Overrides changes) {
 
 /// Reads changed netlists silently, since their warnings have been shown.
 ChangedNetlist reading_with(const ChangedRuns& runs) {
-    return [parsed = runs.parsed, set = runs.set](const Overrides& changes) {
-        return load_network(parsed, with_set(set, changes), known_kinds(known_problems(0)), [](const std::string&) {});
+    return [parsed = runs.parsed, set = runs.set, host = runs.host](const Overrides& changes) {
+        Network network =
+            load_network(parsed, with_set(set, changes), known_kinds(known_problems(0)), [](const std::string&) {});
+        network.host = host;
+        return network;
     };
 }
 
@@ -60,7 +63,8 @@ void add_answers(Explanation& explanation, const Network& network, const Changed
         return;
     const std::vector<Change> changes = changes_of(network, explanation.report, declaring_with(runs));
     explanation.answers =
-        try_out(changes, explanation.path, {reading_with(runs), runs.seed, runs.until, interruption, runs.progress});
+        try_out(changes, explanation.path,
+                {reading_with(runs), runs.seed, runs.until, interruption, runs.progress, runs.at_once});
     explanation.left_out = changes.size() - explanation.answers.size();
 }
 

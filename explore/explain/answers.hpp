@@ -1,6 +1,8 @@
 #pragma once
 
 #include "explore/explain/explanation.hpp"
+#include "explore/workers.hpp"
+#include "netlist/network/network.hpp"
 #include "netlist/read.hpp"
 
 #include <cstddef>
@@ -18,6 +20,8 @@ struct ChangedRuns {
     std::uint64_t seed;
     Time until;
     std::function<void(std::size_t, std::size_t)> progress; ///< as WhatIfs::progress
+    HostServices host = {};                                 ///< of the changed runs
+    std::size_t at_once = count_cores();                    ///< number of runs at a time
 };
 /// Tries out the changes worth trying and adds the answers, or says in `not_tried` why none can be compared.
 void add_answers(Explanation&, const Network&, const ChangedRuns&, const Interruption&);

@@ -65,8 +65,9 @@ std::vector<Answer> try_out(const std::vector<Change>& changes, const std::vecto
     for (const Change& change : changes)
         answers.push_back({change});
     auto work = [&](std::size_t i, Interruption& interruption) { try_out(answers[i], path, what_ifs, interruption); };
-    run_at_once(answers.size(), work, what_ifs.interruption,
-                [&](std::size_t done) { what_ifs.progress(done, answers.size()); });
+    run_at_once(
+        answers.size(), work, what_ifs.interruption, [&](std::size_t done) { what_ifs.progress(done, answers.size()); },
+        what_ifs.at_once);
     std::erase_if(answers,
                   [](const Answer& answer) { return answer.refused.empty() && answer.ending == Ending::interrupted; });
     std::ranges::stable_sort(answers, {}, rank);

@@ -4,6 +4,7 @@
 #include "explore/netlist_run.hpp"
 #include "observe/critical_path/critical_path.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -31,10 +32,11 @@ struct WhatIfs {
     Time until;
     const Interruption& interruption; ///< changes not yet tried at the interruption are left out
     std::function<void(std::size_t, std::size_t)>
-        progress; ///< called with the number of changes tried and the number of all changes
+        progress;        ///< called with the number of changes tried and the number of all changes
+    std::size_t at_once; ///< number of runs at a time
 };
 
-/// Makes the changed runs in parallel on all cores. Returns the shortest completed runs first, then runs that did not
+/// Makes the changed runs. Returns the shortest completed runs first, then runs that did not
 /// complete, then changes with which the netlist is refused. `path` is the critical path of the unchanged run.
 std::vector<Answer> try_out(const std::vector<Change>&, const std::vector<PathPart>& path, const WhatIfs&);
 

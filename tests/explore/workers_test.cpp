@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <stdexcept>
@@ -67,6 +68,19 @@ TEST_CASE("an interruption reaches running pieces and prevents further pieces") 
     };
     run_at_once(10 * count_cores(), work, interruption, [](std::size_t) {});
     CHECK(begun <= count_cores());
+}
+
+TEST_CASE("no more pieces of work are done at a time than the caller allows") {
+    const Interruption none;
+    std::atomic<int> now = 0, most = 0;
+    auto work = [&](std::size_t, Interruption&) {
+        most = std::max<int>(most, ++now);
+        std::this_thread::sleep_for(1ms);
+        --now;
+    };
+    run_at_once(
+        8, work, none, [](std::size_t) {}, 1);
+    CHECK(most == 1);
 }
 
 TEST_CASE("the exception of a piece of work is rethrown when the others have ended") {
