@@ -269,7 +269,7 @@ std::string BootedNode::state_of_program() const {
     if (!device_.is_idle())
         return "runs";
     if (host_ && host_->server.was_out_of_keys())
-        return "waits; it has asked for a key, and no more are given";
+        return "waits; an earlier request for a key found none";
     return host_ && waiting_processes().empty()
                ? "has no process left, and did not tell the host to exit (so.exit in occam)"
                : "waits";
