@@ -14,10 +14,12 @@
 #include "text/paint.hpp"
 #include "text/texts_in_memory.hpp"
 #include "text/user_error.hpp"
+#include "text/utf8.hpp"
 
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
+#include <malloc.h>
 #include <sys/prctl.h>
 #include <sys/time.h>
 #include <unistd.h>
@@ -26,8 +28,10 @@
 #include <csignal>
 #include <iostream>
 #include <iterator>
+#include <memory>
 #include <new>
 #include <optional>
+#include <string_view>
 
 namespace placedpar::serve {
 
@@ -125,6 +129,13 @@ private:
     std::string output_;
 };
 
+/// Returns what the host of a changed run gives to programs: the same keys, and a screen that is not shown.
+HostServices silent_host(const std::string& keys) {
+    HostServices host;
+    host.terminal = [keys] { return std::make_shared<iserver::ScriptedTerminal>(keys, [](std::string_view) {}); };
+    return host;
+}
+
 std::string listings_of(const RunReport& report) {
     std::string all;
     for (const ProgramUse& program : report.programs)
@@ -165,8 +176,10 @@ void run(const Job& job, Loaded& loaded, Interruption& interruption, json::objec
     const Manifest manifest{"placedpar serve", job.seed, {}};
     Explanation explanation = explanation_of(std::move(report), path);
     if (job.task == "explain") {
-        add_answers(explanation, network, {loaded.parsed, {}, job.seed, Time::max(), [](std::size_t, std::size_t) {}},
-                    interruption);
+        add_answers(
+            explanation, network,
+            {loaded.parsed, {}, job.seed, Time::max(), [](std::size_t, std::size_t) {}, silent_host(job.keys), 1},
+            interruption);
         answer["explanation"] = print_explanation(explanation, network);
     }
     add_page(answer, page, {network, explanation.report, manifest, searches}, explanation.path);
@@ -190,9 +203,11 @@ json::array faults_of(const std::string& main) {
 
 json::object answered(const Job& job, Interruption& interruption) {
     const ReadsFromMemory reading(job.files);
-    json::object answer{{"faults", faults_of(job.main)}};
-    if (job.task == "check")
+    json::object answer;
+    if (job.task == "check") {
+        answer["faults"] = faults_of(job.main);
         return answer;
+    }
     std::string warnings;
     try {
         Loaded loaded = load(job, warnings);
@@ -203,6 +218,7 @@ json::object answered(const Job& job, Interruption& interruption) {
     } catch (const UserError& refused) {
         answer["ended"] = "refused";
         answer["refused"] = unpainted(refused.what());
+        answer["faults"] = faults_of(job.main);
     }
     answer["warnings"] = warnings;
     return answer;
@@ -214,7 +230,7 @@ std::string answer_of(const std::string& job, const RunLimits& limits) {
     Interruption interruption;
     const Deadline deadline(interruption, limits.seconds);
     try {
-        return json::serialize(answered(job_of(job), interruption));
+        return as_json(json::serialize(answered(job_of(job), interruption))); // a program may print any bytes
     } catch (const std::bad_alloc&) {
         return json::serialize(json::object{
             {"ended", "refused"},
@@ -227,7 +243,13 @@ std::string answer_of(const std::string& job, const RunLimits& limits) {
 void do_job(const RunLimits& limits) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL); // without the service the answer is useless
     const std::string job(std::istreambuf_iterator<char>(std::cin), {});
-    confine(limits);
+    ::mallopt(M_ARENA_MAX, 1); // each thread would otherwise reserve address space, which is limited
+    try {
+        confine(limits);
+    } catch (const UserError& error) {
+        std::cout << json::serialize(json::object{{"ended", "refused"}, {"refused", error.what()}}) << std::endl;
+        return;
+    }
     std::cout << answer_of(job, limits) << std::endl; // the newline shows that the answer is complete
 }
 

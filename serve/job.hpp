@@ -15,9 +15,13 @@ namespace placedpar::serve {
 ///   "exercise"  the number of the exercise that "main" solves
 ///   "keys"      the keys that are pressed for a program; none if it is missing
 ///
-/// The answer to "check" is {"faults": [...]}. The other answers have "ended" (in one word or some), and of these
-/// members those that the job is about: "faults", "refused" (why there is no run, as the command line prints it),
+/// The answer to "check" is {"faults": [...]}. The other answers have "ended", and of these members those that the job
+/// is about: "faults" and "refused" (why there is no run, as the command line prints it),
 /// "output" (of booted programs), "report", "page" (HTML), "explanation", "listing", "verdict".
+///
+/// "ended" is the ending of the run as name_of(Ending) writes it, "solved" or "not solved" after an exercise, "refused"
+/// if there is no run, or "failed" after a failure. A process that is killed at a limit has no answer; the service
+/// answers with "killed" (serve/runs.hpp).
 ///
 /// After `limits.seconds` the run is interrupted, and the answer has what was there by then.
 std::string answer_of(const std::string& job, const RunLimits& limits);

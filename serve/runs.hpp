@@ -15,7 +15,7 @@
 namespace placedpar::serve {
 
 struct QueueLimits {
-    std::size_t at_once = 0; ///< number of jobs at a time; 0: one for each core
+    std::size_t at_once = 0;                                    ///< number of jobs at a time; 0: one for each core
     std::size_t most_waiting = 500, most_waiting_of_peer = 100; ///< values of our choice
     RunLimits run;
 };

@@ -96,7 +96,7 @@ void require_job(const json::object& job) {
 std::string task_of(const std::string& text) {
     const json::value value = json::parse(text);
     if (!value.is_object())
-        throw std::invalid_argument("it is not an object");
+        throw std::invalid_argument("not an object");
     require_job(value.as_object());
     return std::string(value.at("do").as_string());
 }
@@ -164,8 +164,8 @@ web::Withdraw Site::begin(const web::Request& request, const web::Reply& reply) 
             keep(kept, answer);
         reply({200, json_type, std::move(answer)});
     };
-    const auto number = runs_.add(request.query.substr(0, longest_name), request.peer, is_check, std::move(job),
-                                  std::move(done));
+    const auto number =
+        runs_.add(request.query.substr(0, longest_name), request.peer, is_check, std::move(job), std::move(done));
     if (!number) {
         reply({503, plain, "too many jobs are waiting: try again later\n"});
         return {};

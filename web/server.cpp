@@ -177,8 +177,12 @@ private:
             last_ = true;
             server_->say_(fmt::format("{} sent a wrong token", caller_.name));
         }
-        return {posts(), target.substr(0, mark), mark == target.npos ? "" : target.substr(mark + 1),
-                std::move(parser_->get().body()), is_trusted, caller_.peer};
+        return {posts(),
+                target.substr(0, mark),
+                mark == target.npos ? "" : target.substr(mark + 1),
+                std::move(parser_->get().body()),
+                is_trusted,
+                caller_.peer};
     }
 
     bool trusted() const { return server_->trusts(std::string(parser_->get()[http::field::authorization])); }

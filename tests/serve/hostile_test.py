@@ -1,5 +1,6 @@
 """Tests that hostile requests harm nothing: each is refused, and afterwards the service works as before."""
 
+import contextlib
 import json
 import os
 import random
@@ -54,16 +55,22 @@ class Hostile(ServiceTest):
         self.assertNotRegex(text, r'(src|href)\s*=\s*"(http|//)')
 
     def test_what_is_not_a_job_is_refused(self):
-        files = {"a.cfs": ""}
-        for job in (None, [], {}, "x", {"do": "run"}, {"do": "rm", "main": "a.cfs", "files": files}, {"do": "run", "main": "b.cfs", "files": files},
-                    {"do": "run", "main": "a.cfs", "files": {"a.cfs": 1}}, {"do": "run", "main": "../a.cfs", "files": {"../a.cfs": ""}},
-                    {"do": "run", "main": "/a.cfs", "files": {"/a.cfs": ""}}, {"do": "run", "main": "a.cfs", "files": files, "seed": "x"},
-                    {"do": "run", "main": "a.cfs", "files": {f"{i}.cfs": "" for i in range(30)} | files}, {"do": "run", "main": 1, "files": files}):
+        good = {"do": "run", "main": "a.cfs", "files": {"a.cfs": ""}}
+        place = 'a file needs a text, and a name without ".." that does not begin with "/"'
+        for job, why in ((None, "not an object"), ([], "not an object"), ("x", "not an object"), ({}, '"do" is missing'),
+                         ({"do": "run"}, '"main" is missing'), ({"do": "run", "main": "a.cfs"}, '"files" is missing'),
+                         (good | {"do": "rm"}, '"do" is none of check, run, explain, listing and exercise'),
+                         (good | {"main": "b.cfs"}, '"main" is not among the files'), (good | {"main": 1}, '"main" is not a text'),
+                         (good | {"files": 1}, '"files" is not an object of texts'), (good | {"files": {"a.cfs": 1}}, place),
+                         (good | {"main": "../a.cfs", "files": {"../a.cfs": ""}}, place), (good | {"main": "/a.cfs", "files": {"/a.cfs": ""}}, place),
+                         (good | {"seed": "x"}, '"seed" is not a whole number'), (good | {"seed": 1.5}, '"seed" is not a whole number'),
+                         (good | {"files": good["files"] | {f"{i}.cfs": "" for i in range(30)}}, "more than 20 files")):
             status, _, text = self.service.post(job)
-            self.assertEqual(status, 400, job)
-            self.assertIn("not a job: ", text)
+            self.assertEqual((status, text), (400, f"not a job: {why}\n"), job)
         self.assertEqual(self.service.ask("POST", "/job", "[" * 100000, Content_Type="application/json")[0], 400)
-        self.assertIn(b" 413 ", self.raw(b"POST /job HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 2000000\r\n\r\n"))
+        answer = self.raw(b"POST /job HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 300000\r\n\r\n")
+        self.assertIn(b" 413 ", answer)
+        self.assertIn(b"the body has more than 262144 bytes\n", answer)
 
     def test_scripts_in_names_stay_text(self):
         name = "<script>alert(1)</script>.cfs"
@@ -89,15 +96,31 @@ class Hostile(ServiceTest):
                 self.assertNotIn(b"root:", answer)
         self.assertLess(self.service.memory_megabytes(), 200)
 
+    def connections(self, number, data):
+        """Opens connections, each of which sends data and then waits."""
+        all_of_them = []
+        for _ in range(number):
+            connection = self.enterContext(socket.create_connection((self.service.host, self.service.port), SECONDS))
+            with contextlib.suppress(OSError):  # the service may close the connection before it has read everything
+                connection.sendall(data)
+            all_of_them.append(connection)
+        return all_of_them
+
     def test_slow_clients_keep_nothing_from_others(self):
-        slow = []
-        for i in range(300):
-            connection = socket.create_connection((self.service.host, self.service.port), SECONDS)
-            connection.sendall(b"POST /job HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 1000\r\n\r\n{"[:40 + i])
-            slow.append(connection)
+        slow = self.connections(700, b"POST /job HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 1000\r\n\r\n{")
         self.assertEqual(self.service.answer("run", RING)["ended"], "deadlock")
-        for connection in slow:
-            connection.close()
+        for connection in slow[:100]:  # a client may have 600 connections: the oldest have been closed
+            with contextlib.suppress(ConnectionResetError):
+                self.assertEqual(connection.recv(1), b"")
+        slow[-1].setblocking(False)
+        self.assertRaises(BlockingIOError, slow[-1].recv, 1)  # the youngest is still open
+
+    def test_bodies_of_refused_requests_need_no_memory(self):
+        before = self.service.memory_megabytes()
+        head = b"POST /job HTTP/1.1\r\nHost: localhost\r\nOrigin: http://evil.example\r\nContent-Type: application/json\r\nContent-Length: 200000\r\n\r\n"
+        self.connections(300, head + bytes(190000))
+        self.assertEqual(self.service.answer("run", RING)["ended"], "deadlock")
+        self.assertLess(self.service.memory_megabytes() - before, 20)
 
 
 class WithToken(ServiceTest):

@@ -56,6 +56,10 @@ class Jobs(ServiceTest):
         printed = placedpar("explain", COMMSTIME, folder=EXAMPLES).stdout
         self.assertEqual(self.service.answer("explain", COMMSTIME)["explanation"], printed)
         self.assertIn("What if", printed.replace("what if", "What if"))
+        waits = "BYTE c:\n  INT n:\n  SEQ\n    keyboard ? c\n    n := 0\n    SEQ i = 0 FOR 20000\n      n := n + i\n    screen ! c"
+        waits = FOREVER.replace("WHILE TRUE\n    SKIP", waits)
+        explanation = self.serve().answer("explain", "e.occ", {"e.occ": waits}, keys="q")["explanation"]
+        self.assertIn("what if", explanation)  # each changed run gets the key too, or it would never end
         printed = placedpar("run", HELLO, "--listing", folder=EXAMPLES).stdout
         self.assertIn(self.service.answer("listing", HELLO)["listing"].split("\n", 1)[1], printed)
 
@@ -94,10 +98,11 @@ class Jobs(ServiceTest):
         many = "T800 (memory = 1000M) t[8];\nconnect t[0].link[0] to host;\n" + \
             'process p[8];\nuse "big.occ" for p;\nrep i = 0 for 8 { place p[i] on t[i]; }'
         big = "PROC big ()\n  [200000000]INT a:\n  SEQ i = 0 FOR SIZE a\n    a[i] := i\n:\n"
-        answer = self.service.answer("run", "m.cfs", {"m.cfs": many, "big.occ": big})
-        self.assertIn(answer["ended"], ("refused", "killed", "interrupted"))
-        self.assertIn("memory", answer.get("refused", "memory"))
-        self.assertEqual(self.service.answer("run", COMMSTIME)["ended"], "completed")
+        service = self.serve("--seconds", 30, "--memory", 256)
+        answer = service.answer("run", "m.cfs", {"m.cfs": many, "big.occ": big})
+        self.assertIn(answer["ended"], ("refused", "killed"))
+        self.assertIn("memory", answer["refused"])
+        self.assertEqual(service.answer("run", COMMSTIME)["ended"], "completed")
 
     def begin(self, name):
         """Begins a run that lasts until it is interrupted; returns the connection."""
@@ -130,6 +135,20 @@ class Jobs(ServiceTest):
         self.assertNotIn(process, self.service.children())
         third.close()
         self.wait_until(lambda: not self.service.children())
+
+    def test_a_page_that_has_sent_more_bytes_still_ends_its_job(self):
+        page = self.begin("page")
+        self.wait_until(lambda: self.place_of("page") == 0)
+        page.sendall(b"x")
+        page.close()
+        begun = time.monotonic()
+        self.wait_until(lambda: not self.service.children())
+        self.assertLess(time.monotonic() - begun, 1)  # the run itself takes 2 s
+
+    def test_output_that_ends_within_a_character_becomes_a_text(self):
+        prints = FOREVER.replace("SKIP", "SEQ\n      screen ! BYTE 226\n      screen ! BYTE 130\n      screen ! BYTE 172")
+        answer = self.serve("--seconds", 30).answer("run", "p.occ", {"p.occ": prints})
+        self.assertEqual((answer["ended"], answer["output"][:-1]), ("interrupted", "€" * ((1 << 18) // 3)))
 
     def test_only_what_is_to_be_kept_is_written(self):
         self.service.answer("run", RING)
