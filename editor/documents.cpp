@@ -31,6 +31,7 @@ void choose_language(Document& document, const std::string& language_id) {
         document.language = Language::occam;
     else if (document.is_part && language_id.find("netlist") == std::string::npos && occam_in(document.file))
         document.language = Language::occam;
+    document.names = document.language == Language::netlist ? NamesOf::netlist : NamesOf::occam;
 }
 
 /// Returns a path for a text that is not a file, such as one that was never saved.

@@ -253,7 +253,8 @@ json::value LanguageServer::State::define(const json::object& params) {
         found = definition_in_occam(*program_of(document).program, at);
     if (!found)
         return nullptr;
-    return {{"uri", documents.uri_of(found->file->path())}, {"range", range_json(*found)}};
+    return {{"uri", documents.uri_of(found->file->path())},
+            {"range", RangeWriter().range_of_word(*found, document.names)}};
 }
 
 json::value LanguageServer::State::rename(const json::object& params) {
@@ -265,10 +266,14 @@ json::value LanguageServer::State::rename(const json::object& params) {
             throw RequestError(ErrorCode::request_failed,
                                fmt::format("{} includes this file, and may use the name too", other.path.string()));
     const std::string name = text_in(params, "newName");
+    const NetlistSyntax& syntax = syntax_of(document);
+    const Location at = location_of(params);
+    const std::vector<Location> places = places_to_rename(syntax, catalogue, at, name);
+    const std::size_t bytes = syntax.name_at(at)->name.size();
+    RangeWriter writer;
     json::array edits;
-    const std::vector<Location> places = places_to_rename(syntax_of(document), catalogue, location_of(params), name);
     for (const Location& each : places)
-        edits.push_back(json::object{{"range", range_json(each)}, {"newText", name}});
+        edits.push_back(json::object{{"range", writer.range(each, bytes)}, {"newText", name}});
     return {{"changes", {{document.uri, std::move(edits)}}}};
 }
 
@@ -287,13 +292,16 @@ json::value LanguageServer::State::outline(const json::object& params) {
         entries = outline_of(syntax_of(document));
     else if (document.language == Language::occam)
         entries = outline_of(*program_of(document).program);
+    RangeWriter writer;
     json::array symbols;
-    for (const OutlineEntry& each : entries)
+    for (const OutlineEntry& each : entries) {
+        const json::object range = writer.range_of_word(each.at, document.names);
         symbols.push_back(json::object{{"name", each.name},
                                        {"detail", each.detail},
                                        {"kind", each.is_routine ? 12 : 13}, // a function, a variable
-                                       {"range", range_json(each.at)},
-                                       {"selectionRange", range_json(each.at)}});
+                                       {"range", range},
+                                       {"selectionRange", range}});
+    }
     return symbols;
 }
 

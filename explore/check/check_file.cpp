@@ -39,6 +39,7 @@ CheckedFile check_netlist(const std::filesystem::path& path, const Catalogue& ca
     ReadResult result = read_netlist(path, catalogue, set, read);
     CheckedFile checked{
         .language = "netlist", .diagnostics = std::move(result.diagnostics), .not_shown = std::move(result.not_shown)};
+    checked.names = occam::is_configuration(path) ? NamesOf::occam : NamesOf::netlist;
     if (!result.network) {
         checked.included = read_syntax(load_input(path).file, read.include_folders).included;
         return checked;
