@@ -227,6 +227,10 @@ class LanguageServer(unittest.TestCase):
         self.assertEqual(text, NETLIST.replace("ring", "circle"))
         (self.folder / "a.cfs").write_text(text)
         self.assertEqual(placedpar("show", self.folder / "a.cfs").stdout, before.replace("ring", "circle"))
+        part = self.open("part.inc", "process (interface (input in, output out)) ring;\nconnect ring.out to ring.in;\n")
+        edits = self.client.request("textDocument/rename", {**self.client.at(part, "ring"), "newName": "circle"})
+        self.assertEqual(self.client.applied(part, edits["changes"][part]),
+                         "process (interface (input in, output out)) circle;\nconnect circle.out to circle.in;\n")
         shadow = self.open("b.cfs", "val i 2;\nrep i = 0 for i {\n    T800 t;\n}\nT800 u[i];\n")
         edits = self.client.request("textDocument/rename", {**self.client.at(shadow, "i 2"), "newName": "j"})
         self.assertEqual(self.client.applied(shadow, edits["changes"][shadow]),
@@ -240,6 +244,8 @@ class LanguageServer(unittest.TestCase):
             return self.client.answer("textDocument/rename", {**self.client.at(uri, words), "newName": name})["error"]["message"]
         self.assertIn(f'"n" is used in {self.folder}/part.inc, line 1', refused("n 3", "nn"))
         self.assertIn("is declared already", refused("ring[n]", "t"))
+        for name in ("host", "T425"):
+            self.assertIn(f'"{name}" is predefined', refused("ring[n]", name))
         self.assertIn("cannot be a name", refused("ring[n]", "connect"))
         self.assertIn("cannot be renamed", refused("memory", "store"))
         part = self.client.open(self.folder / "part.inc")
@@ -296,6 +302,8 @@ if a == b {
 /* end
      of it */
 """)
+        minus = self.open("minus.cfs", "val a 1;\nval b\n- -a;\nval c a - -1;\n")
+        self.assertEqual(self.laid_out(minus), "val a 1;\nval b\n    - -a;\nval c a - -1;\n")
         wrong = self.open("b.cfs", "val a  ;;")
         self.assertEqual(self.laid_out(wrong), "val a  ;;")
         occam = self.open("a.occ", "PROC p ()  \n\tSKIP  -- \t x \n:", "occam")
