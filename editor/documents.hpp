@@ -36,9 +36,12 @@ struct Document {
     std::shared_ptr<const OccamCheck> program = {};   ///< of a program
     std::shared_ptr<const OccamCheck> last_good = {}; ///< the last version of the program without errors
     std::optional<std::map<std::size_t, LineCycles>> cycles = {};
+    bool failed = false; ///< the last check has found an error, perhaps since a file was missing
 
     /// Returns the place of a position. Throws RequestError if it is behind the end of the text.
     Location location(Position) const;
+    /// Forgets what was read, since the text or an included file has changed.
+    void forget();
 };
 
 /// The texts that an editor has open.

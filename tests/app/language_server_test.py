@@ -135,6 +135,36 @@ class LanguageServer(unittest.TestCase):
         while self.client.diagnostics[uri]["diagnostics"]:
             self.client.receive()
 
+    def wait_for(self, uri, words):
+        """Waits until the messages about a text are those that have these words: one each."""
+        def have_come():
+            found = [each["message"] for each in self.client.diagnostics[uri]["diagnostics"]]
+            return len(found) == len(words) and all(word in message for word, message in zip(words, found, strict=True))
+        while not have_come():
+            self.assertIsNotNone(self.client.receive())
+
+    def test_files_that_appear_or_change_later_are_read(self):
+        uri = self.open("main.cfs", '#include "part.inc"\n' + NETLIST.replace("val n 3", "val n m"))
+        self.assertIn("this file does not exist", self.client.checked(uri)[0]["message"])
+        part = self.client.open(self.folder / "part.inc", "val m 3;\n")
+        self.wait_for(uri, [])
+        self.client.close(part)
+        self.wait_for(uri, ["this file does not exist"])
+        (self.folder / "part.inc").write_text("val m 3;\n")
+        self.client.notify("textDocument/didSave", {"textDocument": {"uri": uri}})
+        self.wait_for(uri, [])
+        (self.folder / "part.inc").write_text("val k 3;\n")
+        self.client.notify("textDocument/didSave", {"textDocument": {"uri": uri}})
+        self.wait_for(uri, ['the name "m" is undefined'])
+
+    def test_a_change_without_a_version_is_checked(self):
+        uri = self.open("a.cfs", "val n 3;\nT800 t[n];\n")
+        self.assertEqual(self.client.checked(uri), [])
+        self.client.notify("textDocument/didChange", {"textDocument": {"uri": uri, "version": None},
+                                                      "contentChanges": [{"text": "T800 t[n];\n"}]})
+        self.wait_for(uri, ['the name "n" is undefined'])
+        self.assertNotIn("version", self.client.diagnostics[uri])
+
     def test_a_file_that_is_to_be_included_is_read_alone(self):
         netlist = self.client.open(self.folder / "part.inc", "process p;\nplace p on ;\n")
         self.assertEqual(self.underlined(netlist), [";"])
