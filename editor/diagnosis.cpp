@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace placedpar::editor {
@@ -39,6 +40,18 @@ std::vector<Diagnostic> check_part(Document& document) {
     options.built_in = [](const std::string& name) { return occam::library_text(name); };
     occam::parse(document.file, options, reporter);
     return reporter.take();
+}
+
+/// Returns whether a line of a text begins with `netlist =`. Other texts in TOML are not studies.
+bool names_netlist(const std::string& text) {
+    constexpr std::string_view setting = "netlist";
+    for (auto at = text.find(setting); at != text.npos; at = text.find(setting, at + 1)) {
+        const auto before = at == 0 ? text.npos : text.find_last_not_of(" \t", at - 1);
+        const auto behind = text.find_first_not_of(" \t", at + setting.size());
+        if ((before == text.npos || text[before] == '\n') && behind != text.npos && text[behind] == '=')
+            return true;
+    }
+    return false;
 }
 
 json::object position_json(const Position& position) {
@@ -89,6 +102,8 @@ std::vector<Diagnostic> check_document(Document& document, const Catalogue& cata
         note_included(document, paths, program.failed);
         return program.diagnostics;
     }
+    if (document.language == Language::study && !names_netlist(document.file->text()))
+        return {};
     CheckOptions options;
     options.read.make_netlist = occam::netlist_of_configuration;
     CheckedFile checked = check_file(document.path, catalogue, options);

@@ -11,7 +11,8 @@
 
 namespace placedpar::editor {
 
-/// Reads and checks a text that is open. Keeps in the document what can be used again.
+/// Reads and checks a text that is open. Keeps in the document what can be used again. A text in TOML that names no
+/// netlist is not a study, and nothing is wrong with it.
 std::vector<Diagnostic> check_document(Document&, const Catalogue&);
 
 /// Reads the syntax of a netlist, or returns what was read before.

@@ -185,6 +185,11 @@ class LanguageServer(unittest.TestCase):
         self.assertEqual(self.client.checked(study), [])
         self.client.replace(study, "seeds = 3", "[set]\nm = [1, 2]")
         self.assertIn('"m"', self.client.checked(study)[0]["message"])
+        self.client.replace(study, "ring.cfs", "missing.cfs")
+        self.assertIn("missing.cfs: this file does not exist", self.client.checked(study)[0]["message"])
+        self.assertNotIn((self.folder / "missing.cfs").as_uri(), self.client.diagnostics)
+        other = self.open("Cargo.toml", '[package]\nname = "other"\n', "toml")
+        self.assertEqual(self.client.checked(other), [])
         configuration = self.open("a.pgm", 'NODE n:\nNETWORK\n  SET m (type, memsize := "T800", 1024)\n:\n', "occam")
         self.assertEqual(self.underlined(configuration), ["", "m"]) # the first is about the file as a whole
 
