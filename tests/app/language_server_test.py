@@ -427,6 +427,28 @@ if a == b {
                   f"{1000 * processor:.0f} ms of a processor", flush=True)
             self.assertLess(processor, 0.1)
 
+    def test_questions_about_ten_thousand_lines(self):
+        """Each takes less than a second of a processor, with thousands of names, places or changes."""
+        uses = "".join(f"val u{i} n;\n" for i in range(5_000))
+        netlist = self.open("a.cfs", "val n 1;\n" + uses + "".join(f"val v{i} {i};\n" for i in range(5_000)) + "T800 t;\n")
+        lines = "".join(f"    x := (x + {i}) /\\ 255\n" for i in range(10_000))
+        occam = self.open("a.occ", "PROC p ()\n  INT x:\n  SEQ\n    x := 0\n" + lines + ":\n", "occam")
+        self.assertEqual(self.client.checked(netlist) + self.client.checked(occam), [])
+
+        def renamed():
+            place = {**self.client.at(netlist, "n 1"), "newName": "m"}
+            return len(self.client.request("textDocument/rename", place)["changes"][netlist])
+
+        def changed():
+            self.client.edit(netlist, *[(0, 0, " ")] * 3_000)
+            return len(self.client.checked(netlist))
+        questions = ((lambda: len(self.client.request("textDocument/documentSymbol", {"textDocument": {"uri": netlist}})), 10_002),
+                     (renamed, 5_001), (changed, 0), (lambda: self.labels(occam, "x + 9999").count("x"), 1))
+        for ask, answer in questions:
+            begun = self.client.processor_seconds()
+            self.assertEqual(ask(), answer)
+            self.assertLess(self.client.processor_seconds() - begun, 1)
+
 
 if __name__ == "__main__":
     unittest.main()
