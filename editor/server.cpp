@@ -55,6 +55,14 @@ int number_of(Completion::Kind kind) {
     return 1;
 }
 
+json::object symbol_json(const OutlineEntry& entry, const json::object& range) {
+    return {{"name", entry.name},
+            {"detail", entry.detail},
+            {"kind", entry.is_routine ? 12 : 13}, // a function, a variable
+            {"range", range},
+            {"selectionRange", range}};
+}
+
 /// Returns the edit that makes one text another: the lines between those that both have at their ends.
 json::array edits_between(const std::string& before, const std::string& after) {
     if (before == after)
@@ -107,6 +115,7 @@ struct LanguageServer::State {
     void send_diagnostics(const std::string& uri);
     void mark_changed(const Document&);
     void check_again(Document&);
+    void refuse_to_rename_in(const Document&); ///< unless it is a netlist that no other text includes
 
     Document& document_of(const json::object& params) {
         return documents.at(text_in(object_in(params, "textDocument"), "uri"));
@@ -274,14 +283,18 @@ json::value LanguageServer::State::define(const json::object& params) {
             {"range", RangeWriter().range_of_word(*found, document.names)}};
 }
 
-json::value LanguageServer::State::rename(const json::object& params) {
-    Document& document = document_of(params);
+void LanguageServer::State::refuse_to_rename_in(const Document& document) {
     if (document.language != Language::netlist)
         throw RequestError(ErrorCode::request_failed, "only names of netlists can be renamed");
     for (const auto& [uri, other] : documents.all())
         if (other.included.contains(document.path))
             throw RequestError(ErrorCode::request_failed,
                                fmt::format("{} includes this file, and may use the name too", other.path.string()));
+}
+
+json::value LanguageServer::State::rename(const json::object& params) {
+    Document& document = document_of(params);
+    refuse_to_rename_in(document);
     const std::string name = text_in(params, "newName");
     const NetlistSyntax& syntax = syntax_of(document);
     const Location at = location_of(params);
@@ -311,14 +324,8 @@ json::value LanguageServer::State::outline(const json::object& params) {
         entries = outline_of(*program_of(document).program);
     RangeWriter writer;
     json::array symbols;
-    for (const OutlineEntry& each : entries) {
-        const json::object range = writer.range_of_word(each.at, document.names);
-        symbols.push_back(json::object{{"name", each.name},
-                                       {"detail", each.detail},
-                                       {"kind", each.is_routine ? 12 : 13}, // a function, a variable
-                                       {"range", range},
-                                       {"selectionRange", range}});
-    }
+    for (const OutlineEntry& each : entries)
+        symbols.push_back(symbol_json(each, writer.range_of_word(each.at, document.names)));
     return symbols;
 }
 
