@@ -65,11 +65,10 @@ json::array related_json(const Diagnostic& diagnostic, NamesOf names, const Docu
     json::array related;
     for (const SecondPlace& each : diagnostic.others)
         if (is_in_file(each.location))
-            related.push_back(json::object{
-                {"location",
-                 {{"uri", documents.uri_of(each.location.file->path())},
-                  {"range", writer.range_of_word(each.location, names)}}},
-                {"message", each.message}});
+            related.push_back(json::object{{"location",
+                                            {{"uri", documents.uri_of(each.location.file->path())},
+                                             {"range", writer.range_of_word(each.location, names)}}},
+                                           {"message", each.message}});
     return related;
 }
 

@@ -27,7 +27,7 @@ struct Document {
     std::filesystem::path path;
     Language language = Language::netlist;
     NamesOf names = NamesOf::netlist; ///< in the files that its diagnostics are about
-    bool is_part = false; ///< it is there to be included: alone, only its syntax is checked
+    bool is_part = false;             ///< it is there to be included: alone, only its syntax is checked
     std::optional<std::uint64_t> version = {};
     std::shared_ptr<const SourceFile> file;
 
