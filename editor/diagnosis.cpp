@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace placedpar::editor {
@@ -41,6 +42,18 @@ std::vector<Diagnostic> check_part(Document& document) {
     return reporter.take();
 }
 
+/// Returns whether a line of a text begins with `netlist =`. Other texts in TOML are not studies.
+bool names_netlist(const std::string& text) {
+    constexpr std::string_view setting = "netlist";
+    for (auto at = text.find(setting); at != text.npos; at = text.find(setting, at + 1)) {
+        const auto before = at == 0 ? text.npos : text.find_last_not_of(" \t", at - 1);
+        const auto behind = text.find_first_not_of(" \t", at + setting.size());
+        if ((before == text.npos || text[before] == '\n') && behind != text.npos && text[behind] == '=')
+            return true;
+    }
+    return false;
+}
+
 json::object position_json(const Position& position) {
     return {{"line", position.line}, {"character", position.character}};
 }
@@ -48,14 +61,14 @@ json::object position_json(const Position& position) {
 /// Returns whether a place can be shown: its file is one that an editor can open.
 bool is_in_file(const Location& at) { return at.file && std::filesystem::path(at.file->path()).is_absolute(); }
 
-json::array related_json(const Diagnostic& diagnostic, const Documents& documents) {
+json::array related_json(const Diagnostic& diagnostic, NamesOf names, const Documents& documents, RangeWriter& writer) {
     json::array related;
     for (const SecondPlace& each : diagnostic.others)
         if (is_in_file(each.location))
-            related.push_back(json::object{
-                {"location",
-                 {{"uri", documents.uri_of(each.location.file->path())}, {"range", range_json(each.location)}}},
-                {"message", each.message}});
+            related.push_back(json::object{{"location",
+                                            {{"uri", documents.uri_of(each.location.file->path())},
+                                             {"range", writer.range_of_word(each.location, names)}}},
+                                           {"message", each.message}});
     return related;
 }
 
@@ -88,20 +101,22 @@ std::vector<Diagnostic> check_document(Document& document, const Catalogue& cata
         note_included(document, paths, program.failed);
         return program.diagnostics;
     }
+    if (document.language == Language::study && !names_netlist(document.file->text()))
+        return {};
     CheckOptions options;
     options.read.make_netlist = occam::netlist_of_configuration;
     CheckedFile checked = check_file(document.path, catalogue, options);
     note_included(document, checked.included, checked.failed());
+    document.names = checked.names;
     return std::move(checked.diagnostics);
 }
 
-json::object range_json(const Location& at) {
-    const Location end = end_of_word(at);
-    return range_json(at, end.column - at.column);
+json::object RangeWriter::range_of_word(const Location& at, NamesOf names) {
+    return range(at, end_of_word(at, names).column - at.column);
 }
 
-json::object range_json(const Location& at, std::size_t bytes) {
-    const Positions positions(at.file->text());
+json::object RangeWriter::range(const Location& at, std::size_t bytes) {
+    const Positions& positions = positions_.try_emplace(at.file.get(), at.file->text()).first->second;
     const std::size_t first = offset_of(at);
     return {{"start", position_json(positions.position(first))},
             {"end", position_json(positions.position(first + bytes))}};
@@ -110,17 +125,18 @@ json::object range_json(const Location& at, std::size_t bytes) {
 std::map<std::string, json::array> diagnostics_json(const std::vector<Diagnostic>& diagnostics,
                                                     const Document& document, const Documents& documents) {
     std::map<std::string, json::array> by_file;
+    RangeWriter writer;
     for (const Diagnostic& each : diagnostics) {
         const bool in_file = is_in_file(each.location);
         const Location at = in_file ? each.location : Location{document.file, 0, 0};
         const std::string where = in_file || !each.location.file ? "" : each.location.file->path() + ": ";
         const std::string hint = each.hint.empty() ? "" : "\nhint: " + each.hint;
         by_file[documents.uri_of(at.file->path())].push_back(
-            json::object{{"range", range_json(at)},
+            json::object{{"range", writer.range_of_word(at, document.names)},
                          {"severity", each.severity == Severity::error ? 1 : 2},
                          {"source", "placedpar"},
                          {"message", where + each.message + hint},
-                         {"relatedInformation", related_json(each, documents)}});
+                         {"relatedInformation", related_json(each, document.names, documents, writer)}});
     }
     return by_file;
 }

@@ -31,6 +31,7 @@ void choose_language(Document& document, const std::string& language_id) {
         document.language = Language::occam;
     else if (document.is_part && language_id.find("netlist") == std::string::npos && occam_in(document.file))
         document.language = Language::occam;
+    document.names = document.language == Language::netlist ? NamesOf::netlist : NamesOf::occam;
 }
 
 /// Returns a path for a text that is not a file, such as one that was never saved.
@@ -79,12 +80,16 @@ Location Document::location(Position position) const {
     return {file, line, offset - start + 1};
 }
 
+void Document::forget() {
+    syntax.reset();
+    program.reset();
+    cycles.reset();
+}
+
 void Documents::set_text(Document& document, std::string text) {
     texts_.put(document.path, text);
     document.file = std::make_shared<const SourceFile>(document.path.string(), std::move(text));
-    document.syntax.reset();
-    document.program.reset();
-    document.cycles.reset();
+    document.forget();
 }
 
 Document& Documents::open(const std::string& uri, const std::string& language_id, std::string text) {

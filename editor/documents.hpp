@@ -26,7 +26,8 @@ struct Document {
     std::string uri;
     std::filesystem::path path;
     Language language = Language::netlist;
-    bool is_part = false; ///< it is there to be included: alone, only its syntax is checked
+    NamesOf names = NamesOf::netlist; ///< in the files that its diagnostics are about
+    bool is_part = false;             ///< it is there to be included: alone, only its syntax is checked
     std::optional<std::uint64_t> version = {};
     std::shared_ptr<const SourceFile> file;
 
@@ -35,9 +36,12 @@ struct Document {
     std::shared_ptr<const OccamCheck> program = {};   ///< of a program
     std::shared_ptr<const OccamCheck> last_good = {}; ///< the last version of the program without errors
     std::optional<std::map<std::size_t, LineCycles>> cycles = {};
+    bool failed = false; ///< the last check has found an error, perhaps since a file was missing
 
     /// Returns the place of a position. Throws RequestError if it is behind the end of the text.
     Location location(Position) const;
+    /// Forgets what was read, since the text or an included file has changed.
+    void forget();
 };
 
 /// The texts that an editor has open.

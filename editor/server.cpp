@@ -30,7 +30,7 @@ constexpr transputer::Model hover_model = transputer::Model::t800;
 
 json::object capabilities() {
     return {{"positionEncoding", "utf-16"},
-            {"textDocumentSync", {{"openClose", true}, {"change", 2}}},
+            {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", true}}},
             {"hoverProvider", true},
             {"completionProvider", {{"triggerCharacters", {".", "(", "\"", "#"}}}},
             {"definitionProvider", true},
@@ -53,6 +53,14 @@ int number_of(Completion::Kind kind) {
     case Completion::Kind::file: return 17;
     }
     return 1;
+}
+
+json::object symbol_json(const OutlineEntry& entry, const json::object& range) {
+    return {{"name", entry.name},
+            {"detail", entry.detail},
+            {"kind", entry.is_routine ? 12 : 13}, // a function, a variable
+            {"range", range},
+            {"selectionRange", range}};
 }
 
 /// Returns the edit that makes one text another: the lines between those that both have at their ends.
@@ -106,6 +114,8 @@ struct LanguageServer::State {
     void publish(const std::string& uri);
     void send_diagnostics(const std::string& uri);
     void mark_changed(const Document&);
+    void check_again(Document&);
+    void refuse_to_rename_in(const Document&); ///< unless it is a netlist that no other text includes
 
     Document& document_of(const json::object& params) {
         return documents.at(text_in(object_in(params, "textDocument"), "uri"));
@@ -131,6 +141,7 @@ struct LanguageServer::State {
     json::value exit(const json::object&);
     json::value opened(const json::object&);
     json::value changed(const json::object&);
+    json::value saved(const json::object&);
     json::value closed(const json::object&);
 
     std::function<void(const std::string&)> send;
@@ -157,31 +168,46 @@ json::value LanguageServer::State::exit(const json::object&) {
     return nullptr;
 }
 
+void LanguageServer::State::check_again(Document& document) {
+    to_check.insert(document.uri);
+    document.forget();
+}
+
 /// Marks a text to be checked, with the texts that include it.
 void LanguageServer::State::mark_changed(const Document& document) {
     to_check.insert(document.uri);
     for (auto& [uri, other] : documents.all())
-        if (other.included.contains(document.path)) {
-            to_check.insert(uri);
-            other.syntax.reset();
-            other.program.reset();
-            other.cycles.reset();
-        }
+        if (other.included.contains(document.path))
+            check_again(other);
 }
 
 json::value LanguageServer::State::opened(const json::object& params) {
     const json::object& item = object_in(params, "textDocument");
+    const std::uint64_t version_opened = number_in(item, "version");
     Document& document = documents.open(text_in(item, "uri"), text_in(item, "languageId"), text_in(item, "text"));
-    document.version = number_in(item, "version");
+    document.version = version_opened;
     mark_changed(document);
+    for (auto& [uri, other] : documents.all())
+        if (other.failed) // it may have missed this file
+            check_again(other);
     return nullptr;
 }
 
 json::value LanguageServer::State::changed(const json::object& params) {
     Document& document = document_of(params);
+    const json::object& item = object_in(params, "textDocument");
+    const json::value* const named = item.if_contains("version");
+    const auto version_now = named && named->is_null() ? std::nullopt : std::optional(number_in(item, "version"));
     documents.change(document, array_in(params, "contentChanges"));
-    document.version = number_in(object_in(params, "textDocument"), "version");
+    document.version = version_now;
     mark_changed(document);
+    return nullptr;
+}
+
+/// Checks every text, since files that are not open may have changed on the disk too.
+json::value LanguageServer::State::saved(const json::object&) {
+    for (auto& [uri, document] : documents.all())
+        check_again(document);
     return nullptr;
 }
 
@@ -253,22 +279,31 @@ json::value LanguageServer::State::define(const json::object& params) {
         found = definition_in_occam(*program_of(document).program, at);
     if (!found)
         return nullptr;
-    return {{"uri", documents.uri_of(found->file->path())}, {"range", range_json(*found)}};
+    return {{"uri", documents.uri_of(found->file->path())},
+            {"range", RangeWriter().range_of_word(*found, document.names)}};
 }
 
-json::value LanguageServer::State::rename(const json::object& params) {
-    Document& document = document_of(params);
+void LanguageServer::State::refuse_to_rename_in(const Document& document) {
     if (document.language != Language::netlist)
         throw RequestError(ErrorCode::request_failed, "only names of netlists can be renamed");
     for (const auto& [uri, other] : documents.all())
         if (other.included.contains(document.path))
             throw RequestError(ErrorCode::request_failed,
                                fmt::format("{} includes this file, and may use the name too", other.path.string()));
+}
+
+json::value LanguageServer::State::rename(const json::object& params) {
+    Document& document = document_of(params);
+    refuse_to_rename_in(document);
     const std::string name = text_in(params, "newName");
+    const NetlistSyntax& syntax = syntax_of(document);
+    const Location at = location_of(params);
+    const std::vector<Location> places = places_to_rename(syntax, catalogue, at, name);
+    const std::size_t bytes = syntax.name_at(at)->name.size();
+    RangeWriter writer;
     json::array edits;
-    const std::vector<Location> places = places_to_rename(syntax_of(document), catalogue, location_of(params), name);
     for (const Location& each : places)
-        edits.push_back(json::object{{"range", range_json(each)}, {"newText", name}});
+        edits.push_back(json::object{{"range", writer.range(each, bytes)}, {"newText", name}});
     return {{"changes", {{document.uri, std::move(edits)}}}};
 }
 
@@ -287,13 +322,10 @@ json::value LanguageServer::State::outline(const json::object& params) {
         entries = outline_of(syntax_of(document));
     else if (document.language == Language::occam)
         entries = outline_of(*program_of(document).program);
+    RangeWriter writer;
     json::array symbols;
     for (const OutlineEntry& each : entries)
-        symbols.push_back(json::object{{"name", each.name},
-                                       {"detail", each.detail},
-                                       {"kind", each.is_routine ? 12 : 13}, // a function, a variable
-                                       {"range", range_json(each.at)},
-                                       {"selectionRange", range_json(each.at)}});
+        symbols.push_back(symbol_json(each, writer.range_of_word(each.at, document.names)));
     return symbols;
 }
 
@@ -314,8 +346,11 @@ void LanguageServer::State::publish(const std::string& uri) {
     Document& document = documents.at(uri);
     const auto is_included_by = [&](const auto& each) { return each.second.included.contains(document.path); };
     std::map<std::string, json::array> files;
-    if (!document.is_part || std::ranges::none_of(documents.all(), is_included_by))
-        files = diagnostics_json(check_document(document, catalogue), document, documents);
+    if (!document.is_part || std::ranges::none_of(documents.all(), is_included_by)) {
+        const std::vector<Diagnostic> diagnostics = check_document(document, catalogue);
+        document.failed = has_errors(diagnostics);
+        files = diagnostics_json(diagnostics, document, documents);
+    }
     files[uri]; // sent also if nothing is wrong
     std::set<std::string> uris;
     for (const auto& [file, diagnostics] : published[uri])
@@ -336,7 +371,7 @@ json::value LanguageServer::State::carry_out(const std::string& method, const js
         {"textDocument/didOpen", &State::opened},
         {"textDocument/didChange", &State::changed},
         {"textDocument/didClose", &State::closed},
-        {"textDocument/didSave", &State::nothing},
+        {"textDocument/didSave", &State::saved},
         {"textDocument/hover", &State::hover},
         {"textDocument/completion", &State::complete},
         {"textDocument/definition", &State::define},

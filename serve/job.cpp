@@ -196,8 +196,9 @@ json::array faults_of(const std::string& main) {
     CheckOptions options;
     options.read.make_netlist = occam::netlist_of_configuration;
     json::array faults;
-    for (const Diagnostic& each : check_file(main, known_kinds(known_problems(0)), options).diagnostics)
-        faults.push_back(diagnostic_json(each));
+    const CheckedFile checked = check_file(main, known_kinds(known_problems(0)), options);
+    for (const Diagnostic& each : checked.diagnostics)
+        faults.push_back(diagnostic_json(each, checked.names));
     return faults;
 }
 

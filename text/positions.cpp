@@ -43,9 +43,10 @@ std::size_t length_of_word(std::string_view rest, bool with_dots) {
 } // namespace
 
 Positions::Positions(std::string_view text) : text_(text), starts_{0} {
-    for (std::size_t i = text.find_first_of("\r\n"); i < text.size(); i = text.find_first_of("\r\n", i)) {
-        i += text.substr(i).starts_with("\r\n") ? 2 : 1;
-        starts_.push_back(i);
+    for (std::size_t next = 1; next <= text.size(); ++next) {
+        const char end = text[next - 1];
+        if (end == '\n' || (end == '\r' && (next == text.size() || text[next] != '\n')))
+            starts_.push_back(next);
     }
 }
 
@@ -85,12 +86,12 @@ std::size_t offset_of(const Location& at) {
            std::min(std::max<std::size_t>(at.column, 1) - 1, line.size());
 }
 
-Location end_of_word(const Location& at) {
+Location end_of_word(const Location& at, NamesOf language) {
     if (!at.file || at.line == 0 || at.column == 0)
         return at;
     const std::string_view line = at.file->line(at.line);
     const std::string_view rest = line.substr(std::min(at.column - 1, line.size()));
-    return {at.file, at.line, at.column + length_of_word(rest, !at.file->path().ends_with(".cfs"))};
+    return {at.file, at.line, at.column + length_of_word(rest, language == NamesOf::occam)};
 }
 
 } // namespace placedpar

@@ -35,9 +35,12 @@ private:
 
 /// Returns the offset of a location in the text of its file. REQUIRES: the location has a file.
 std::size_t offset_of(const Location&);
+
+/// Says which names a text has. In occam, dots are part of a name; in a netlist, they end it.
+enum class NamesOf { netlist, occam };
+
 /// Returns the place behind the word that begins at a location: behind a name, a number or a string in quotes, or
-/// behind one other character. In a netlist (.cfs) a dot ends a name; in other languages it is part of a name. At the
-/// end of a line, and for line 0, returns the location itself.
-Location end_of_word(const Location&);
+/// behind one other character. At the end of a line, and for line 0, returns the location itself.
+Location end_of_word(const Location&, NamesOf);
 
 } // namespace placedpar

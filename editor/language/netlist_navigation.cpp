@@ -122,9 +122,10 @@ std::vector<Location> places_to_rename(const NetlistSyntax& syntax, const Catalo
         throw UserError(fmt::format("\"{}\" cannot be a name: a name is letters, digits and _, and not a word of the "
                                     "language",
                                     new_name));
-    const NetlistName* const taken = syntax.find(new_name);
-    if (taken || catalogue.node_types().contains(new_name))
-        throw UserError(fmt::format("\"{}\" is {} already", new_name, taken ? "declared" : "the name of a type"));
+    if (syntax.find(new_name))
+        throw UserError(fmt::format("\"{}\" is declared already", new_name));
+    if (new_name == "host" || catalogue.node_types().contains(new_name))
+        throw UserError(fmt::format("\"{}\" is predefined", new_name));
     std::vector<Location> places;
     for (const NetlistNameUse& each : syntax.uses)
         if (syntax.names[each.name].name == name->name && &syntax.names[each.name] == name)

@@ -57,15 +57,19 @@ bool is_routine(const Declaration& declaration) {
 
 std::size_t indentation_of(std::string_view line) { return std::min(line.find_first_not_of(' '), line.size()); }
 
-/// Returns whether a declaration in this line is visible at a later line, as far as the indentation between them says:
-/// a line that is indented less ends its scope.
-bool is_visible(const SourceFile& file, std::size_t declared, std::size_t line) {
-    const std::size_t indentation = indentation_of(file.line(declared));
-    for (std::size_t i = declared + 1; i < line; ++i)
-        if (const std::string_view between = file.line(i);
-            indentation_of(between) < std::min(indentation, between.size()))
-            return false;
-    return declared < line;
+/// Returns the lines before a line whose declarations are visible there, as far as the indentation between them says: a
+/// line that is indented less ends their scope. The index is the number of the line.
+std::vector<bool> visible_at(const SourceFile& file, std::size_t line) {
+    std::vector<bool> visible(line);
+    std::size_t least = std::string_view::npos; // indentation of the lines between
+    for (std::size_t i = line; i-- > 0;) {
+        const std::string_view text = file.line(i);
+        const std::size_t indentation = indentation_of(text);
+        visible[i] = indentation <= least;
+        if (indentation < text.size())
+            least = std::min(least, indentation);
+    }
+    return visible;
 }
 
 std::string type_text(const Declaration& declaration) {
@@ -96,8 +100,9 @@ void add_names(const Program& program, const SourceFile& file, const Location& a
         if (each.at.file != 0)
             add(each);
     });
+    const std::vector<bool> visible = visible_at(file, at.line);
     for (const occam::ResolvedName& each : program.resolved)
-        if (each.meaning->at.file == 0 && is_visible(file, each.meaning->at.line, at.line))
+        if (each.meaning->at.file == 0 && each.meaning->at.line < at.line && visible[each.meaning->at.line])
             add(*each.meaning);
 }
 

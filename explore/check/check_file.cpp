@@ -39,6 +39,7 @@ CheckedFile check_netlist(const std::filesystem::path& path, const Catalogue& ca
     ReadResult result = read_netlist(path, catalogue, set, read);
     CheckedFile checked{
         .language = "netlist", .diagnostics = std::move(result.diagnostics), .not_shown = std::move(result.not_shown)};
+    checked.names = occam::is_configuration(path) ? NamesOf::occam : NamesOf::netlist;
     if (!result.network) {
         checked.included = read_syntax(load_input(path).file, read.include_folders).included;
         return checked;
@@ -78,11 +79,22 @@ std::optional<StudyRun> first_run(const Study& study) {
     return std::nullopt;
 }
 
+/// Makes a fault of a netlist as a whole one of the study that names it: the netlist may not exist.
+void put_in_study(Diagnostic& fault, const std::filesystem::path& study) {
+    if (!fault.location.file || fault.location.line > 0)
+        return;
+    const std::string message = fault.location.file->path() + ": " + fault.message;
+    fault.location = fault_of_whole(study, "").location;
+    fault.message = message;
+}
+
 CheckedFile check_netlist_of(const Study& study, const std::filesystem::path& path, const Catalogue& catalogue) {
     ReadOptions read = study.read;
     read.make_netlist = occam::netlist_of_configuration;
     const auto run = first_run(study);
     CheckedFile checked = check_netlist(study.netlist, catalogue, run ? run->set : Overrides{}, read);
+    for (Diagnostic& each : checked.diagnostics)
+        put_in_study(each, path);
     checked.included.push_back(study.netlist);
     checked.summary = fmt::format("{}: {} of {}\n", path.string(), counted(study.count(), "run"), study.netlist);
     return checked;

@@ -2,6 +2,7 @@
 
 #include "netlist/read.hpp"
 #include "occam/language/parse.hpp"
+#include "text/positions.hpp"
 
 #include <boost/json/fwd.hpp>
 
@@ -27,6 +28,7 @@ struct CheckedFile {
     std::string not_shown = "";             ///< a line that says how many errors are not in `diagnostics`; "" if none
     std::string summary = "";               ///< a line that says what the file has; "" if it has an error
     std::vector<std::string> included = {}; ///< paths of the files that were read with it, as far as they are known
+    NamesOf names = NamesOf::occam;         ///< in the files that the diagnostics are about
 
     bool failed() const { return has_errors(diagnostics); }
 };
@@ -39,7 +41,7 @@ CheckedFile check_file(const std::filesystem::path&, const Catalogue&, const Che
 /// Returns {"severity", "file", "line", "column", "end_line", "end_column", "message", "hint", "also"}. Lines and
 /// columns count from 1, columns in bytes. The end is behind the last character. A fault of a file as a whole has no
 /// line. "also" lists the second places, which have the same keys except severity and hint.
-boost::json::object diagnostic_json(const Diagnostic&);
+boost::json::object diagnostic_json(const Diagnostic&, NamesOf);
 /// Returns {"file", "language", "valid", "summary", "diagnostics", "not_shown"}.
 boost::json::object checked_json(const std::filesystem::path&, const CheckedFile&);
 

@@ -1,7 +1,5 @@
 #include "explore/check/check_file.hpp"
 
-#include "text/positions.hpp"
-
 #include <boost/json.hpp>
 
 namespace placedpar {
@@ -10,13 +8,13 @@ namespace {
 
 namespace json = boost::json;
 
-json::object place_json(const Location& at) {
+json::object place_json(const Location& at, NamesOf names) {
     json::object place;
     if (at.file)
         place["file"] = at.file->path();
     if (at.line == 0)
         return place;
-    const Location end = end_of_word(at);
+    const Location end = end_of_word(at, names);
     place["line"] = at.line;
     place["column"] = at.column;
     place["end_line"] = end.line;
@@ -26,15 +24,15 @@ json::object place_json(const Location& at) {
 
 } // namespace
 
-json::object diagnostic_json(const Diagnostic& diagnostic) {
+json::object diagnostic_json(const Diagnostic& diagnostic, NamesOf names) {
     json::object object{{"severity", diagnostic.severity == Severity::error ? "error" : "warning"}};
-    for (auto& [key, value] : place_json(diagnostic.location))
+    for (auto& [key, value] : place_json(diagnostic.location, names))
         object[key] = value;
     object["message"] = diagnostic.message;
     object["hint"] = diagnostic.hint;
     json::array also;
     for (const SecondPlace& other : diagnostic.others) {
-        json::object place = place_json(other.location);
+        json::object place = place_json(other.location, names);
         place["message"] = other.message;
         also.push_back(std::move(place));
     }
@@ -45,7 +43,7 @@ json::object diagnostic_json(const Diagnostic& diagnostic) {
 json::object checked_json(const std::filesystem::path& path, const CheckedFile& checked) {
     json::array diagnostics;
     for (const Diagnostic& each : checked.diagnostics)
-        diagnostics.push_back(diagnostic_json(each));
+        diagnostics.push_back(diagnostic_json(each, checked.names));
     return {{"file", path.string()},
             {"language", checked.language},
             {"valid", !checked.failed()},

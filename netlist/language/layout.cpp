@@ -29,13 +29,15 @@ bool is_unary(const std::vector<Token>& tokens, std::size_t index) {
 }
 
 /// Returns the blanks between two words of a line. What the text has stays in front of a parenthesis that follows a
-/// name, and at braces.
+/// name, and at braces. Two minus signs stay apart, since the lexer takes `--` for a comment of occam.
 std::string gap(const std::vector<Token>& tokens, std::size_t index, std::string_view written) {
     const Token &before = tokens[index - 1], &token = tokens[index];
     const bool either =
         (token.is("(") && (before.kind == TokenKind::name || before.is("]"))) || before.is("{") || token.is("}");
     if (either)
         return written.empty() ? "" : " ";
+    if (before.is("-") && token.is("-"))
+        return " ";
     const bool is_subscript = token.is("[") && (before.kind == TokenKind::name || before.is("]") || before.is(")"));
     if (is_subscript || is_one_of(token, ",;)].") || is_one_of(before, "([.") || is_unary(tokens, index - 1))
         return "";

@@ -93,6 +93,13 @@ class CheckJson(unittest.TestCase):
         self.assertEqual(code, 1)
         self.assertIn("no_such_setting", json.dumps(said["diagnostics"]))
 
+    def test_a_study_whose_netlist_is_missing(self):
+        study = self.file("a.toml", 'netlist = "missing.cfs"\n')
+        code, said = checked(study)
+        self.assertEqual(code, 1)
+        self.assertEqual([(d["file"], d["message"]) for d in said["diagnostics"]],
+                         [(str(study), f"{self.folder}/missing.cfs: this file does not exist")])
+
     def test_a_file_as_a_whole(self):
         code, said = checked(self.folder / "missing.cfs")
         self.assertEqual(code, 1)

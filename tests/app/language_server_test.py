@@ -135,6 +135,36 @@ class LanguageServer(unittest.TestCase):
         while self.client.diagnostics[uri]["diagnostics"]:
             self.client.receive()
 
+    def wait_for(self, uri, words):
+        """Waits until the messages about a text are those that have these words: one each."""
+        def have_come():
+            found = [each["message"] for each in self.client.diagnostics[uri]["diagnostics"]]
+            return len(found) == len(words) and all(word in message for word, message in zip(words, found, strict=True))
+        while not have_come():
+            self.assertIsNotNone(self.client.receive())
+
+    def test_files_that_appear_or_change_later_are_read(self):
+        uri = self.open("main.cfs", '#include "part.inc"\n' + NETLIST.replace("val n 3", "val n m"))
+        self.assertIn("this file does not exist", self.client.checked(uri)[0]["message"])
+        part = self.client.open(self.folder / "part.inc", "val m 3;\n")
+        self.wait_for(uri, [])
+        self.client.close(part)
+        self.wait_for(uri, ["this file does not exist"])
+        (self.folder / "part.inc").write_text("val m 3;\n")
+        self.client.notify("textDocument/didSave", {"textDocument": {"uri": uri}})
+        self.wait_for(uri, [])
+        (self.folder / "part.inc").write_text("val k 3;\n")
+        self.client.notify("textDocument/didSave", {"textDocument": {"uri": uri}})
+        self.wait_for(uri, ['the name "m" is undefined'])
+
+    def test_a_change_without_a_version_is_checked(self):
+        uri = self.open("a.cfs", "val n 3;\nT800 t[n];\n")
+        self.assertEqual(self.client.checked(uri), [])
+        self.client.notify("textDocument/didChange", {"textDocument": {"uri": uri, "version": None},
+                                                      "contentChanges": [{"text": "T800 t[n];\n"}]})
+        self.wait_for(uri, ['the name "n" is undefined'])
+        self.assertNotIn("version", self.client.diagnostics[uri])
+
     def test_a_file_that_is_to_be_included_is_read_alone(self):
         netlist = self.client.open(self.folder / "part.inc", "process p;\nplace p on ;\n")
         self.assertEqual(self.underlined(netlist), [";"])
@@ -155,6 +185,11 @@ class LanguageServer(unittest.TestCase):
         self.assertEqual(self.client.checked(study), [])
         self.client.replace(study, "seeds = 3", "[set]\nm = [1, 2]")
         self.assertIn('"m"', self.client.checked(study)[0]["message"])
+        self.client.replace(study, "ring.cfs", "missing.cfs")
+        self.assertIn("missing.cfs: this file does not exist", self.client.checked(study)[0]["message"])
+        self.assertNotIn((self.folder / "missing.cfs").as_uri(), self.client.diagnostics)
+        other = self.open("Cargo.toml", '[package]\nname = "other"\n', "toml")
+        self.assertEqual(self.client.checked(other), [])
         configuration = self.open("a.pgm", 'NODE n:\nNETWORK\n  SET m (type, memsize := "T800", 1024)\n:\n', "occam")
         self.assertEqual(self.underlined(configuration), ["", "m"]) # the first is about the file as a whole
 
@@ -227,6 +262,10 @@ class LanguageServer(unittest.TestCase):
         self.assertEqual(text, NETLIST.replace("ring", "circle"))
         (self.folder / "a.cfs").write_text(text)
         self.assertEqual(placedpar("show", self.folder / "a.cfs").stdout, before.replace("ring", "circle"))
+        part = self.open("part.inc", "process (interface (input in, output out)) ring;\nconnect ring.out to ring.in;\n")
+        edits = self.client.request("textDocument/rename", {**self.client.at(part, "ring"), "newName": "circle"})
+        self.assertEqual(self.client.applied(part, edits["changes"][part]),
+                         "process (interface (input in, output out)) circle;\nconnect circle.out to circle.in;\n")
         shadow = self.open("b.cfs", "val i 2;\nrep i = 0 for i {\n    T800 t;\n}\nT800 u[i];\n")
         edits = self.client.request("textDocument/rename", {**self.client.at(shadow, "i 2"), "newName": "j"})
         self.assertEqual(self.client.applied(shadow, edits["changes"][shadow]),
@@ -240,6 +279,8 @@ class LanguageServer(unittest.TestCase):
             return self.client.answer("textDocument/rename", {**self.client.at(uri, words), "newName": name})["error"]["message"]
         self.assertIn(f'"n" is used in {self.folder}/part.inc, line 1', refused("n 3", "nn"))
         self.assertIn("is declared already", refused("ring[n]", "t"))
+        for name in ("host", "T425"):
+            self.assertIn(f'"{name}" is predefined', refused("ring[n]", name))
         self.assertIn("cannot be a name", refused("ring[n]", "connect"))
         self.assertIn("cannot be renamed", refused("memory", "store"))
         part = self.client.open(self.folder / "part.inc")
@@ -296,6 +337,8 @@ if a == b {
 /* end
      of it */
 """)
+        minus = self.open("minus.cfs", "val a 1;\nval b\n- -a;\nval c a - -1;\n")
+        self.assertEqual(self.laid_out(minus), "val a 1;\nval b\n    - -a;\nval c a - -1;\n")
         wrong = self.open("b.cfs", "val a  ;;")
         self.assertEqual(self.laid_out(wrong), "val a  ;;")
         occam = self.open("a.occ", "PROC p ()  \n\tSKIP  -- \t x \n:", "occam")
@@ -383,6 +426,28 @@ if a == b {
             print(f"{uri.rsplit('/')[-1]}: an edit in 10,000 lines takes {1000 * sorted(times)[5]:.0f} ms, "
                   f"{1000 * processor:.0f} ms of a processor", flush=True)
             self.assertLess(processor, 0.1)
+
+    def test_questions_about_ten_thousand_lines(self):
+        """Each takes less than a second of a processor, with thousands of names, places or changes."""
+        uses = "".join(f"val u{i} n;\n" for i in range(5_000))
+        netlist = self.open("a.cfs", "val n 1;\n" + uses + "".join(f"val v{i} {i};\n" for i in range(5_000)) + "T800 t;\n")
+        lines = "".join(f"    x := (x + {i}) /\\ 255\n" for i in range(10_000))
+        occam = self.open("a.occ", "PROC p ()\n  INT x:\n  SEQ\n    x := 0\n" + lines + ":\n", "occam")
+        self.assertEqual(self.client.checked(netlist) + self.client.checked(occam), [])
+
+        def renamed():
+            place = {**self.client.at(netlist, "n 1"), "newName": "m"}
+            return len(self.client.request("textDocument/rename", place)["changes"][netlist])
+
+        def changed():
+            self.client.edit(netlist, *[(0, 0, " ")] * 3_000)
+            return len(self.client.checked(netlist))
+        questions = ((lambda: len(self.client.request("textDocument/documentSymbol", {"textDocument": {"uri": netlist}})), 10_002),
+                     (renamed, 5_001), (changed, 0), (lambda: self.labels(occam, "x + 9999").count("x"), 1))
+        for ask, answer in questions:
+            begun = self.client.processor_seconds()
+            self.assertEqual(ask(), answer)
+            self.assertLess(self.client.processor_seconds() - begun, 1)
 
 
 if __name__ == "__main__":

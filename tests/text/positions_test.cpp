@@ -37,17 +37,17 @@ TEST_CASE("positions count units of UTF-16") {
 }
 
 TEST_CASE("a word ends behind its last character") {
-    const auto end = [](const std::string& path, const std::string& text, std::size_t column) {
-        return end_of_word({std::make_shared<const SourceFile>(path, text), 1, column}).column;
+    const auto end = [](NamesOf language, const std::string& text, std::size_t column) {
+        return end_of_word({std::make_shared<const SourceFile>("a.inc", text), 1, column}, language).column;
     };
-    CHECK(end("a.cfs", "ring.out = 3", 1) == 5);
-    CHECK(end("a.occ", "ring.out. = 3", 1) == 9);
-    CHECK(end("a.cfs", "use \"a b\" for", 5) == 10);
-    CHECK(end("a.cfs", "use \"a b", 5) == 9);
-    CHECK(end("a.cfs", ";;", 1) == 2);
-    CHECK(end("a.cfs", "\xf0\x9f\x98\x80", 1) == 5);
-    CHECK(end("a.cfs", "ab", 3) == 3);
-    CHECK(end("a.cfs", "ab", 9) == 9);
+    CHECK(end(NamesOf::netlist, "ring.out = 3", 1) == 5);
+    CHECK(end(NamesOf::occam, "ring.out. = 3", 1) == 9);
+    CHECK(end(NamesOf::netlist, "use \"a b\" for", 5) == 10);
+    CHECK(end(NamesOf::netlist, "use \"a b", 5) == 9);
+    CHECK(end(NamesOf::netlist, ";;", 1) == 2);
+    CHECK(end(NamesOf::netlist, "\xf0\x9f\x98\x80", 1) == 5);
+    CHECK(end(NamesOf::netlist, "ab", 3) == 3);
+    CHECK(end(NamesOf::netlist, "ab", 9) == 9);
 }
 
 } // namespace placedpar
