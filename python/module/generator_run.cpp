@@ -171,7 +171,7 @@ void GeneratorRun::prepare_guards() {
     }
 }
 
-/// Returns the guard of an operation that is no input.
+/// Returns the guard of an operation other than an input.
 Guard GeneratorRun::guard_of(py::handle guard) const {
     if (!py::isinstance<Operation>(guard))
         throw py::type_error("a guard of pp.alt is an input end, pp.wait, pp.until, pp.after, pp.skip or pp.when");

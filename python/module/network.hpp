@@ -33,7 +33,7 @@ struct RunOptions {
     bool heeds_signals = false; ///< the caller is Python's main thread
 };
 
-/// Returns the latest end of a run, from picoseconds; nothing is no limit.
+/// Returns the latest end of a run, from picoseconds; nothing stands for none.
 inline Time limit_of_run(std::optional<std::int64_t> until_ps) { return until_ps ? Time{*until_ps} : Time::max(); }
 
 /// A finished run of a network.

@@ -68,7 +68,7 @@ private:
 
 using Values = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Returns what an objective returned as an array. Throws UserError if it is no array of real numbers.
+/// Returns what an objective returned as an array. Throws UserError for anything but real numbers.
 Values numbers_of(const py::object& returned) {
     constexpr std::string_view kinds = "biuf"; // NumPy's whole and real numbers
     const py::array any = py::array::ensure(returned);

@@ -30,7 +30,7 @@ def picoseconds(time: Time) -> int:
 
 
 def limit(time: Optional[Time]) -> Optional[int]:
-    """Returns the latest end of a run in picoseconds; None is no limit."""
+    """Returns the latest end of a run in picoseconds; None stands for none."""
     return None if time is None else picoseconds(time)
 
 

@@ -11,7 +11,7 @@ from .tables import table, table_of_csv
 class Found:
     """The result of a search: the best individual of all islands and generations.
 
-    x: its parameters, an array of shape (d,). value: its objective, None if that was no number (NaN). fitness: what the
+    x: its parameters, an array of shape (d,). value: its objective, None for NaN. fitness: what the
     search maximised. generation: the generation, from 1, and island, from 0, that found it.
     """
 
