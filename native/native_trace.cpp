@@ -124,6 +124,7 @@ std::shared_ptr<const DeviceKind> kind_of_places() {
     kind.name = "processor";
     kind.noun = "a thread or rank";
     kind.executes = Execution::in_time;
+    kind.drawing = {.frame = "#3b5b7a", .heading = "#d5e3f0", .legend = "thread or rank with its processes"};
     return std::make_shared<const DeviceKind>(std::move(kind));
 }
 

@@ -362,7 +362,7 @@ if a == b {
         gone.process.stdout.close()
 
     def test_ten_thousand_lines(self):
-        """An edit in a text of 10,000 lines is checked soon: within 100 ms on a free machine."""
+        """An edit in a text of 10,000 lines is checked within 100 ms of a processor."""
         statements = "".join(f"val v{i} {i}; /* \u00e9 */\n" for i in range(9_000))
         processors = "".join(f"T800 (memory = 1M) t{i};\n" for i in range(500))
         wires = "".join(f"connect t{i}.link[0] to t{i + 1}.link[1];\n" for i in range(499))
@@ -371,16 +371,18 @@ if a == b {
         occam = self.open("a.occ", "PROC p ()\n  INT x:\n  SEQ\n    x := 0\n" + lines + ":\n", "occam")
         for uri, digit in ((netlist, "val last 1"), (occam, "x + 5000")):
             self.assertEqual(self.client.checked(uri), [])
-            times = []
-            for number in range(8):
-                begun = time.monotonic()
+            times, begun = [], self.client.processor_seconds()
+            for number in range(10):
+                sent = time.monotonic()
                 where = self.client.texts[uri].index(digit) + len(digit) - 1
                 self.client.edit(uri, (where, where + 1, str(number)))
                 self.assertEqual(self.client.checked(uri), [])
-                times.append(time.monotonic() - begun)
+                times.append(time.monotonic() - sent)
                 digit = digit[:-1] + str(number)
-            print(f"{uri.rsplit('/')[-1]}: an edit in 10,000 lines takes {1000 * sorted(times)[4]:.0f} ms", flush=True)
-            self.assertLess(min(times), 1)
+            processor = (self.client.processor_seconds() - begun) / len(times)
+            print(f"{uri.rsplit('/')[-1]}: an edit in 10,000 lines takes {1000 * sorted(times)[5]:.0f} ms, "
+                  f"{1000 * processor:.0f} ms of a processor", flush=True)
+            self.assertLess(processor, 0.1)
 
 
 if __name__ == "__main__":

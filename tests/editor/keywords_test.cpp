@@ -17,7 +17,7 @@ namespace {
 using Words = std::set<std::string, std::less<>>;
 
 std::string text_of(const std::string& file) {
-    std::ifstream in(std::string(PLACEDPAR_SOURCE_DIR) + "/editors/" + file);
+    std::ifstream in(std::string(PLACEDPAR_SOURCE_DIR) + "/" + file);
     REQUIRE(in);
     return {std::istreambuf_iterator<char>(in), {}};
 }
@@ -44,6 +44,7 @@ Words all_of(const Lists&... lists) {
 const char* const in_grammar =
     R"re("match": "[^"]*\(\?:([\w|]+)\)[^"]*",\s*"name": "(?:keyword.control|keyword.operator.word|storage|constant.language))re";
 const char* const in_vim = R"re(syntax keyword \w+(?:Keyword|Operator|Type|Constant) ([^\n]*))re";
+const char* const in_site = R"re(\\b\(([a-z|]+)\)\\b", Keyword)re";
 const char* const in_emacs = R"re(\(defconst placedpar-[a-z-]+\s+'\(([^)]*)\))re";
 
 } // namespace
@@ -51,16 +52,17 @@ const char* const in_emacs = R"re(\(defconst placedpar-[a-z-]+\s+'\(([^)]*)\))re
 TEST_CASE("editors' lists of occam's keywords are those of the scanner") {
     const Words keywords = all_of(occam::all_keywords());
     REQUIRE(keywords.size() > 50);
-    CHECK(words_in(text_of("vscode/syntaxes/occam.tmLanguage.json"), in_grammar) == keywords);
-    CHECK(words_in(text_of("vim/syntax/occam.vim"), in_vim) == keywords);
+    CHECK(words_in(text_of("editors/vscode/syntaxes/occam.tmLanguage.json"), in_grammar) == keywords);
+    CHECK(words_in(text_of("editors/vim/syntax/occam.vim"), in_vim) == keywords);
 }
 
 TEST_CASE("editors' lists of the netlist's words are those of the parser") {
     const Words constants{"TRUE", "FALSE", "HIGH", "LOW", "true", "false", "high", "low"};
     const Words words = all_of(reserved_words(), parameter_types());
-    CHECK(words_in(text_of("vscode/syntaxes/netlist.tmLanguage.json"), in_grammar) == all_of(words, constants));
-    CHECK(words_in(text_of("vim/syntax/netlist.vim"), in_vim) == all_of(words, constants));
-    CHECK(words_in(text_of("emacs/placedpar.el"), in_emacs) == all_of(words, occam::all_keywords()));
+    CHECK(words_in(text_of("editors/vscode/syntaxes/netlist.tmLanguage.json"), in_grammar) == all_of(words, constants));
+    CHECK(words_in(text_of("editors/vim/syntax/netlist.vim"), in_vim) == all_of(words, constants));
+    CHECK(words_in(text_of("tools/site/languages.py"), in_site) == all_of(reserved_words()));
+    CHECK(words_in(text_of("editors/emacs/placedpar.el"), in_emacs) == all_of(words, occam::all_keywords()));
 }
 
 } // namespace placedpar
