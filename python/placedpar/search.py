@@ -1,5 +1,6 @@
 """Searches by genetic algorithms, with the fitness in Python or of a problem that PlacedPar knows."""
 
+import math
 from typing import Any, Callable, Optional, Sequence, Union
 
 from . import _core
@@ -11,18 +12,21 @@ from .tables import table, table_of_csv
 class Found:
     """The result of a search: the best individual of all islands and generations.
 
-    x: its parameters, an array of shape (d,). value: its objective, None for NaN. fitness: what the
+    x: its parameters, an array of shape (d,). value: its objective. fitness: what the
     search maximised. generation: the generation, from 1, and island, from 0, that found it.
     """
 
     x: Any
-    value: Optional[float]
+    value: float
     fitness: float
     string: str
     generation: int
 
     def __init__(self, found: dict[str, Any]) -> None:
         self._islands = found["islands"]
+        for island in self._islands:
+            if island["value"] is None:  # the objective was NaN for all individuals
+                island["value"] = math.nan
         self._csv = found["log_csv"]
         self.migrations: int = found["migrations"]  #: number of individuals that were sent to another island
         best = max(range(len(self._islands)), key=lambda i: float(self._islands[i]["fitness"]))
@@ -41,8 +45,7 @@ class Found:
         return table_of_csv(self._csv)
 
     def __repr__(self) -> str:
-        value = "None" if self.value is None else f"{self.value:.9g}"
-        return f"<placedpar.Found value {value} at {list(self.x)}>"
+        return f"<placedpar.Found value {self.value:.9g} at {list(self.x)}>"
 
 
 def _columns(problem: Any) -> tuple[Callable[[Any], Any], list[tuple[float, float]]]:

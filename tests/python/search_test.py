@@ -141,7 +141,7 @@ class Searches(unittest.TestCase):
             raise KeyboardInterrupt
         with self.assertRaises(KeyboardInterrupt):
             pp.search(sphere, BOX, reproduction=interrupts)
-        self.assertIn("value None", repr(pp.search(lambda rows: numpy.full(len(rows), numpy.nan), BOX, generations=2)))
+        self.assertIn("value nan", repr(pp.search(lambda rows: numpy.full(len(rows), numpy.nan), BOX, generations=2)))
         with self.assertRaisesRegex(TypeError, "needs bounds"):
             pp.search(sphere)
 
