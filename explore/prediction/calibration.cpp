@@ -16,6 +16,7 @@
 #include <ctime>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <sched.h>
 #include <utility>
 
@@ -94,9 +95,11 @@ public:
     Calibration run() {
         Calibration result;
         result.repetitions = settings_.repetitions;
-        if (settings_.ranks)
+        std::optional<OnEveryCore> unbound; // while the threads are measured
+        if (settings_.ranks) {
             measure_ranks(result);
-        const OnEveryCore unbound;
+            unbound.emplace();
+        }
         measure_threads(result);
         result.string = repeat("individuals in messages", [this] { return string_nanoseconds(); });
         for (const std::string& problem : settings_.problems)

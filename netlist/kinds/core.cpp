@@ -102,9 +102,8 @@ std::vector<AttributeDescription> core_attributes() {
     attributes.push_back(cost("switching", 0, "a switch to the next process"));
     attributes.push_back(cost("patience", 20'000, "time without work after which the thread sleeps"));
     attributes.push_back(cost("waking", 0, "time until a thread that sleeps has woken"));
-    attributes.push_back(cost("oversleeping", 0,
-                              "of a rank of MPI, which sleeps in pauses: by how much each lasts longer than asked; 0: "
-                              "messages wake the thread"));
+    attributes.push_back(cost(
+        "oversleeping", 0, "extra length of each pause in which an idle MPI rank sleeps; 0: messages wake the thread"));
     return attributes;
 }
 

@@ -3,6 +3,7 @@
 #include "python/module/generator_run.hpp"
 #include "text/user_error.hpp"
 
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -12,18 +13,41 @@ namespace {
 
 namespace py = pybind11;
 
+/// What a process in Python may measure: its environment until it ends, null then.
+using Measured = std::shared_ptr<ProcessEnvironment*>;
+
+ProcessEnvironment& environment_of(const Measured& measured) {
+    if (!*measured)
+        throw UserError("measure() is called after its process has ended");
+    return **measured;
+}
+
 /// A process while it runs.
 struct Body {
     Interpreter& python = Interpreter::current();
-    std::vector<std::unique_ptr<ChannelEnd>> ends;
+    std::vector<std::shared_ptr<ChannelEnd>> ends;
+    Measured measured;
     SharedObject instance;
-    GeneratorRun run; ///< ends before the channel ends do
+    std::optional<GeneratorRun> run{std::in_place};
+
+    explicit Body(ProcessEnvironment& environment) : measured(std::make_shared<ProcessEnvironment*>(&environment)) {}
+    Body(const Body&) = delete;
+    Body& operator=(const Body&) = delete;
+    ~Body() {
+        run.reset(); // the generator may use the ends and measure() until it is closed
+        python.call([&] {
+            instance = {};
+            for (const auto& end : ends)
+                end->detach();
+            *measured = nullptr;
+        });
+    }
 
     /// Returns the channel ends of a port as an attribute of the instance.
     py::object bind(const ProcessEnvironment& environment, const PortDescription& port, bool is_array) {
         py::list bound;
         for (auto& end : protocol_named(port.protocol).ends(environment, port.name, port.direction)) {
-            bound.append(py::cast(end.get(), py::return_value_policy::reference));
+            bound.append(py::cast(end));
             ends.push_back(std::move(end));
         }
         if (is_array)
@@ -54,16 +78,19 @@ py::object instance_of(py::handle process_class, const ProcessKind& kind, Proces
         instance.attr(parameter.name.c_str()) = value_of(environment, parameter);
     instance.attr("name") = environment.process();
     instance.attr("seed") = environment.seed();
-    instance.attr("_measure_number") = py::cpp_function(
-        [&environment](std::string name, double value, std::string unit) { environment.measure(name, value, unit); });
-    instance.attr("_measure_text") =
-        py::cpp_function([&environment](std::string name, std::string value) { environment.measure(name, value); });
+    instance.attr("_measure_number") =
+        py::cpp_function([measured = body.measured](std::string name, double value, std::string unit) {
+            environment_of(measured).measure(name, value, unit);
+        });
+    instance.attr("_measure_text") = py::cpp_function([measured = body.measured](std::string name, std::string value) {
+        environment_of(measured).measure(name, value);
+    });
     instance.attr("__init__")();
     return instance;
 }
 
 void run_body(const SharedObject& process_class, const ProcessKind& kind, ProcessEnvironment& environment) {
-    Body body;
+    Body body(environment);
     bool is_generator = false;
     body.python.call([&] {
         const py::object instance = instance_of(process_class.get(), kind, environment, body);
@@ -71,12 +98,12 @@ void run_body(const SharedObject& process_class, const ProcessKind& kind, Proces
         const py::object result = instance.attr("body")();
         is_generator = PyGen_CheckExact(result.ptr());
         if (is_generator)
-            body.run.start(result);
+            body.run->start(result, result);
         else if (!result.is_none())
             throw py::type_error("body() must be a generator: it yields operations, or returns nothing");
     });
     if (is_generator)
-        body.run.finish();
+        body.run->finish();
 }
 
 PortDescription port_of(py::handle described) {

@@ -21,6 +21,7 @@ struct Callable {
     static constexpr std::string_view name = "python", about = "a function in Python";
     SharedObject function;
     PolicyFailure failure;
+    std::string step; ///< "reproduction", for messages
 
     template <class Result, class... Arguments>
     Result call(Arguments&&... arguments) const {
@@ -29,9 +30,9 @@ struct Callable {
         } catch (py::error_already_set& error) {
             if (!failure->get())
                 *failure = SharedObject(error.value());
-            throw std::runtime_error(text_of(error.value()));
+            throw std::runtime_error(step + ": " + text_of(error.value()));
         } catch (const py::cast_error&) {
-            throw std::runtime_error("it returned something else than the policy's choice");
+            throw std::runtime_error(step + ": it returned something else than the policy's choice");
         }
     }
 };
@@ -40,7 +41,33 @@ py::array_t<double> array_of(std::span<const double> values) {
     return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
-py::object random_of(RandomStream& random) { return py::cast(&random, py::return_value_policy::reference); }
+/// The random stream of the library as a policy in Python gets it. It may be kept for longer than the stream exists.
+class LentRandom {
+public:
+    explicit LentRandom(RandomStream& random) : random_(&random) {}
+    RandomStream& stream() const {
+        if (!random_)
+            throw UserError("random exists only during the call of the policy");
+        return *random_;
+    }
+    void end() { random_ = nullptr; }
+
+private:
+    RandomStream* random_;
+};
+
+/// Lends a random stream while this object exists.
+class Loan {
+public:
+    explicit Loan(RandomStream& random) : lent_(std::make_shared<LentRandom>(random)) {}
+    ~Loan() { lent_->end(); }
+    Loan(const Loan&) = delete;
+    Loan& operator=(const Loan&) = delete;
+    py::object object() const { return py::cast(lent_); }
+
+private:
+    std::shared_ptr<LentRandom> lent_;
+};
 
 /// Returns what a string codes: real numbers, bits, or the order of a permutation.
 py::array_t<double> values_of(const Genome& genome, const Representation& representation) {
@@ -73,7 +100,7 @@ Genome string_of(const std::vector<double>& values, const Representation& repres
 struct CallableReproduction : Callable {
     static constexpr bool needs_positive_fitness = false;
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const {
-        return call<std::vector<std::size_t>>(array_of(fitness), count, random_of(random));
+        return call<std::vector<std::size_t>>(array_of(fitness), count, Loan(random).object());
     }
 };
 
@@ -81,7 +108,7 @@ struct CallableCrossover : Callable {
     static constexpr bool fits(StringKind) { return true; }
     void operator()(Genome& a, Genome& b, const Representation& strings, RandomStream& random) const {
         const auto offspring = call<std::pair<std::vector<double>, std::vector<double>>>(
-            values_of(a, strings), values_of(b, strings), random_of(random));
+            values_of(a, strings), values_of(b, strings), Loan(random).object());
         a = string_of(offspring.first, strings);
         b = string_of(offspring.second, strings);
     }
@@ -90,7 +117,8 @@ struct CallableCrossover : Callable {
 struct CallableMutation : Callable {
     static constexpr bool fits(StringKind) { return true; }
     void operator()(Genome& genome, std::size_t place, const Representation& strings, RandomStream& random) const {
-        genome = string_of(call<std::vector<double>>(values_of(genome, strings), place, random_of(random)), strings);
+        genome =
+            string_of(call<std::vector<double>>(values_of(genome, strings), place, Loan(random).object()), strings);
     }
 };
 
@@ -116,7 +144,7 @@ struct CallableSchedule : Callable {
 struct CallableEmigration : Callable {
     std::size_t count = 1;
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const {
-        return call<std::vector<std::size_t>>(array_of(fitness), random_of(random));
+        return call<std::vector<std::size_t>>(array_of(fitness), Loan(random).object());
     }
 };
 
@@ -126,16 +154,17 @@ struct CallableAcceptance : Callable {
         std::vector<double> fitness;
         for (const Individual& each : immigrants)
             fitness.push_back(each.fitness);
-        return call<Places>(array_of(island.fitness), array_of(fitness), random_of(random));
+        return call<Places>(array_of(island.fitness), array_of(fitness), Loan(random).object());
     }
 };
 
 template <class Own, class Policy>
-Own own_policy(const py::object& function, const PolicyFailure& failure, std::size_t Policy::*number = nullptr,
-               const char* attribute = "") {
+Own own_policy(const std::string& step, const py::object& function, const PolicyFailure& failure,
+               std::size_t Policy::*number, const char* attribute) {
     Policy policy;
     policy.function = SharedObject(function);
     policy.failure = failure;
+    policy.step = step;
     if (number && py::hasattr(function, attribute))
         policy.*number = function.attr(attribute).cast<std::size_t>();
     return Own(policy);
@@ -143,14 +172,22 @@ Own own_policy(const py::object& function, const PolicyFailure& failure, std::si
 
 /// Returns the policy of this text, or of this function.
 template <class Step, class Own, class Policy>
-Step step_of(const py::object& policy, const PolicyFailure& failure, std::size_t Policy::*number = nullptr,
-             const char* attribute = "") {
+Step step_of(const std::string& step, const py::object& policy, const PolicyFailure& failure,
+             std::size_t Policy::*number = nullptr, const char* attribute = "") {
     if (py::isinstance<py::str>(policy))
         return Step::named(policy.cast<std::string>());
-    return Step(own_policy<Own, Policy>(policy, failure, number, attribute));
+    return Step(own_policy<Own, Policy>(step, policy, failure, number, attribute));
 }
 
 } // namespace
+
+void add_policies(py::module_& module) {
+    py::class_<LentRandom, std::shared_ptr<LentRandom>>(module, "LentRandom")
+        .def("uniform", [](const LentRandom& random) { return random.stream().uniform(); })
+        .def("below", [](const LentRandom& random, std::uint32_t n) { return random.stream().below(n); })
+        .def("normal", [](const LentRandom& random) { return random.stream().normal(); })
+        .def("chance", [](const LentRandom& random, double chance) { return random.stream().chance(chance); });
+}
 
 void set_policy(IslandsSettings& settings, const std::string& step, const py::object& policy,
                 const PolicyFailure& failure) {
@@ -160,19 +197,20 @@ void set_policy(IslandsSettings& settings, const std::string& step, const py::ob
     };
     if (step == "reproduction")
         in_all(&SearchSettings::reproduction,
-               step_of<Reproduction, OwnReproduction, CallableReproduction>(policy, failure));
+               step_of<Reproduction, OwnReproduction, CallableReproduction>(step, policy, failure));
     else if (step == "crossover")
-        in_all(&SearchSettings::crossover, step_of<Crossover, OwnCrossover, CallableCrossover>(policy, failure));
+        in_all(&SearchSettings::crossover, step_of<Crossover, OwnCrossover, CallableCrossover>(step, policy, failure));
     else if (step == "mutation")
-        in_all(&SearchSettings::mutation, step_of<Mutation, OwnMutation, CallableMutation>(policy, failure));
+        in_all(&SearchSettings::mutation, step_of<Mutation, OwnMutation, CallableMutation>(step, policy, failure));
     else if (step == "topology")
-        settings.topology = step_of<Topology, OwnTopology, CallableTopology>(policy, failure);
+        settings.topology = step_of<Topology, OwnTopology, CallableTopology>(step, policy, failure);
     else if (step == "schedule")
-        settings.schedule = step_of<Schedule, OwnSchedule>(policy, failure, &CallableSchedule::every, "every");
+        settings.schedule = step_of<Schedule, OwnSchedule>(step, policy, failure, &CallableSchedule::every, "every");
     else if (step == "emigration")
-        settings.emigration = step_of<Emigration, OwnEmigration>(policy, failure, &CallableEmigration::count, "count");
+        settings.emigration =
+            step_of<Emigration, OwnEmigration>(step, policy, failure, &CallableEmigration::count, "count");
     else if (step == "acceptance")
-        settings.acceptance = step_of<Acceptance, OwnAcceptance, CallableAcceptance>(policy, failure);
+        settings.acceptance = step_of<Acceptance, OwnAcceptance, CallableAcceptance>(step, policy, failure);
     else
         throw UserError("a search has no policy \"" + step +
                         "\": expected reproduction, crossover, mutation, topology, schedule, emigration or acceptance");

@@ -31,11 +31,22 @@ T message_from(pybind11::handle object, const AnyChannel& channel, const char* p
     return cast_or_refuse<T>(object, channel, protocol);
 }
 
+std::uint32_t wire_bytes_of(pybind11::handle object) {
+    const pybind11::object bytes = object.attr("wire_bytes");
+    try {
+        return bytes.cast<std::uint32_t>();
+    } catch (const pybind11::cast_error&) {
+        throw pybind11::type_error(pybind11::str("{}.wire_bytes is {!r}, expected a whole number from 0 to {}")
+                                       .format(pybind11::type::of(object).attr("__name__"), bytes, UINT32_MAX)
+                                       .cast<std::string>());
+    }
+}
+
 template <>
 ObjectMessage message_from(pybind11::handle object, const AnyChannel&, const char*) {
     std::uint32_t bytes = 4;
     if (pybind11::hasattr(object, "wire_bytes"))
-        bytes = object.attr("wire_bytes").cast<std::uint32_t>();
+        bytes = wire_bytes_of(object);
     return {SharedObject(pybind11::reinterpret_borrow<pybind11::object>(object)), bytes};
 }
 
@@ -61,8 +72,10 @@ pybind11::object object_of(const ObjectMessage& message) {
 template <class T>
 class EndFor final : public ChannelEnd {
 public:
-    EndFor(Output<T> to, const char* protocol) : to_(to), protocol_(protocol) {}
-    EndFor(Input<T> from, const char* protocol) : from_(from), protocol_(protocol) {}
+    EndFor(const std::string& port, Output<T> to, const char* protocol)
+        : ChannelEnd(port, Direction::output), to_(to), protocol_(protocol) {}
+    EndFor(const std::string& port, Input<T> from, const char* protocol)
+        : ChannelEnd(port, Direction::input), from_(from), protocol_(protocol) {}
 
     void take(pybind11::handle object) override { message_ = message_from<T>(object, channel(), protocol_); }
     pybind11::object give() override { return object_of(*std::exchange(message_, std::nullopt)); }
@@ -78,15 +91,15 @@ private:
 };
 
 template <class T>
-std::vector<std::unique_ptr<ChannelEnd>> ends_for(const ProcessEnvironment& environment, const std::string& port,
+std::vector<std::shared_ptr<ChannelEnd>> ends_for(const ProcessEnvironment& environment, const std::string& port,
                                                   Direction direction, const char* protocol) {
-    std::vector<std::unique_ptr<ChannelEnd>> ends;
+    std::vector<std::shared_ptr<ChannelEnd>> ends;
     if (direction == Direction::input)
         for (const Input<T>& each : environment.inputs<T>(port))
-            ends.push_back(std::make_unique<EndFor<T>>(each, protocol));
+            ends.push_back(std::make_shared<EndFor<T>>(port, each, protocol));
     else
         for (const Output<T>& each : environment.outputs<T>(port))
-            ends.push_back(std::make_unique<EndFor<T>>(each, protocol));
+            ends.push_back(std::make_shared<EndFor<T>>(port, each, protocol));
     return ends;
 }
 
@@ -102,6 +115,20 @@ std::pair<const std::string, Protocol> protocol_for(const char* name) {
 }
 
 } // namespace
+
+void ChannelEnd::require_attached() const {
+    if (is_detached_)
+        throw UserError("the end " + port_ + " is used after its process has ended");
+}
+
+void ChannelEnd::require(Direction direction) const {
+    require_attached();
+    if (direction == direction_)
+        return;
+    throw pybind11::type_error(direction_ == Direction::output
+                                   ? port_ + " is an output end: use " + port_ + ".output(message)"
+                                   : port_ + " is an input end: use " + port_ + ".input()");
+}
 
 const Protocol& protocol_named(const std::string& name) {
     static const std::map<std::string, Protocol> protocols{

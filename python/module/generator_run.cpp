@@ -3,6 +3,7 @@
 #include "runtime/kernel.hpp"
 #include "runtime/parallel.hpp"
 #include "runtime/timer.hpp"
+#include "text/user_error.hpp"
 
 #include <stdexcept>
 #include <utility>
@@ -22,30 +23,56 @@ std::string place_of(py::object generator) {
         return "";
     const py::object frame = generator.attr("gi_frame");
     const auto file = frame.attr("f_code").attr("co_filename").cast<std::string>();
-    return file.substr(file.find_last_of('/') + 1) + ":" + py::str(frame.attr("f_lineno")).cast<std::string>();
+    return file.substr(file.find_last_of('/') + 1) + ":" + std::to_string(frame.attr("f_lineno").cast<int>());
+}
+
+/// Returns placedpar.Error with this text.
+py::object library_error(const std::string& text) {
+    return py::module_::import("placedpar.errors").attr("Error")(text);
 }
 
 } // namespace
 
+/// Notes the place at which the run is when its process leaves it, also if the process is unwound in a wait.
+class GeneratorRun::Leaving {
+public:
+    explicit Leaving(const GeneratorRun& run) : run_(run) {}
+    ~Leaving() { run_.note_place(); }
+    Leaving(const Leaving&) = delete;
+    Leaving& operator=(const Leaving&) = delete;
+
+private:
+    const GeneratorRun& run_;
+};
+
 GeneratorRun::~GeneratorRun() {
-    const bool waits = now_ && !result_;
+    // A generator that refuses to be closed is reported by Python, and does not affect the run.
+    python_.call([&] {
+        components_.clear();
+        generator_ = where_ = operation_ = result_ = py::object();
+    });
+}
+
+/// REQUIRES: the process that does the run is running.
+void GeneratorRun::note_place() const {
+    if (!now_)
+        return;
     try {
         python_.call([&] {
-            if (generator_ && waits)
-                python_.places.try_emplace(Kernel::current()->running().path(), place_of(generator_));
-            components_.clear();
-            generator_ = operation_ = result_ = py::object();
+            if (const std::string place = place_of(where_); !place.empty())
+                python_.places.try_emplace(Kernel::current()->running().path(), place);
         });
     } catch (const std::exception&) {
-        // A generator that refuses to be closed is reported by Python, and does not affect the run.
+        // The report of a deadlock then has the place in the library.
     }
 }
 
-void GeneratorRun::start(py::object component) {
+void GeneratorRun::start(py::object component, const py::object& enclosing) {
     if (PyGen_CheckExact(component.ptr())) {
-        generator_ = std::move(component);
+        generator_ = where_ = std::move(component);
         return;
     }
+    where_ = enclosing;
     if (!py::isinstance<Operation>(component))
         throw py::type_error("a component of pp.par is a generator or an operation");
     operation_ = std::move(component);
@@ -54,6 +81,7 @@ void GeneratorRun::start(py::object component) {
 }
 
 void GeneratorRun::finish() {
+    const Leaving leaving(*this);
     if (generator_)
         python_.call([&] { step(py::none()); });
     while (now_) {
@@ -66,18 +94,22 @@ void GeneratorRun::finish() {
 void GeneratorRun::step(py::object answer) {
     PyObject* yielded = nullptr;
     const PySendResult sent = PyIter_Send(generator_.ptr(), answer.ptr(), &yielded);
-    if (take(sent, yielded))
-        return;
+    if (!take(sent, yielded))
+        prepare_or_fail();
+}
+
+void GeneratorRun::prepare_or_fail() {
     try {
         prepare();
     } catch (const py::builtin_exception& error) {
-        fail(error.what());
+        fail(py::reinterpret_borrow<py::object>(PyExc_TypeError)(error.what()));
+    } catch (const UserError& error) {
+        fail(library_error(error.what()));
     }
 }
 
-/// Throws a TypeError at the generator's `yield`. A generator that handles it goes on with what it yields then.
-void GeneratorRun::fail(const std::string& why) {
-    const py::object error = py::reinterpret_borrow<py::object>(PyExc_TypeError)(why);
+/// Throws the error at the generator's `yield`. A generator that handles it goes on with what it yields then.
+void GeneratorRun::fail(const py::object& error) {
     try {
         py::object yielded = generator_.attr("throw")(error);
         if (!take(PYGEN_NEXT, yielded.release().ptr()))
@@ -111,33 +143,41 @@ void GeneratorRun::prepare() {
         throw py::type_error(py::str("a body yields operations, such as self.inp.input() or pp.compute(100), not {!r}")
                                  .format(operation_)
                                  .cast<std::string>());
-    if (now_->kind == Kind::output)
-        now_->end->take(now_->value);
-    if (now_->kind == Kind::alt) {
-        guards_.clear();
-        guarded_.clear();
-        for (const py::handle each : now_->value) {
-            guards_.push_back(guard_of(each));
-            guarded_.push_back(nullptr);
-            if (py::isinstance<ChannelEnd>(each))
-                guarded_.back() = each.cast<ChannelEnd*>();
-            else if (const auto* operation = each.cast<Operation*>(); operation->kind == Kind::input)
-                guarded_.back() = operation->end;
-        }
+    if (now_->end)
+        now_->end->require_attached();
+    switch (now_->kind) {
+    case Kind::output: return now_->end->take(now_->value);
+    case Kind::alt: return prepare_guards();
+    case Kind::par: return begin_components();
+    case Kind::skip:
+    case Kind::never: throw py::type_error("pp.skip and pp.when are guards of pp.alt, not operations");
+    default: break;
     }
-    if (now_->kind == Kind::par)
-        begin_components();
 }
 
+void GeneratorRun::prepare_guards() {
+    guards_.clear();
+    guarded_.clear();
+    for (const py::handle each : now_->value) {
+        std::shared_ptr<ChannelEnd> end;
+        if (py::isinstance<ChannelEnd>(each))
+            end = each.cast<std::shared_ptr<ChannelEnd>>();
+        else if (py::isinstance<Operation>(each) && each.cast<Operation*>()->kind == Kind::input)
+            end = each.cast<Operation*>()->end;
+        if (end)
+            end->require(Direction::input);
+        guards_.push_back(end ? Guard{Guard::input, &end->channel()} : guard_of(each));
+        guarded_.push_back(std::move(end));
+    }
+}
+
+/// Returns the guard of an operation other than an input.
 Guard GeneratorRun::guard_of(py::handle guard) const {
-    if (py::isinstance<ChannelEnd>(guard))
-        return {Guard::input, &guard.cast<ChannelEnd*>()->channel()};
     if (!py::isinstance<Operation>(guard))
         throw py::type_error("a guard of pp.alt is an input end, pp.wait, pp.until, pp.after, pp.skip or pp.when");
     const auto& operation = *guard.cast<Operation*>();
     switch (operation.kind) {
-    case Kind::input: return {Guard::input, &operation.end->channel()};
-    case Kind::wait: return {Guard::timeout, nullptr, now() + Time{operation.number}};
+    case Kind::wait: return {Guard::timeout, nullptr, later(now(), Time{operation.number})};
     case Kind::until: return {Guard::timeout, nullptr, Time{operation.number}};
     case Kind::after:
         return {Guard::timeout, nullptr, Timer().moment_after(static_cast<std::int32_t>(operation.number))};
@@ -150,7 +190,7 @@ Guard GeneratorRun::guard_of(py::handle guard) const {
 void GeneratorRun::begin_components() {
     components_.clear();
     for (const py::handle each : now_->value)
-        components_.emplace_back().start(py::reinterpret_borrow<py::object>(each));
+        components_.emplace_back().start(py::reinterpret_borrow<py::object>(each), where_);
 }
 
 /// Does the operation, without the lock. An error of the library is later thrown into the generator.
@@ -167,9 +207,8 @@ void GeneratorRun::carry_out() {
         case Kind::par: return run_components();
         case Kind::stop: return stop();
         case Kind::skip:
-        case Kind::never: break;
+        case Kind::never: return; // prepare() refused it
         }
-        refused_ = "pp.skip and pp.when are guards of pp.alt, not operations";
     } catch (const std::exception& error) {
         refused_ = error.what();
     }
@@ -177,7 +216,7 @@ void GeneratorRun::carry_out() {
 
 void GeneratorRun::alternate() {
     chosen_ = select(guards_);
-    if (ChannelEnd* end = guarded_[chosen_])
+    if (const auto& end = guarded_[chosen_])
         end->input();
 }
 
@@ -197,7 +236,7 @@ void GeneratorRun::answer() {
         result_ = result_of_operation();
         now_ = nullptr;
     } else if (!refused_.empty()) {
-        fail(std::exchange(refused_, ""));
+        fail(library_error(std::exchange(refused_, "")));
     } else {
         step(result_of_operation());
     }

@@ -82,4 +82,15 @@ std::string text_of(pybind11::handle exception) {
     return text.empty() ? type : type + ": " + text;
 }
 
+void rethrow(const SharedObject& failure, const char* error_class, const std::string& text) {
+    auto thrown = pybind11::reinterpret_borrow<pybind11::object>(failure.get());
+    if (PyErr_GivenExceptionMatches(thrown.ptr(), PyExc_Exception) != 0) {
+        const pybind11::object error = pybind11::module_::import("placedpar.errors").attr(error_class)(text);
+        error.attr("__cause__") = thrown;
+        thrown = error;
+    }
+    PyErr_SetObject(pybind11::type::of(thrown).ptr(), thrown.ptr());
+    throw pybind11::error_already_set();
+}
+
 } // namespace placedpar::python

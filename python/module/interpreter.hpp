@@ -84,4 +84,8 @@ private:
 /// REQUIRES: the caller holds the lock.
 std::string text_of(pybind11::handle exception);
 
+/// Throws what Python code threw, as the cause of an exception of this class in placedpar.errors. KeyboardInterrupt and
+/// SystemExit are thrown themselves. REQUIRES: the caller holds the lock.
+[[noreturn]] void rethrow(const SharedObject& failure, const char* error_class, const std::string& text);
+
 } // namespace placedpar::python

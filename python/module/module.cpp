@@ -1,6 +1,7 @@
 #include "python/module/network.hpp"
 #include "python/module/operation.hpp"
 #include "python/module/search.hpp"
+#include "python/module/signals.hpp"
 #include "python/module/study.hpp"
 #include "text/user_error.hpp"
 
@@ -20,4 +21,5 @@ PYBIND11_MODULE(_core, module) {
     add_networks(module);
     add_searches(module);
     add_studies(module);
+    pybind11::module_::import("atexit").attr("register")(pybind11::cpp_function(end_all_runs));
 }

@@ -46,6 +46,11 @@ py::list as_dicts(const std::vector<Diagnostic>& diagnostics) {
 
 py::object errors_of(const char* name) { return py::module_::import("placedpar.errors").attr(name); }
 
+/// Warns with the line of the user's program that called the package.
+void warn(const std::string& text) {
+    py::module_::import("warnings").attr("warn")(text, errors_of("NetlistWarning"), 3);
+}
+
 [[noreturn]] void refuse(const ReadResult& read) {
     const py::object error = errors_of("NetlistError")(render(read), as_dicts(read.diagnostics));
     PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.ptr())), error.ptr());
@@ -120,6 +125,9 @@ py::tuple timeline_of(const LoadedNetwork& network, const FinishedRun& run) {
     Timeline timeline(tracks, {}, rows);
     const FinishedRun again = repeated(network, run, timeline);
     timeline.finish(again.report.result);
+    if (const auto full = timeline.full_at())
+        warn("the timeline ends at " + to_string(*full) + ", where it is full with " +
+             std::to_string(TraceWindow{}.most_entries) + " entries: run(until=...) makes a shorter one");
     return rows.columns();
 }
 
@@ -141,19 +149,6 @@ void set_places(RunReport& report, const std::map<std::string, std::string>& pla
                 process.where = found->second;
 }
 
-/// Throws what a process in Python threw, as the cause of a ProcessError. KeyboardInterrupt is thrown itself.
-[[noreturn]] void rethrow(const SharedObject& failure, const std::string& text) {
-    const auto exception = py::reinterpret_borrow<py::object>(failure.get());
-    if (PyErr_GivenExceptionMatches(exception.ptr(), PyExc_Exception) == 0) {
-        PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(exception.ptr())), exception.ptr());
-        throw py::error_already_set();
-    }
-    const py::object error = errors_of("ProcessError")(text);
-    error.attr("__cause__") = exception;
-    PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.ptr())), error.ptr());
-    throw py::error_already_set();
-}
-
 } // namespace
 
 LoadedNetwork::LoadedNetwork(const LoadSettings& settings)
@@ -163,7 +158,7 @@ LoadedNetwork::LoadedNetwork(const LoadSettings& settings)
     if (!read.network)
         refuse(read);
     if (!read.diagnostics.empty())
-        py::module_::import("warnings").attr("warn")(render(read), errors_of("NetlistWarning"), 3);
+        warn(render(read));
     if (read.network->processes.empty() && read.network->nodes.empty())
         throw UserError(settings_.file + ": the netlist is empty: it declares no processors and no processes");
     network_ = std::move(*read.network);
@@ -198,6 +193,10 @@ FinishedRun LoadedNetwork::run(const RunOptions& options, TraceSink* trace) cons
     RunReport report = run_unlocked(settings, options);
     if (PyErr_CheckSignals() != 0)
         throw py::error_already_set();
+    if (report.result.ending == Ending::interrupted) {
+        PyErr_SetNone(PyExc_KeyboardInterrupt);
+        throw py::error_already_set();
+    }
     Manifest manifest{command, options.seed, settings_.set, settings_.read, options.until, options.shuffle};
     return {std::move(report), std::move(log), std::move(manifest), options};
 }
@@ -215,7 +214,7 @@ RunReport LoadedNetwork::run_unlocked(const RunSettings& settings, const RunOpti
         return report;
     } catch (const std::exception& error) {
         if (interpreter.failure().get())
-            rethrow(interpreter.failure(), error.what());
+            rethrow(interpreter.failure(), "ProcessError", error.what());
         throw;
     }
 }
@@ -247,10 +246,9 @@ void add_networks(py::module_& module) {
                                                                 std::move(set), std::move(read), std::move(kinds)});
         }))
         .def("run",
-             [](const LoadedNetwork& network, std::uint64_t seed, std::int64_t until_ps,
+             [](const LoadedNetwork& network, std::uint64_t seed, std::optional<std::int64_t> until_ps,
                 std::optional<std::uint64_t> shuffle, bool heeds_signals) {
-                 const Time until = until_ps < 0 ? Time::max() : Time{until_ps};
-                 return network.run({seed, until, shuffle, heeds_signals});
+                 return network.run({seed, limit_of_run(until_ps), shuffle, heeds_signals});
              })
         .def("report_json", json_of)
         .def("report_text", [](const LoadedNetwork& network,

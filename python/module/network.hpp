@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct RunOptions {
     std::optional<std::uint64_t> shuffle = {};
     bool heeds_signals = false; ///< the caller is Python's main thread
 };
+
+/// Returns the latest end of a run, from picoseconds; nothing stands for none.
+inline Time limit_of_run(std::optional<std::int64_t> until_ps) { return until_ps ? Time{*until_ps} : Time::max(); }
 
 /// A finished run of a network.
 struct FinishedRun {

@@ -28,9 +28,10 @@ Operation with_value(Kind kind, pybind11::object value) {
     return operation;
 }
 
-Operation of_end(Kind kind, ChannelEnd& end, pybind11::object message = {}) {
+Operation of_end(Kind kind, std::shared_ptr<ChannelEnd> end, pybind11::object message = {}) {
+    end->require(kind == Kind::input ? Direction::input : Direction::output);
     Operation operation = with_value(kind, std::move(message));
-    operation.end = &end;
+    operation.end = std::move(end);
     return operation;
 }
 
@@ -57,14 +58,18 @@ void add_messages(pybind11::module_& module) {
         .def("__repr__", [](const Packet& packet) {
             return "Packet(" + std::to_string(packet.number) + ", bytes=" + std::to_string(packet.bytes) + ")";
         });
-    pybind11::class_<ChannelEnd>(module, "ChannelEnd")
+    using End = std::shared_ptr<ChannelEnd>;
+    pybind11::class_<ChannelEnd, End>(module, "ChannelEnd")
         .def(
-            "input", [](ChannelEnd& end) { return of_end(Kind::input, end); }, "Inputs a message: yield it.")
+            "input", [](End end) { return of_end(Kind::input, std::move(end)); }, "Inputs a message: yield it.")
         .def(
             "output",
-            [](ChannelEnd& end, pybind11::object message) { return of_end(Kind::output, end, std::move(message)); },
+            [](End end, pybind11::object message) { return of_end(Kind::output, std::move(end), std::move(message)); },
             "Outputs the message: yield it.")
-        .def_property_readonly("channel", [](const ChannelEnd& end) { return end.channel().name(); });
+        .def_property_readonly("channel", [](const ChannelEnd& end) {
+            end.require_attached();
+            return end.channel().name();
+        });
 }
 
 } // namespace

@@ -4,7 +4,7 @@
 #include "runtime/time.hpp"
 
 #include <cstdint>
-#include <vector>
+#include <memory>
 
 namespace placedpar::python {
 
@@ -14,7 +14,7 @@ struct Operation {
     enum class Kind : unsigned char { output, input, compute, wait, until, after, alt, par, stop, skip, never };
 
     Kind kind = Kind::stop;
-    ChannelEnd* end = nullptr;
+    std::shared_ptr<ChannelEnd> end;
     std::int64_t number = 0;        ///< cycles of `compute`, picoseconds, or ticks of the clock (`after`)
     std::int64_t words_outside = 0; ///< of `compute`
     pybind11::object value;         ///< message of an output; tuple of guards (ALT) or components (PAR)

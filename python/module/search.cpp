@@ -6,12 +6,14 @@
 #include "gaprocs/objective_problem.hpp"
 #include "gaprocs/usual_settings.hpp"
 #include "python/module/callables.hpp"
+#include "python/module/signals.hpp"
 #include "report/search_log.hpp"
 #include "text/user_error.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <string_view>
 #include <utility>
 
 namespace placedpar::python {
@@ -64,6 +66,20 @@ private:
     SharedObject function_;
 };
 
+using Values = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// Returns what an objective returned as an array. Throws UserError for anything but real numbers.
+Values numbers_of(const py::object& returned) {
+    constexpr std::string_view kinds = "biuf"; // NumPy's whole and real numbers
+    const py::array any = py::array::ensure(returned);
+    if (any && kinds.find(any.dtype().kind()) != std::string_view::npos)
+        if (Values values = Values::ensure(any))
+            return values;
+    PyErr_Clear();
+    throw UserError("the objective must return numbers, an array of shape (n,): it returned " +
+                    py::repr(returned).cast<std::string>());
+}
+
 void PythonProblem::fitness_of(std::span<const Genome> population, std::span<const Sample>, double,
                                std::span<double> out) const {
     const std::size_t columns = parameters_->parameter_names().size();
@@ -71,14 +87,13 @@ void PythonProblem::fitness_of(std::span<const Genome> population, std::span<con
     double* to = rows.mutable_data();
     for (const Genome& genome : population)
         to = std::ranges::copy(parameters_->decode(genome), to).out;
-    using Values = py::array_t<double, py::array::c_style | py::array::forcecast>;
-    const Values values = Values::ensure(function_.get()(rows));
-    if (!values)
-        throw py::error_already_set();
-    if (static_cast<std::size_t>(values.size()) != population.size())
+    const py::object returned = function_.get()(rows);
+    const Values values = numbers_of(returned);
+    const auto count = static_cast<py::ssize_t>(population.size());
+    if (values.ndim() == 0 || values.shape(0) != count || values.size() != count)
         throw UserError("the objective of a population of shape (" + std::to_string(population.size()) + ", " +
-                        std::to_string(columns) + ") must have one number for each row, but has " +
-                        std::to_string(values.size()));
+                        std::to_string(columns) + ") must have one number for each row, but has the shape " +
+                        py::repr(values.attr("shape")).cast<std::string>());
     const Objective objective = *parameters_->objective();
     std::ranges::transform(std::span(values.data(), population.size()), out.begin(),
                            [&](double value) { return objective.fitness(value); });
@@ -113,19 +128,25 @@ py::dict dict_of(const SearchProblem& problem, const SearchResult& found) {
     return described;
 }
 
-/// Lets Ctrl-C end the search, and reports each generation of the last island.
+/// Keeps the log, and lets Ctrl-C, the end of Python and other threads come between two generations.
 class HeedfulLog final : public SearchObserver {
 public:
     explicit HeedfulLog(std::size_t islands) : log(island_names(islands)) {}
     void observe(const ObservedGeneration& event) override {
         log.observe(event);
+        { const py::gil_scoped_release turn_of_other_threads; }
         if (PyErr_CheckSignals() != 0)
             throw py::error_already_set();
+        if (interruption_.requested())
+            throw UserError("the search ends early, since Python ends");
     }
     void observe(const ObservedMigration& event) override { log.observe(event); }
     void observe(const ObservedAnswer& event) override { log.observe(event); }
 
     GenerationLog log;
+
+private:
+    InterruptedByKeyboard interruption_{false};
 };
 
 /// Runs the search on the record of the problem, or for so many generations if it has none.
@@ -180,19 +201,16 @@ py::dict search(const SearchProblem& coded, const RecordedProblem* recorded, con
         found["log_csv"] = log_csv(std::vector<SeededLog>{{options.seed, observer.log}});
         return found;
     } catch (const std::exception& error) {
-        if (!failure->get())
-            throw;
-        const py::object cause = py::reinterpret_borrow<py::object>(failure->get());
-        const py::object raised = py::module_::import("placedpar.errors").attr("Error")(error.what());
-        raised.attr("__cause__") = cause;
-        PyErr_SetObject(py::type::of(raised).ptr(), raised.ptr());
-        throw py::error_already_set();
+        if (failure->get())
+            rethrow(*failure, "Error", error.what());
+        throw;
     }
 }
 
 } // namespace
 
 void add_searches(py::module_& module) {
+    add_policies(module);
     module.def("search_function",
                [](const py::object& function, const Bounds& bounds, const std::vector<std::size_t>& bits,
                   bool maximises, std::size_t islands, std::size_t generations, std::uint64_t seed, std::string coding,

@@ -11,6 +11,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace placedpar::python {
@@ -73,12 +74,14 @@ void make_runs(const Study& study, StudyResults& results, const SweepOptions& op
     sweep.try_measures(interruption);
     const std::uint64_t missing = sweep.missing().runs;
     const std::size_t jobs = options.jobs > 0 ? options.jobs : count_cores();
-    sweep.run(std::min<std::uint64_t>(jobs, std::max<std::uint64_t>(missing, 1)), interruption,
-              [&](std::uint64_t ended) {
-                  const py::gil_scoped_acquire locked;
-                  if (!options.progress.is_none())
-                      options.progress(ended, missing);
-              });
+    const auto tell = [&](std::uint64_t ended) {
+        const py::gil_scoped_acquire locked;
+        if (!options.progress.is_none())
+            options.progress(ended, missing);
+    };
+    sweep.run(std::min<std::uint64_t>(jobs, std::max<std::uint64_t>(missing, 1)), interruption, tell);
+    if (!interruption.requested())
+        tell(missing);
 }
 
 py::dict row_of(const StudyRun& run, const StudyOutcome& outcome, const std::vector<StudyMeasure>& measures) {
@@ -122,9 +125,10 @@ py::list sweep(const LoadedNetwork& network, const SweepOptions& options) {
 }
 
 /// Runs the network, tries changes out, and returns the explanation as JSON and as text.
-py::tuple explain(const LoadedNetwork& network, std::uint64_t seed, std::int64_t until_ps, bool heeds_signals) {
+py::tuple explain(const LoadedNetwork& network, std::uint64_t seed, std::optional<std::int64_t> until_ps,
+                  bool heeds_signals) {
     require_file_and_kinds(network, "explain");
-    const Time until = until_ps < 0 ? Time::max() : Time{until_ps};
+    const Time until = limit_of_run(until_ps);
     CriticalPath path;
     FinishedRun run = network.run({seed, until, {}, heeds_signals}, &path);
     Explanation explanation = explanation_of(std::move(run.report), path);
@@ -147,11 +151,11 @@ void add_studies(py::module_& module) {
     module.def("explain", explain);
     module.def("sweep",
                [](const LoadedNetwork& network, std::vector<std::pair<std::string, std::vector<std::string>>> axes,
-                  std::vector<std::string> measures, std::uint64_t seed, std::uint64_t seeds, std::int64_t until_ps,
-                  std::string store, std::size_t jobs, bool heeds_signals, py::object progress) {
-                   const Time until = until_ps < 0 ? Time::max() : Time{until_ps};
-                   return sweep(network, {std::move(axes), std::move(measures), seed, seeds, until, std::move(store),
-                                          jobs, heeds_signals, std::move(progress)});
+                  std::vector<std::string> measures, std::uint64_t seed, std::uint64_t seeds,
+                  std::optional<std::int64_t> until_ps, std::string store, std::size_t jobs, bool heeds_signals,
+                  py::object progress) {
+                   return sweep(network, {std::move(axes), std::move(measures), seed, seeds, limit_of_run(until_ps),
+                                          std::move(store), jobs, heeds_signals, std::move(progress)});
                });
 }
 

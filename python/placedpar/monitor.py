@@ -25,7 +25,11 @@ class Monitor:
             self._socket.settimeout(timeout_s)
             self._socket.connect(unix)
         self._lines = self._socket.makefile("r", encoding="utf-8", newline="\n")
-        self.welcome = self.ask("welcome", type="hello", version=1, machine=machine, **hello)
+        try:
+            self.welcome = self.ask("welcome", type="hello", version=1, machine=machine, **hello)
+        except BaseException:
+            self.close()
+            raise
 
     def ask(self, answer: str, **message: Any) -> dict[str, Any]:
         """Sends a message and returns the next answer of this type. Alarms that come before it are kept in `alarms`."""
@@ -38,7 +42,8 @@ class Monitor:
             if came["type"] == "alarm":
                 self.alarms.append(came)
             elif came["type"] == "error":
-                raise Error(f"the monitor refuses the message: {came.get('text') or came.get('message') or line.strip()}")
+                field = f"{came['field']}: " if came["field"] else ""
+                raise Error(f"the monitor refuses the message: {field}{came['wrong']}, expected {came['right']}")
             elif came["type"] == answer:
                 return came
 

@@ -2,6 +2,7 @@
 
 import html
 import json
+import numbers
 import os
 import threading
 from datetime import timedelta
@@ -9,7 +10,7 @@ from pathlib import Path
 from typing import Any, Mapping, Optional, Sequence, Union
 
 from . import _core
-from .errors import Deadlock
+from .errors import Deadlock, Error
 from .tables import table, table_of_columns, table_of_csv
 
 
@@ -17,15 +18,27 @@ Time = Union[float, str, timedelta]
 FilePath = Union[str, "os.PathLike[str]"]
 
 
-def picoseconds(time: Optional[Time]) -> int:
-    """Returns a time in picoseconds: a number is in seconds, a text is as in a netlist ("20us"), None is no limit."""
-    if time is None:
-        return -1
+def picoseconds(time: Time) -> int:
+    """Returns a time in picoseconds: a number is in seconds, a text is as in a netlist ("20us")."""
     if isinstance(time, str):
         return _core.parse_time(time)
     if isinstance(time, timedelta):
         time = time.total_seconds()
+    if not 0 <= time <= 9.2e6:
+        raise Error(f"a time of {time} s, expected 0 to 9.2e6 s (virtual time lasts for 106 days)")
     return round(time * 1e12)
+
+
+def limit(time: Optional[Time]) -> Optional[int]:
+    """Returns the latest end of a run in picoseconds; None stands for none."""
+    return None if time is None else picoseconds(time)
+
+
+def seed_of(seed: int, what: str = "seed") -> int:
+    """Returns the seed. Raises Error if random numbers cannot begin with it."""
+    if not isinstance(seed, numbers.Integral) or not 0 <= seed < 2**64:
+        raise Error(f"{what} {seed!r}, expected a whole number from 0 to {2**64 - 1}")
+    return int(seed)
 
 
 def setting(value: Any) -> str:
@@ -150,9 +163,8 @@ class Run:
 class Network:
     """A netlist that has been read and checked. `load` makes it."""
 
-    def __init__(self, core: _core.Network, source: str) -> None:
+    def __init__(self, core: _core.Network) -> None:
         self._core = core
-        self.source = source  #: the text of the netlist
 
     def run(self, seed: int = 1, until: Optional[Time] = None, shuffle: Optional[int] = None) -> Run:
         """Runs the network in virtual time and returns a Run. Other Python threads go on meanwhile; Ctrl-C ends the run.
@@ -161,7 +173,8 @@ class Network:
         processes run in a random order. Raises Deadlock, ProcessError, and Error for a run that cannot be made.
         """
         is_main = threading.current_thread() is threading.main_thread()
-        core = self._core.run(seed, picoseconds(until), shuffle, is_main)
+        order = None if shuffle is None else seed_of(shuffle, "shuffle")
+        core = self._core.run(seed_of(seed), limit(until), order, is_main)
         run = Run(self._core, core)
         if core.outcome == "deadlock":
             raise Deadlock(core.deadlock_text(), run)
@@ -196,9 +209,12 @@ def load(netlist: FilePath, kinds: Sequence[type] = (), settings: Optional[Mappi
     include: folders of included files. faults: faults as in a netlist. use: kinds in place of programs, by name.
     Raises NetlistError, with file, line, column and hint of each error.
     """
+    for kind in kinds:
+        if not hasattr(kind, "_ports"):
+            raise TypeError(f"kinds are classes derived from placedpar.Process, not {kind!r}")
     text = os.fspath(netlist)
     is_text = ";" in text or "\n" in text
     values = {name: setting(value) for name, value in {**(settings or {}), **more_settings}.items()}
     core = _core.Network("netlist" if is_text else text, text if is_text else "", not is_text, values,
                          [os.fspath(folder) for folder in include], list(faults), dict(use or {}), list(kinds))
-    return Network(core, text if is_text else Path(text).read_text(encoding="utf-8", errors="replace"))
+    return Network(core)

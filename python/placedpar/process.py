@@ -20,6 +20,7 @@ from typing import Any, Generator, Optional, Union
 
 from . import _core
 from ._core import ChannelEnd, Operation, Packet, RandomStream, after, alt, never, par, skip, stop
+from .errors import Error
 from .network import Time, picoseconds
 
 __all__ = ["BYTE", "INT16", "INT64", "REAL32", "Input", "Inputs", "Output", "Outputs", "Packet", "Parameter", "Process",
@@ -86,7 +87,13 @@ class Parameter:
     def __init__(self, default: Any, unit: str = "", least: Optional[float] = None, most: Optional[float] = None,
                  about: str = "") -> None:
         is_type = isinstance(default, type)
-        self.type = {int: "integer", float: "real", str: "text"}[default if is_type else type(default)]
+        types = {int: "integer", float: "real", str: "text"}
+        kind = default if is_type else type(default)
+        if kind not in types:
+            raise TypeError(f"a parameter is an int, a float or a str, not {default!r}")
+        if kind is int and not is_type and not -2**63 <= default < 2**63:
+            raise Error(f"a parameter of {default}, expected a whole number of 64 bits")
+        self.type = types[kind]
         self.default = None if is_type else default
         self.unit, self.least, self.most, self.about = unit, least, most, about
         self.name = ""
@@ -146,7 +153,12 @@ class Process:
         parameters = []
         for name, value in cls._attributes().items():
             if isinstance(value, (int, float, str)) and not isinstance(value, bool):
-                value = Parameter(value)
+                try:
+                    value = Parameter(value)
+                except (Error, TypeError) as wrong:
+                    raise Error(f"{cls.__name__}.{name}: {wrong}") from None
+            if isinstance(value, (Parameter, _Port)) and name in ("name", "seed"):
+                raise Error(f"{cls.__name__}.{name}: each process has this attribute already: choose another name")
             if isinstance(value, Parameter):
                 value.name = name
                 parameters.append(value)

@@ -1,17 +1,19 @@
 """Searches by genetic algorithms, with the fitness in Python or of a problem that PlacedPar knows."""
 
+import math
 from typing import Any, Callable, Optional, Sequence, Union
 
 from . import _core
 from .errors import Error
+from .network import seed_of
 from .tables import table, table_of_csv
 
 
 class Found:
     """The result of a search: the best individual of all islands and generations.
 
-    x: its parameters, an array of shape (d,). value: its objective. fitness: what the search maximised. generation: the
-    generation, from 1, and island, from 0, that found it.
+    x: its parameters, an array of shape (d,). value: its objective. fitness: what the
+    search maximised. generation: the generation, from 1, and island, from 0, that found it.
     """
 
     x: Any
@@ -22,6 +24,9 @@ class Found:
 
     def __init__(self, found: dict[str, Any]) -> None:
         self._islands = found["islands"]
+        for island in self._islands:
+            if island["value"] is None:  # the objective was NaN for all individuals
+                island["value"] = math.nan
         self._csv = found["log_csv"]
         self.migrations: int = found["migrations"]  #: number of individuals that were sent to another island
         best = max(range(len(self._islands)), key=lambda i: float(self._islands[i]["fitness"]))
@@ -88,7 +93,8 @@ def search(problem: Any, bounds: Optional[Sequence[tuple[float, float]]] = None,
     topology(islands) -> for each island a list of its neighbours;
     schedule(exchange, neighbours) -> the neighbours that get emigrants; its attribute `every` counts generations;
     emigration(fitness, random) -> indices; its attribute `count` is their number;
-    acceptance(fitness, immigrants, random) -> for each immigrant the index of whom it replaces, or None.
+    acceptance(fitness, immigrants, random) -> for each immigrant the index of the individual that it replaces, or
+    None.
     Strings are arrays of bits, real numbers, or places of a permutation. Raises Error for settings that do not fit.
     """
     if islands == 1 and topology is None:
@@ -97,7 +103,7 @@ def search(problem: Any, bounds: Optional[Sequence[tuple[float, float]]] = None,
                      mutation_probability=mutation_probability)
     policies = _given(reproduction=reproduction, crossover=crossover, mutation=mutation, topology=topology,
                       schedule=schedule, emigration=emigration, acceptance=acceptance)
-    settings = (islands, generations, seed, coding, numbers, policies)
+    settings = (islands, generations, seed_of(seed), coding, numbers, policies)
     if isinstance(problem, str):
         return Found(_core.search_problem(problem, *settings))
     if not callable(problem) or hasattr(problem, "_evaluate"):

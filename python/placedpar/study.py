@@ -6,7 +6,7 @@ import threading
 from typing import Any, Callable, Mapping, Optional, Sequence, Union
 
 from . import _core
-from .network import Network, FilePath, Time, picoseconds, setting
+from .network import Network, FilePath, Time, limit, seed_of, setting
 from .tables import table
 
 
@@ -19,7 +19,7 @@ def sweep(network: Network, settings: Optional[Mapping[str, Any]] = None, seeds:
     linkspeed=["5M", "20M"]. seeds: number of seeds, from `seed` on. measure: one or several measures as in `placedpar
     sweep`, such as "master.T_exe" or "max(slave.T_c)"; "time" is in milliseconds. store: a file that keeps the runs,
     with which a later sweep goes on. jobs: number of threads; 0: one for each core. progress: a function that is called
-    with the numbers of runs made and of missing runs.
+    with the numbers of runs made and of missing runs, at the end also if nothing was missing.
 
     The table has a row for each run: the settings, seed, outcome, and the measures (None if the run has no such figure).
     Raises Error if the network was loaded from a text, or has processes in Python.
@@ -30,7 +30,7 @@ def sweep(network: Network, settings: Optional[Mapping[str, Any]] = None, seeds:
         axes.append((name, [setting(value) for value in ([values] if is_one else values)]))
     measures = [measure] if isinstance(measure, str) else list(measure)
     is_main = threading.current_thread() is threading.main_thread()
-    rows = _core.sweep(network._core, axes, measures, seed, seeds, picoseconds(until),
+    rows = _core.sweep(network._core, axes, measures, seed_of(seed), seed_of(seeds, "seeds"), limit(until),
                        "" if store is None else os.fspath(store), jobs, is_main, progress)
     columns = [name for name, _ in axes] + ["seed", "outcome"] + measures
     return table([{name: _number(value) for name, value in row.items()} for row in rows], columns)
@@ -73,4 +73,4 @@ class Explanation:
 def explain(network: Network, seed: int = 1, until: Optional[Time] = None) -> Explanation:
     """Runs a network, tries out changes of it, and returns an Explanation. Raises errors as `sweep`."""
     is_main = threading.current_thread() is threading.main_thread()
-    return Explanation(*_core.explain(network._core, seed, picoseconds(until), is_main))
+    return Explanation(*_core.explain(network._core, seed_of(seed), limit(until), is_main))

@@ -85,6 +85,9 @@ class Networks(unittest.TestCase):
         run = pp.load(CLOCK).run(until="1ms")
         self.assertEqual((run.outcome, run.time), ("stopped at the time limit", 1e-3))
         self.assertEqual(pp.load(CLOCK).run(until=0.001).fingerprint, run.fingerprint)
+        for wrong in ({"until": -1}, {"until": 1e9}, {"seed": -1}, {"seed": 2**64}):
+            with self.assertRaisesRegex(pp.Error, "expected (0 to 9.2e6 s|a whole number)"):
+                pp.load(CLOCK).run(**wrong)
 
     def test_a_deadlock_is_an_exception_with_the_cycle(self):
         with self.assertRaises(pp.Deadlock) as caught:
@@ -124,8 +127,10 @@ class Studies(unittest.TestCase):
             pp.sweep(net, slaves=[1], seeds=2, measure="master.T_exe", store=store)
             found = rows(pp.sweep(net, slaves=range(1, 3), linkspeed="10M", measure=["time", "master[0].T_exe"]))
             both = rows(pp.sweep(net, slaves=[1, 2], seeds=2, measure="master.T_exe", store=store,
-                                 progress=lambda ended, missing: made.append(missing)))
-        self.assertLessEqual(set(made), {0, 1, 2})
+                                 progress=lambda ended, missing: made.append((ended, missing))))
+            with self.assertRaisesRegex(pp.Error, "0 seeds, expected at least 1"):
+                pp.sweep(net, slaves=[1], seeds=0)
+        self.assertEqual(made[-1], (2, 2))
         self.assertEqual([(row["slaves"], row["seed"]) for row in both], [(1, 1), (1, 2), (2, 1), (2, 2)])
         self.assertEqual([row["slaves"] for row in found], [1, 2])
         run = pp.load(FIGURE_E2, slaves=2, linkspeed="10M").run()

@@ -1,5 +1,10 @@
 """Tests process kinds in Python: their operations, their times, kinds in C++ beside them, and their errors."""
 
+import os
+import signal
+import subprocess
+import sys
+import threading
 import unittest
 
 import placedpar as pp
@@ -202,12 +207,30 @@ class Operations(unittest.TestCase):
     def test_a_body_may_need_a_deep_stack(self):
         class Deep(pp.Process):
             def body(self):
-                nested = None
-                for _ in range(400):
-                    nested = [nested]
-                self.measure("length", len(repr(nested)))
+                self.measure("value", eval("(" * 150 + "7" + ")" * 150))  # Python's parser needs more than 256 KB
                 yield pp.compute(1)
-        self.assertEqual(alone(Deep)["length"], 804)
+        self.assertEqual(alone(Deep)["value"], 7)
+
+    def test_ends_and_measure_outlast_their_process(self):
+        kept = []
+
+        class Keeper(Numbers):
+            def body(self):
+                kept.append(self)
+                yield from Numbers.body(self)
+        pair(Keeper, Sum).run()
+        for use in (lambda: kept[0].out.channel, lambda: kept[0].out.output(1)):
+            with self.assertRaisesRegex(pp.Error, "the end out is used after its process has ended"):
+                use()
+        with self.assertRaisesRegex(pp.Error, "after its process has ended"):
+            kept[0].measure("late", 1)
+
+    def test_a_long_timeout_of_alt_is_never_over(self):
+        class Patient(pp.Process):
+            def body(self):
+                yield pp.wait("1s")
+                self.measure("chosen", (yield pp.alt(pp.wait(9.2e6), pp.wait("1ms")))[0])
+        self.assertEqual(alone(Patient)["chosen"], 1)
 
 
 class Errors(unittest.TestCase):
@@ -256,6 +279,21 @@ class Errors(unittest.TestCase):
             yield pp.alt(pp.compute(3))
         self.failing(guards, "a computation is not a guard")
 
+        def inputs(self):
+            yield self.out.input()
+        self.failing(inputs, r"out is an output end: use out.output\(message\)")
+
+    def test_what_describes_no_kind_is_refused(self):
+        for wrong, message in ((lambda: pp.Parameter(True), "an int, a float or a str, not True"),
+                               (lambda: pp.load(MACHINE, kinds=[int]), "derived from placedpar.Process"),
+                               (lambda: pp.wait(1e30), "expected 0 to 9.2e6 s")):
+            with self.assertRaisesRegex((pp.Error, TypeError), message):
+                wrong()
+        for name, value, message in (("great", 2**70, "Wrong.great: a parameter of"), ("seed", 3, "Wrong.seed")):
+            kind = type("Wrong", (pp.Process,), {name: value, "body": lambda self: None})
+            with self.assertRaisesRegex(pp.Error, message):
+                pp.load(MACHINE, kinds=[kind])
+
     def test_a_deadlock_has_the_cycle_and_the_lines(self):
         class Ring(pp.Process):
             inp = pp.Input(int)
@@ -272,6 +310,21 @@ class Errors(unittest.TestCase):
         self.assertIn("cycle: a -> b -> a", str(caught.exception))
         self.assertEqual(str(caught.exception).count(f"process_test.py:{line}"), 2)
 
+    def test_a_deadlock_in_a_par_has_the_lines_of_the_components(self):
+        class Waiting(pp.Process):
+            inp = pp.Input(int)
+            out = pp.Output(int)
+
+            def body(self):
+                def half():
+                    yield self.inp.input()  # waits here
+                yield pp.par(half(), pp.wait("1ms"))
+                yield self.out.output(1)
+        net = pp.load('T800 (memory = 1M) t; process a, b; use "Waiting" for a; use "Waiting" for b;\n'
+                      'connect a.out to b.inp; connect b.out to a.inp; place a on t; place b on t;', kinds=[Waiting])
+        with self.assertRaisesRegex(pp.Deadlock, f"process_test.py:{Waiting.body.__code__.co_firstlineno + 2}"):
+            net.run()
+
     def test_generators_are_closed_at_the_end(self):
         closed = []
 
@@ -286,13 +339,31 @@ class Errors(unittest.TestCase):
             pair(Endless, Sum).run()
         self.assertEqual(closed, ["q"])
 
-    def test_ctrl_c_ends_a_loop_without_operations(self):
-        class Loop(pp.Process):
-            def body(self):
-                raise KeyboardInterrupt
-                yield
-        with self.assertRaises(KeyboardInterrupt):
-            alone(Loop)
+    def test_ctrl_c_ends_loops_with_and_without_operations(self):
+        def computes(self):
+            while True:
+                yield pp.compute(1)
+
+        def hangs(self):
+            while True:
+                pass
+            yield
+        for body in (computes, hangs):
+            with self.subTest(body.__name__):
+                threading.Timer(0.2, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+                with self.assertRaises(KeyboardInterrupt):
+                    alone(type("Loop", (pp.Process,), {"body": body}))
+
+    def test_python_ends_while_a_thread_runs_a_network(self):
+        program = ("import threading, time, placedpar as pp\n"
+                   "class Loop(pp.Process):\n"
+                   "    def body(self):\n"
+                   "        while True: yield pp.compute(10)\n"
+                   "net = pp.load('T800 (memory = 1M) t; process p; use \"Loop\" for p; place p on t;', kinds=[Loop])\n"
+                   "threading.Thread(target=net.run, daemon=True).start()\n"
+                   "time.sleep(0.2)\n")
+        ended = subprocess.run([sys.executable, "-c", program], stderr=subprocess.PIPE, text=True)
+        self.assertEqual(ended.returncode, 0, ended.stderr)
 
     def test_a_sweep_refuses_processes_in_python(self):
         with self.assertRaisesRegex(pp.Error, "one at a time"):

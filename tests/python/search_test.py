@@ -82,6 +82,16 @@ class Searches(unittest.TestCase):
         self.assertEqual(seen, {((10,), "f")})
         self.assertLess(found.value, 1e-2)
 
+    def test_the_random_stream_of_a_policy_ends_with_its_call(self):
+        kept = []
+
+        def all_of_them(fitness, count, random):
+            kept.append(random)
+            return [random.below(len(fitness)) for _ in range(count)]
+        pp.search(sphere, BOX, reproduction=all_of_them, generations=2)
+        with self.assertRaisesRegex(pp.Error, "only during the call of the policy"):
+            kept[0].below(5)
+
     def test_a_population_is_one_array(self):
         shapes = []
         pp.search(lambda rows: shapes.append(rows.shape) or rows.sum(axis=1), BOX, population=30, generations=3)
@@ -116,15 +126,22 @@ class Searches(unittest.TestCase):
     def test_errors_say_what_would_be_right(self):
         for message, arguments in (
                 ("did you mean \"tournament\"", {"reproduction": "tournamnet"}),
-                ("shape \\(120, 10\\) must have one number for each row, but has 1200", {"problem": lambda rows: rows}),
-                ("low", {"bounds": [(5, -5)]}), ("has no policy", {"topology": "torus(3)", "islands": 4}),
-                ("ZeroDivisionError", {"reproduction": lambda fitness, count, random: 1 / 0})):
+                ("shape \\(120, 10\\) must have one number for each row, but has the shape \\(120, 10\\)", {"problem": lambda rows: rows}),
+                ("low", {"bounds": [(5, -5)]}), ("a torus of 4 islands cannot have 3 rows", {"topology": "torus(3)", "islands": 4}),
+                ("must return numbers", {"problem": lambda rows: ["one"] * len(rows)}),
+                ("but has the shape \\(60, 2\\)", {"problem": lambda rows: rows.reshape(-1)[:120].reshape(60, 2)}),
+                ("reproduction: ZeroDivisionError", {"reproduction": lambda fitness, count, random: 1 / 0})):
             with self.assertRaises(pp.Error) as caught:
                 pp.search(**{"problem": sphere, "bounds": BOX, **arguments})
-            if "no policy" not in message:
-                self.assertRegex(str(caught.exception), message)
+            self.assertRegex(str(caught.exception), message)
         with self.assertRaises(ZeroDivisionError):
             pp.search(lambda rows: 1 / 0, BOX)
+
+        def interrupts(fitness, count, random):
+            raise KeyboardInterrupt
+        with self.assertRaises(KeyboardInterrupt):
+            pp.search(sphere, BOX, reproduction=interrupts)
+        self.assertIn("value nan", repr(pp.search(lambda rows: numpy.full(len(rows), numpy.nan), BOX, generations=2)))
         with self.assertRaisesRegex(TypeError, "needs bounds"):
             pp.search(sphere)
 
