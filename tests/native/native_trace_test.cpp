@@ -92,8 +92,8 @@ TEST_CASE("the trace of a native run has the messages of the simulated run, in a
         CHECK(told.end >= report.result.time);
         CHECK(told.end < report.result.time + Time(1us)); // two notices of one time are told 1 ns apart
         CHECK(trace.warning() == "");
-        for (const auto& [process, doing] : told.lanes)
-            CHECK_MESSAGE(doing.activity == Activity::ended, process);
+        for (const auto& lane : told.lanes)
+            CHECK_MESSAGE(lane.second.activity == Activity::ended, lane.first);
         for (const ProcessUse& process : report.processes)
             CHECK(told.lanes.at(process.name).place == process.processor);
     }
