@@ -167,7 +167,8 @@ Reply Server::reply_for_stream(RequestTag tag, RequestFields& fields) {
         return Reply::success_if(stream->seek(offset, fields.word()));
     }
     case RequestTag::tell: return position_of(*stream);
-    case RequestTag::eof: return Reply::success_if(stream->at_end());
+    case RequestTag::eof: // a poll for a key has seen the end of standard input, too
+        return Reply::success_if(stream->at_end() || (number == 0 && was_out_of_keys_));
     case RequestTag::ferror: return error_of(*stream);
     case RequestTag::isatty: return success().byte(stream->is_terminal() ? 1 : 0);
     default: return success(); // flush: nothing is ever held back

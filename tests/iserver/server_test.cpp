@@ -242,6 +242,7 @@ TEST_CASE("a program may poll for a key while it works, but not for ever") {
     for (std::size_t poll = 1; poll < iserver::Server::most_polls; ++poll)
         REQUIRE(program.answer(Request(31)).state == ServerState::running);
     CHECK(program.server().was_out_of_keys());
+    CHECK(program.succeeds(Request(19).word(0))); // eof
     CHECK(program.write(1, ".") == 1);
     for (std::size_t poll = 1; poll < iserver::Server::most_polls; ++poll)
         REQUIRE(program.answer(Request(31)).reply == failed);

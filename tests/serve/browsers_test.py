@@ -164,7 +164,7 @@ class InBrowsers(ServiceTest):
         """Runs a program that never ends, runs it again, stops it, and leaves it for another program."""
         stop, examples = "document.getElementById('stop')", "document.getElementById('examples')"
         tab.value("document.getElementById('new').click()")
-        tab.value(f"editors.occam.setValue({json.dumps(FOREVER)})")
+        tab.value(f"{EDITOR.replace('netlist', 'occam')}.setValue({json.dumps(FOREVER)})")
         for _ in range(2):
             tab.value("document.getElementById('run').click()")
             time.sleep(1)

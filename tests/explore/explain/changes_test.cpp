@@ -102,7 +102,7 @@ TEST_CASE("the answers begin with the shortest run, and a change without effect 
     };
     const Interruption none;
     const std::vector<Answer> answers =
-        try_out(changes, {}, {changed, 1, Time::max(), none, [](std::size_t, std::size_t) {}});
+        try_out(changes, {}, {changed, 1, Time::max(), none, [](std::size_t, std::size_t) {}, 2});
     REQUIRE(answers.size() == 4);
     CHECK(answers[0].change.change == "less");
     CHECK(answers[1].change.change == "half");
