@@ -38,7 +38,7 @@ class Site(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         cls.html = pathlib.Path(cls.folder.name) / "html"
         subprocess.run([sys.executable, TREE / "tools/site/build.py", os.environ["PLACEDPAR"], os.environ["PLACEDPAR_HEADERS"],
-                        cls.folder.name], check=True)
+                        cls.folder.name, "--python", os.environ["PLACEDPAR_PYTHON"]], check=True)
         cls.pages = {file: Links(file) for file in cls.html.glob("**/*.html") if "runs" not in file.relative_to(cls.html).parts}
 
     @classmethod
@@ -73,6 +73,11 @@ class Site(unittest.TestCase):
         page = (self.html / "interfaces/cpp/runtime.html").read_text()
         self.assertIn("Waits until a guard is ready and returns its index.", page)
         self.assertNotIn("detail::", page)
+
+    def test_the_interfaces_in_python_are_printed(self):
+        page = (self.html / "interfaces/python.html").read_text()
+        self.assertIn('id="placedpar.load"', page)
+        self.assertIn("A deadlock", page)
 
     def search(self, words):
         return (self.html / "search.html").as_uri() + "?q=" + urllib.parse.quote(words)

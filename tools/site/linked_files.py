@@ -7,7 +7,7 @@ import posixpath
 from docutils import nodes
 from sphinx import addnodes
 
-LANGUAGES = {".hpp": "cpp", ".cfs": "netlist", ".inc": "netlist", ".occ": "occam", ".pgm": "occam", ".svg": "xml"}
+LANGUAGES = {".hpp": "cpp", ".cfs": "netlist", ".inc": "netlist", ".occ": "occam", ".pgm": "occam", ".svg": "xml", ".ipynb": "json"}
 LONGEST = 200_000  # characters of a file that are shown
 
 
