@@ -158,11 +158,11 @@ class LanguageServer(unittest.TestCase):
         self.wait_for(uri, ['the name "m" is undefined'])
 
     def test_a_change_without_a_version_is_checked(self):
-        uri = self.open("a.cfs", "val n 3;\nT800 t[n];\n")
+        uri = self.open("a.cfs", NETLIST)
         self.assertEqual(self.client.checked(uri), [])
         self.client.notify("textDocument/didChange", {"textDocument": {"uri": uri, "version": None},
-                                                      "contentChanges": [{"text": "T800 t[n];\n"}]})
-        self.wait_for(uri, ['the name "n" is undefined'])
+                                                      "contentChanges": [{"text": NETLIST.replace("val n 3", "val n m")}]})
+        self.wait_for(uri, ['the name "m" is undefined'])
         self.assertNotIn("version", self.client.diagnostics[uri])
 
     def test_a_file_that_is_to_be_included_is_read_alone(self):
