@@ -102,7 +102,7 @@ class OnRanks(unittest.TestCase):
         with start(3, *LONG) as mpirun:
             while len(ranks_of(mpirun)) < 3:
                 time.sleep(0.01)
-            time.sleep(1)
+            time.sleep(3)  # MPI begins slowly while tests run beside
             for rank in ranks_of(mpirun).values():  # as mpirun does, which itself ends the output of the ranks
                 os.kill(rank, signal.SIGINT)
             begun = time.monotonic()
