@@ -11,6 +11,8 @@ from serving import ServiceTest
 STUDENTS, RUNS = 30, 4
 SMALL = ("csp/commstime/commstime.cfs", "csp/deadlock/ring.cfs", "occam/hello/hello.occ", "csp/philosophers/philosophers.cfs")
 
+LONGEST_S = float(os.environ.get("PLACEDPAR_LONGEST_WAIT", 2))  # 95 of 100 answers take less
+
 
 class Crowd(ServiceTest):
     def study(self, student, waits, wrong):
@@ -37,7 +39,7 @@ class Crowd(ServiceTest):
         return p95
 
     def test_thirty_students(self):
-        self.assertTrue(self.p95() < 2 or self.p95() < 2)  # another program of the computer may disturb one measurement
+        self.assertTrue(self.p95() < LONGEST_S or self.p95() < LONGEST_S)  # another program may disturb one measurement
 
 
 if __name__ == "__main__":
