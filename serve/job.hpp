@@ -15,9 +15,10 @@ namespace placedpar::serve {
 ///   "exercise"  the number of the exercise that "main" solves
 ///   "keys"      the keys that are pressed for a program; none if it is missing
 ///
-/// The answer to "check" is {"faults": [...]}. The other answers have "ended", and of these members those that the job
-/// is about: "faults" and "refused" (why there is no run, as the command line prints it),
-/// "output" (of booted programs), "report", "page" (HTML), "explanation", "listing", "verdict".
+/// The answer to "check" is {"faults": [...]}. The other answers have "ended" and "warnings". If there is no run, they
+/// have "faults" and "refused", which says why as the command line does. After a run they have "output" (of booted
+/// programs), "report" and "page" (HTML), and the "explanation" or "listing" that was asked for; after an exercise,
+/// "verdict".
 ///
 /// "ended" is the ending of the run as name_of(Ending) writes it, "solved" or "not solved" after an exercise, "refused"
 /// if there is no run, or "failed" after a failure. A process that is killed at a limit has no answer; the service

@@ -36,8 +36,8 @@ struct WhatIfs {
     std::size_t at_once; ///< number of runs at a time
 };
 
-/// Makes the changed runs. Returns the shortest completed runs first, then runs that did not
-/// complete, then changes with which the netlist is refused. `path` is the critical path of the unchanged run.
+/// Makes the changed runs. Returns the shortest completed runs first, then runs that did not complete, then changes
+/// with which the netlist is refused. `path` is the critical path of the unchanged run.
 std::vector<Answer> try_out(const std::vector<Change>&, const std::vector<PathPart>& path, const WhatIfs&);
 
 } // namespace placedpar
