@@ -5,6 +5,7 @@
 #include "runtime/kernel.hpp"
 #include "runtime/process.hpp"
 #include "runtime/user_code.hpp"
+#include "text/meaning.hpp"
 #include "text/nearest.hpp"
 #include "text/output_file.hpp"
 #include "text/paint.hpp"
@@ -76,19 +77,64 @@ std::string meant_by(const DeclaredCommand& program, std::span<char*> words) {
     return is_file(first) && program.command("run") ? "run " + first : "";
 }
 
+std::vector<NamedMeaning> meanings_of_options(const DeclaredCommand& command) {
+    std::vector<NamedMeaning> meanings;
+    for (const std::string& name : command.names_of_options())
+        meanings.push_back({name, command.option(name)->about});
+    return meanings;
+}
+
+std::vector<NamedMeaning> meanings_of_commands(const DeclaredCommand& program) {
+    std::vector<NamedMeaning> meanings;
+    for (const DeclaredCommand& each : program.commands)
+        meanings.push_back({each.name, each.about});
+    return meanings;
+}
+
 /// Throws UserError if the first word is not a command. CLI11 would report a missing command first.
 void require_command(const DeclaredCommand& program, std::span<char*> words) {
     std::string first = words.front();
     bool option = first.starts_with('-');
     std::string name = option ? first.substr(0, first.find('=')) : first;
-    std::vector<std::string> known = option ? program.names_of_options() : program.names_of_commands();
-    if (std::ranges::find(known, name) != known.end())
+    std::vector<NamedMeaning> known = option ? meanings_of_options(program) : meanings_of_commands(program);
+    if (std::ranges::find(known, name, &NamedMeaning::name) != known.end())
         return;
     if (std::string meant = meant_by(program, words); !meant.empty())
         throw UserError(fmt::format("unknown command \"{}\"; did you mean {} {}?", name, program_name(), meant));
     throw UserError(
         unknown_name(option ? "option" : "command", name, known,
                      fmt::format("{} --help lists the {}s", program_name(), option ? "option" : "command")));
+}
+
+bool takes_option(const DeclaredCommand& command, const std::string& name) { return command.option(name) != nullptr; }
+
+bool takes_settings_as_arguments(const DeclaredCommand& command) {
+    return std::ranges::find(command.options, "SETTING", &DeclaredOption::label) != command.options.end();
+}
+
+/// Says how the command sets a value of the netlist, for users who typed it in another way; "" if it does not set any.
+std::string how_to_set(const DeclaredCommand& command, const std::string& setting) {
+    if (takes_settings_as_arguments(command))
+        return fmt::format("values of the netlist are set without an option: {}", setting);
+    return takes_option(command, "--set") ? fmt::format("a value of the netlist is set by --set {}", setting) : "";
+}
+
+[[noreturn]] void refuse_option(const DeclaredCommand& command, const std::string& typed, const std::string& whose) {
+    const std::string option = typed.substr(0, typed.find('='));
+    if (option == "--set" && takes_settings_as_arguments(command))
+        throw UserError(fmt::format("{} has no option --set; leave it out: settings are arguments, such as slaves=0..7",
+                                    whose));
+    std::string otherwise = how_to_set(command, option.substr(option.find_first_not_of('-')) + "=VALUE");
+    if (otherwise.empty())
+        otherwise = fmt::format("{} --help lists the options", whose);
+    throw UserError(unknown_name("option", option, meanings_of_options(command), otherwise));
+}
+
+[[noreturn]] void refuse_argument(const DeclaredCommand& command, const std::string& argument,
+                                  const std::string& whose) {
+    const std::string hint = argument.find('=') == std::string::npos ? "" : how_to_set(command, argument);
+    throw UserError(fmt::format("{} takes no further argument: \"{}\"{}{}", whose, argument, hint.empty() ? "" : "; ",
+                                hint));
 }
 
 /// Throws UserError for arguments that no option takes.
@@ -100,10 +146,8 @@ void require_command(const DeclaredCommand& program, std::span<char*> words) {
     auto option =
         std::ranges::find_if(extras, [](const std::string& each) { return each.size() > 1 && each[0] == '-'; });
     if (option != extras.end())
-        throw UserError(unknown_name("option", option->substr(0, option->find('=')),
-                                     declared(command).names_of_options(),
-                                     fmt::format("{} --help lists the options", name)));
-    throw UserError(fmt::format("{} takes no further argument: \"{}\"", name, extras.empty() ? "" : extras.front()));
+        refuse_option(declared(command), *option, name);
+    refuse_argument(declared(command), extras.empty() ? "" : extras.front(), name);
 }
 
 /// Throws UserError for an option that takes one value but was given several.

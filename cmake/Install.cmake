@@ -36,7 +36,7 @@ install(CODE "set(bindir \"${CMAKE_INSTALL_BINDIR}\")\nset(build \"${PROJECT_BIN
 # The program reads the examples; who reads the documents finds them beside these, as in the sources.
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/placedpar)
 install(DIRECTORY docs DESTINATION ${doc}/placedpar)
-install(FILES README.md LICENSE DESTINATION ${doc}/placedpar)
+install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION ${doc}/placedpar)
 file(RELATIVE_PATH examples_from_doc ${CMAKE_INSTALL_FULL_DATAROOTDIR}/doc/placedpar ${CMAKE_INSTALL_FULL_DATADIR}/placedpar/examples)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/link)
 file(CREATE_LINK ${examples_from_doc} ${PROJECT_BINARY_DIR}/link/examples SYMBOLIC)

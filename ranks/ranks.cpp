@@ -9,7 +9,6 @@
 #include <array>
 #include <cstdlib>
 #include <exception>
-#include <filesystem>
 #include <system_error>
 #include <thread>
 
@@ -22,18 +21,25 @@ bool started_as_rank() {
     return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMIX_NAMESPACE") != nullptr;
 }
 
-/// Loads the module from the program's folder, from the folder of the installation, or as the system's linker finds it.
+constexpr const char* module_name = "placedpar_mpi.so";
+
+/// Loads the module from its place, or as the system's linker finds it. Returns null if there is none.
 void* load_module() {
-    const std::filesystem::path name = "placedpar_mpi.so";
-    std::error_code unknown;
-    std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path();
-    for (const auto& path : {folder / name, folder.parent_path() / "lib" / "placedpar" / name, name})
-        if (void* module = dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL)) // global for Open MPI's own modules
-            return module;
-    return nullptr;
+    const std::filesystem::path place = module_of_ranks();
+    const std::string path = place.empty() ? module_name : place.string();
+    return dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL); // global for Open MPI's own modules
 }
 
 } // namespace
+
+std::filesystem::path module_of_ranks() {
+    std::error_code unknown;
+    const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path();
+    for (const auto& path : {folder / module_name, folder.parent_path() / "lib" / "placedpar" / module_name})
+        if (std::filesystem::exists(path, unknown))
+            return path;
+    return {};
+}
 
 std::unique_ptr<Ranks> ranks_of_mpirun() {
     if (!started_as_rank())

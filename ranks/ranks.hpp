@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -45,6 +46,10 @@ Ranks::Message wait_for_message(Ranks&);
 ///
 /// MPI is loaded by this call, as a separate module (app/mpi), so that a program without ranks does not need MPI.
 std::unique_ptr<Ranks> ranks_of_mpirun();
+
+/// Returns the file of that module: beside the program, or in the folder of the installation. Returns an empty path if
+/// there is neither.
+std::filesystem::path module_of_ranks();
 
 /// Ends a command that several ranks cannot share. If there are several ranks, throws UserError in rank 0 and returns
 /// true in the other ranks, which must then end silently.

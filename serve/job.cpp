@@ -44,6 +44,7 @@ constexpr std::size_t most_output_bytes = 256u << 10, largest_page_bytes = 8u <<
 struct Job {
     std::string task, main, exercise, keys;
     TextsInMemory files;
+    std::optional<std::string> expected = {};
     std::uint64_t seed = 1;
 };
 
@@ -60,6 +61,8 @@ Job job_of(const std::string& text) {
         job.files.put(std::string(name), std::string(content.as_string()));
     if (const json::value* seed = object.if_contains("seed"))
         job.seed = seed->to_number<std::uint64_t>();
+    if (object.contains("expected"))
+        job.expected = text_in(object, "expected");
     return job;
 }
 
@@ -186,10 +189,13 @@ void run(const Job& job, Loaded& loaded, Interruption& interruption, json::objec
 }
 
 void check_exercise(const Job& job, const Loaded& loaded, Interruption& interruption, json::object& answer) {
-    const SolutionVerdict verdict = check_solution(loaded.network, exercise_of(job.exercise), interruption);
+    const Exercise exercise = job.expected ? Exercise{"", "", *job.expected} : exercise_of(job.exercise);
+    const SolutionVerdict verdict = check_solution(loaded.network, exercise, interruption);
     const bool interrupted = verdict.end == StudentRun::End::interrupted;
     answer["ended"] = interrupted ? "interrupted" : verdict.wrong.empty() ? "solved" : "not solved";
     answer["verdict"] = interrupted ? "the check took too long" : verdict.text();
+    answer["result"] = name_of(verdict.end, verdict.wrong);
+    answer["simulated_ms"] = std::chrono::duration<double, std::milli>(verdict.time).count();
 }
 
 json::array faults_of(const std::string& main) {

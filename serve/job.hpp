@@ -13,12 +13,13 @@ namespace placedpar::serve {
 ///   "files"     {name: text}; no other file is read
 ///   "seed"      of the run; 1 if it is missing
 ///   "exercise"  the number of the exercise that "main" solves
+///   "expected"  what a solution prints, if the task is not an exercise of the course
 ///   "keys"      the keys that are pressed for a program; none if it is missing
 ///
 /// The answer to "check" is {"faults": [...]}. The other answers have "ended" and "warnings". If there is no run, they
 /// have "faults" and "refused", which says why as the command line does. After a run they have "output" (of booted
 /// programs), "report" and "page" (HTML), and the "explanation" or "listing" that was asked for; after an exercise,
-/// "verdict".
+/// "verdict", "result" (name_of(StudentRun::End)) and "simulated_ms".
 ///
 /// "ended" is the ending of the run as name_of(Ending) writes it, "solved" or "not solved" after an exercise, "refused"
 /// if there is no run, or "failed" after a failure. A process that is killed at a limit has no answer; the service

@@ -40,6 +40,7 @@ public:
     std::chrono::steady_clock::time_point since() const { return since_; }
 
     void read() {
+        state_ = State::reading;
         parser_.emplace();
         parser_->header_limit(most_header_bytes);
         parser_->body_limit(server_->settings_.most_body_bytes);
@@ -67,13 +68,19 @@ public:
     }
 
 private:
+    enum class State {
+        reading, ///< a request
+        waiting, ///< for the handler's answer
+        answering
+    };
+
     /// Reads the body, except a large body of a request that is refused or comes without the token: many such bodies
     /// would fill the memory. A small body is always read, since a client may send it all before it reads the answer.
     void take_header() {
         if (!server_)
             return;
-        last_ = has_large_body() && (!trusted() || refused());
-        if (last_)
+        closes_ = has_large_body() && (!trusted() || refused());
+        if (closes_)
             take();
         else
             read_body();
@@ -97,7 +104,7 @@ private:
 
     /// Answers a request whose body is too large to be read.
     void refuse_body() {
-        last_ = true;
+        closes_ = true;
         std::optional<Answer> refusal = refused();
         answer(refusal ? std::move(*refusal)
                        : Answer{413, plain,
@@ -114,15 +121,15 @@ private:
     }
 
     void hand_on() {
-        answered_ = false;
-        withdraw_ = server_->handler_(request(), [self = shared_from_this()](Answer answer) {
-            if (!std::exchange(self->answered_, true))
+        state_ = State::waiting;
+        Withdraw withdraw = server_->handler_(request(), [self = shared_from_this()](Answer answer) {
+            if (self->state_ == State::waiting)
                 self->answer(std::move(answer));
         });
-        if (answered_)
-            withdraw_ = {};
-        else if (withdraw_)
-            watch();
+        if (state_ != State::waiting || !withdraw)
+            return;
+        withdraw_ = std::move(withdraw);
+        watch();
     }
 
     std::optional<Answer> refused() const {
@@ -174,7 +181,7 @@ private:
         const std::string authorization(parser_->get()[http::field::authorization]);
         const bool is_trusted = trusted();
         if (!is_trusted && !authorization.empty()) {
-            last_ = true;
+            closes_ = true;
             server_->say_(fmt::format("{} sent a wrong token", caller_.name));
         }
         return {posts(),
@@ -194,7 +201,7 @@ private:
             return end();
         stream_.expires_never();
         stream_.socket().async_wait(Listener::Socket::wait_read, [self = shared_from_this()](const error_code&) {
-            if (!self->answered_)
+            if (self->state_ == State::waiting)
                 self->end();
         });
     }
@@ -202,13 +209,14 @@ private:
     void answer(Answer answer) {
         if (!server_)
             return;
+        state_ = State::answering;
         withdraw_ = {};
         error_code ignored;
         stream_.socket().cancel(ignored); // ends watch()
         const auto& request = parser_->get();
         response_ = {static_cast<http::status>(answer.status), request.version()};
         set_fields(answer.type);
-        response_.keep_alive(request.keep_alive() && !last_);
+        response_.keep_alive(request.keep_alive() && !closes_);
         response_.body() = std::move(answer.text);
         response_.prepare_payload();
         if (request.method() == http::verb::head)
@@ -240,10 +248,10 @@ private:
     beast::basic_stream<boost::asio::generic::stream_protocol> stream_;
     Caller caller_;
     std::chrono::steady_clock::time_point since_;
-    bool last_ = false; ///< the connection ends with this answer: a wrong token, as each guess costs a connection, or a
-                        ///< body that is not read
-    bool answered_ = true; ///< the request has been answered, or there is none
-    Withdraw withdraw_;    ///< set while a request waits for its answer
+    bool closes_ = false; ///< the connection closes after this answer: the token was wrong, since each guess is to cost
+                          ///< a connection, or a body was not read
+    State state_ = State::reading;
+    Withdraw withdraw_; ///< set only while the session waits
     beast::flat_buffer buffer_{most_header_bytes};
     std::optional<http::request_parser<http::string_body>> parser_;
     http::response<http::string_body> response_;

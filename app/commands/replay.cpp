@@ -9,7 +9,7 @@
 #include "explore/study/results.hpp"
 #include "picture/gnuplot.hpp"
 #include "report/manifest.hpp"
-#include "text/nearest.hpp"
+#include "text/meaning.hpp"
 #include "text/output_file.hpp"
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
@@ -55,10 +55,17 @@ std::vector<std::string> names_of_experiments() {
     return names;
 }
 
+std::vector<NamedMeaning> meanings_of_experiments() {
+    std::vector<NamedMeaning> meanings;
+    for (const Experiment& experiment : experiments())
+        meanings.push_back({std::string(experiment.name), std::string(experiment.about)});
+    return meanings;
+}
+
 const Experiment& find_experiment(const std::string& name) {
     auto found = std::ranges::find(experiments(), name, &Experiment::name);
     if (found == experiments().end())
-        throw UserError(unknown_name("experiment", name, names_of_experiments(), "there are:\n" + list_experiments()));
+        throw UserError(unknown_name("experiment", name, meanings_of_experiments(), "there are:\n" + list_experiments()));
     return *found;
 }
 

@@ -113,19 +113,33 @@ std::string SolutionVerdict::text() const {
                          : "not solved: " + wrong;
 }
 
+const char* name_of(StudentRun::End end, const std::string& wrong) {
+    switch (end) {
+    case StudentRun::End::completed: return wrong.empty() ? "solved" : "wrong output";
+    case StudentRun::End::failed: return "failed";
+    case StudentRun::End::deadlock: return "deadlock";
+    case StudentRun::End::too_long: return "too long";
+    case StudentRun::End::too_much_output: return "too much output";
+    case StudentRun::End::interrupted: break;
+    }
+    return "interrupted";
+}
+
 SolutionVerdict check_solution(const Network& network, const Exercise& exercise, Interruption& interruption) {
+    Time usual{};
     for (std::uint64_t order = 0; order <= other_orders; ++order) {
         const StudentRun made =
             run_student_program(network, order == 0 ? std::nullopt : std::optional(order), interruption);
+        usual = order == 0 ? made.time : usual;
         std::string wrong = what_is_wrong(made, exercise.expected);
         if (order > 0 && !wrong.empty())
             wrong = fmt::format("it is right in the usual order of its processes, but not in all orders\nwith "
                                 "--shuffle {}, {}",
                                 order, wrong);
         if (!wrong.empty() || made.end == StudentRun::End::interrupted)
-            return {made.end, wrong};
+            return {made.end, wrong, usual};
     }
-    return {StudentRun::End::completed, ""};
+    return {StudentRun::End::completed, "", usual};
 }
 
 } // namespace placedpar

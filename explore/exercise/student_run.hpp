@@ -19,6 +19,9 @@ struct StudentRun {
     Time time{};            ///< simulated time at the end
 };
 
+/// Returns "solved", "wrong output", "deadlock" and so on; `wrong` is what what_is_wrong() returned.
+const char* name_of(StudentRun::End, const std::string& wrong);
+
 /// Runs the program of a network with one transputer and a host. No key is pressed, and no file can be used. The run
 /// ends after 10 s of simulated time, or 64 Kbyte of output. `shuffle`: if set, ready processes run in an order drawn
 /// from this seed.
@@ -32,6 +35,7 @@ std::string what_is_wrong(const StudentRun&, const std::string& expected);
 struct SolutionVerdict {
     StudentRun::End end; ///< of the run that decided
     std::string wrong;   ///< some lines; "": solved, or interrupted
+    Time time;           ///< simulated time of the run in the usual order
 
     /// Returns "solved; ..." or "not solved: ...". REQUIRES: not interrupted.
     std::string text() const;

@@ -265,8 +265,8 @@ std::vector<std::string> names_of_topologies() {
 Topology topology_of(const TopologyRequest& request) {
     const auto* found = std::ranges::find(topologies, request.topology, &NamedTopology::name);
     if (found == topologies.end())
-        throw UserError(fmt::format("topology \"{}\" is not known; expected one of: {}", request.topology,
-                                    fmt::join(names_of_topologies(), ", ")));
+        throw UserError(unknown_name("topology", request.topology, names_of_topologies(),
+                                     fmt::format("expected one of: {}", fmt::join(names_of_topologies(), ", "))));
     require_own_options(request);
     return found->make(request);
 }

@@ -2,6 +2,7 @@
 #include "netlist/elaborate/option_statements.hpp"
 #include "netlist/language/lexer.hpp"
 #include "text/nearest.hpp"
+#include "text/program_name.hpp"
 
 #include <fmt/format.h>
 
@@ -17,6 +18,15 @@ bool is_bare(const Reference& target) { return target.subscripts.empty() && targ
 bool is_character(const Constant& constant) {
     const auto* code = constant.integer();
     return code != nullptr && code->value > ' ' && code->value <= '~';
+}
+
+/// Returns what a user who typed several values wants: "" if the text does not list values.
+std::string hint_at_sweep(const SetStatement& set) {
+    const bool lists = set.typed.find(',') != std::string::npos || set.typed.find("..") != std::string::npos;
+    return !lists || set.typed.find('(') != std::string::npos
+               ? ""
+               : fmt::format("--set takes one value; to try several: {} sweep FILE {}={}", program_name(),
+                             set.target.name, set.typed);
 }
 
 } // namespace
@@ -46,6 +56,8 @@ Constant Elaborator::value_of(const SetStatement& set, bool text_wanted, const s
     std::vector<Diagnostic> problems = set.problems.empty() ? here.take() : set.problems;
     if (const auto* use = set.value ? std::get_if<NameUse>(&set.value->form) : nullptr)
         problems.front().hint = did_you_mean(use->name, names_of_vals()); // suggest vals only, not FALSE for "fast"
+    if (const std::string hint = hint_at_sweep(set); !hint.empty())
+        problems.front().hint = hint;
     if (problems.front().hint.empty())
         problems.front().hint = what_it_takes;
     for (const Diagnostic& problem : problems)

@@ -1,0 +1,114 @@
+#include "app/built_with.hpp"
+#include "app/command.hpp"
+#include "app/options.hpp"
+#include "experiments/kit/examples_folder.hpp"
+#include "ranks/ranks.hpp"
+#include "report/manifest.hpp"
+#include "text/output_file.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <sys/prctl.h>
+
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+/// Something that PlacedPar needs at run time, besides itself.
+struct RuntimePart {
+    const char* name;
+    const char* needed_by;
+    std::optional<std::string> (*find)(); ///< returns a version or a place; nothing if the part is missing
+    const char* advice;                   ///< what to do if it is missing
+};
+
+/// Returns the first line that a shell's command prints; nothing if it prints nothing or fails.
+std::optional<std::string> first_line_of(const char* command) {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> output(::popen(command, "r"), ::pclose);
+    std::array<char, 256> line{};
+    if (!output || !std::fgets(line.data(), line.size(), output.get()))
+        return std::nullopt;
+    std::string text = line.data();
+    while (std::fgets(line.data(), line.size(), output.get())) {} // a program whose reader goes would complain
+    return text.substr(0, text.find_last_not_of(" \n") + 1);
+}
+
+std::optional<std::string> find_examples() try { return examples_folder().string(); } catch (const UserError&) {
+    return std::nullopt;
+}
+
+std::optional<std::string> find_gnuplot() { return first_line_of("gnuplot --version 2>/dev/null"); }
+
+std::optional<std::string> find_mpirun() { return first_line_of("mpirun --version 2>/dev/null"); }
+
+std::optional<std::string> find_module_of_ranks() {
+    const std::filesystem::path module = module_of_ranks();
+    return module.empty() ? std::nullopt : std::optional(module.string());
+}
+
+std::optional<std::string> find_filters_of_calls() {
+    return ::prctl(PR_GET_SECCOMP, 0, 0, 0, 0) < 0 ? std::nullopt : std::optional<std::string>("yes");
+}
+
+std::optional<std::string> find_python() {
+    return first_line_of("python3 -c 'import placedpar as p; print(p.__version__, p.__path__[0])' 2>/dev/null");
+}
+
+std::optional<std::string> find_pandas() {
+    return first_line_of("python3 -c 'import numpy as n, pandas as p; print(\"NumPy\", n.__version__ + \", pandas\", "
+                         "p.__version__)' 2>/dev/null");
+}
+
+constexpr std::array runtime_parts{
+    RuntimePart{"examples", "replay, and the commands of the documents", find_examples,
+                "set PLACEDPAR_EXAMPLES to the folder"},
+    RuntimePart{"gnuplot", "plots of run, report, replay and optimise", find_gnuplot, "apt-get install gnuplot-nox"},
+    RuntimePart{"mpirun", "run --native and sweep on ranks", find_mpirun, "apt-get install openmpi-bin"},
+    RuntimePart{"module of ranks", "run --native and sweep on ranks", find_module_of_ranks,
+                "apt-get install libboost-mpi1.81-dev, then configure and build again"},
+    RuntimePart{"seccomp filters", "serve", find_filters_of_calls, "a kernel of Linux with CONFIG_SECCOMP_FILTER"},
+    RuntimePart{"placedpar in Python", "import placedpar", find_python,
+                "cmake --install, or set PYTHONPATH to the folder `python` of the build"},
+    RuntimePart{"NumPy and pandas", "tables and searches in Python", find_pandas,
+                "apt-get install python3-numpy python3-pandas"},
+};
+
+std::string print_part(const RuntimePart& part) {
+    const std::optional<std::string> found = part.find();
+    return fmt::format("{:<20} {:<43} {}\n", part.name, part.needed_by,
+                       found ? *found : fmt::format("missing: {}", part.advice));
+}
+
+ExitCode doctor() {
+    std::string out = fmt::format("placedpar {}\nbuilt with {}\n{} processor cores\n\n{:<20} {:<43} {}\n",
+                                  version_text(), built_with, std::thread::hardware_concurrency(), "part",
+                                  "needed by", "found");
+    for (const RuntimePart& part : runtime_parts)
+        out += print_part(part);
+    print_out(out);
+    return ExitCode::success;
+}
+
+Action declare_doctor(Options&, const std::string&) { return doctor; }
+
+} // namespace
+
+extern const Command doctor_command{
+    .name = "doctor",
+    .about = "Says what is installed, what is missing for which command, and all versions",
+    .place = 95,
+    .declare = declare_doctor,
+};
+
+} // namespace placedpar

@@ -1,0 +1,108 @@
+#include "app/command.hpp"
+#include "app/options/common_options.hpp"
+#include "app/signals.hpp"
+#include "app/standard_error.hpp"
+#include "explore/exercise/course.hpp"
+#include "serve/marking.hpp"
+#include "text/counted.hpp"
+#include "text/load_source.hpp"
+#include "text/output_file.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+struct MarkOptions {
+    std::string folder, exercise, expected, csv;
+    serve::QueueLimits limits;
+};
+
+serve::MarkedTask task_of(const MarkOptions& options) {
+    if (options.exercise.empty() == options.expected.empty())
+        throw UserError("the task is missing: name an exercise of the course with --exercise 3.2, or a file with what a "
+                        "solution prints with --expected FILE; not both");
+    if (!options.expected.empty()) {
+        const LoadedSource expected = load_source(options.expected);
+        if (!expected.problems.empty())
+            throw RefusedInput(render(expected.problems));
+        return {"", expected.file->text()};
+    }
+    return {exercise_of(options.exercise).number, std::nullopt};
+}
+
+/// Prints a line for each submission, with the first line of what is wrong, and the number of each result.
+std::string print_marks(const std::vector<serve::Mark>& marks) {
+    std::size_t width = 4;
+    std::map<std::string, std::size_t> counts;
+    for (const serve::Mark& each : marks) {
+        width = std::max(width, each.file.size());
+        ++counts[each.result];
+    }
+    std::string out = fmt::format("{:<{}}  {:<15}  {:>12}\n", "file", width, "result", "time [ms]");
+    for (const serve::Mark& each : marks)
+        out += fmt::format("{:<{}}  {:<15}  {:>12}  {}\n", each.file, width, each.result,
+                           each.simulated_ms ? fmt::format("{:.3f}", *each.simulated_ms) : "",
+                           each.why.substr(0, each.why.find('\n')));
+    out += fmt::format("\n{}:", counted(marks.size(), "submission"));
+    for (const auto& [result, count] : counts)
+        out += fmt::format(" {} {}{}", count, result, result == counts.rbegin()->first ? "" : ",");
+    return out + "\n";
+}
+
+ExitCode mark(const MarkOptions& options) {
+    const serve::MarkedTask task = task_of(options);
+    const auto submissions = serve::submissions_in(options.folder);
+    if (!options.csv.empty())
+        require_writable(options.csv);
+    InterruptedBySignals interruption;
+    ProgressLine progress;
+    const auto show = [&](std::size_t marked) {
+        progress.show(fmt::format("{} of {} marked", marked, submissions.size()));
+    };
+    const auto marks = serve::marks_of(options.folder, submissions, task, options.limits, show, interruption);
+    progress.clear();
+    print_out(print_marks(marks));
+    if (interruption.requested()) {
+        print_error(fmt::format("interrupted: {} of {} submissions are marked{}\n", marks.size(), submissions.size(),
+                                options.csv.empty() ? "" : ", and no file was written"));
+        return ExitCode::interrupted;
+    }
+    if (!options.csv.empty())
+        write_whole(options.csv, serve::marks_csv(marks));
+    return ExitCode::success;
+}
+
+Action declare_mark(Options& command, const std::string&) {
+    auto options = std::make_shared<MarkOptions>();
+    command.add("FOLDER", options->folder, "folder with programs in occam (.occ), also in its subfolders").required();
+    command.add("--exercise", options->exercise, "number of an exercise of the course").type("NUMBER");
+    add_file(command, "--expected", options->expected, "file with what a solution of another task prints");
+    add_file(command, "--csv", options->csv, "writes the marks to this file as comma-separated values");
+    add_jobs(command, options->limits.at_once, "number of submissions at a time; default: number of cores");
+    add_number(command, "--seconds", options->limits.run.seconds, 1, 3600, "time that a submission may take")
+        .show_default();
+    add_number(command, "--memory", options->limits.run.megabytes, 256, 1 << 20,
+               "Mbyte of memory that a submission may take")
+        .show_default();
+    return [options] { return mark(*options); };
+}
+
+} // namespace
+
+extern const Command mark_command{
+    .name = "mark",
+    .about = "Checks a folder of solutions of an exercise: output, deadlock in other orders, time",
+    .place = 56,
+    .declare = declare_mark,
+};
+
+} // namespace placedpar
