@@ -1,6 +1,8 @@
 """Tests what the service answers to jobs: as the command line, and nothing from a file outside of the job."""
 
 import json
+import os
+import signal
 import socket
 import subprocess
 import tempfile
@@ -104,16 +106,41 @@ class Jobs(ServiceTest):
         self.assertIn("memory", answer["refused"])
         self.assertEqual(service.answer("run", COMMSTIME)["ended"], "completed")
 
-    def begin(self, name):
+    def test_a_run_that_crashes_is_reported_and_harms_no_other(self):
+        service = self.serve("--seconds", 60)
+        page = self.begin("page", service)
+        self.wait_until(service.children)
+        [process] = service.children()
+        os.kill(int(process), signal.SIGSEGV)
+        answer = page.makefile("rb").read(1 << 16)
+        self.assertIn(b'"ended":"failed"', answer)
+        self.assertIn(b"the run has crashed: a defect of PlacedPar", answer)
+        self.assertEqual(service.answer("run", COMMSTIME)["ended"], "completed")
+
+    def test_at_most_a_hundred_jobs_of_one_address_wait(self):
+        service = self.serve("--jobs", 1, "--seconds", 60)
+        pages = [self.begin("first", service)]
+        self.wait_until(service.children)
+        pages += [self.begin(f"job{number}", service) for number in range(100)]
+        self.wait_until(lambda: self.place_of("job99", service) == 100)
+        status, _, said = service.post({"do": "run", "main": "f.occ", "files": {"f.occ": FOREVER}})
+        self.assertEqual((status, said), (503, "too many jobs are waiting: try again later\n"))
+        pages.pop().close()
+        self.wait_until(lambda: self.place_of("job99", service) is None)
+        pages.append(self.begin("later", service))
+        self.wait_until(lambda: self.place_of("later", service) == 100)
+
+    def begin(self, name, service=None):
         """Begins a run that lasts until it is interrupted; returns the connection."""
+        service = service or self.service
         body = json.dumps({"do": "run", "main": "f.occ", "files": {"f.occ": FOREVER}}).encode()
-        connection = socket.create_connection((self.service.host, self.service.port), SECONDS)
+        connection = self.enterContext(socket.create_connection((service.host, service.port), SECONDS))
         connection.sendall(f"POST /job?{name} HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n"
                            f"Content-Length: {len(body)}\r\n\r\n".encode() + body)
         return connection
 
-    def place_of(self, name):
-        return json.loads(self.service.ask("GET", f"/place?{name}")[2]).get("place")
+    def place_of(self, name, service=None):
+        return json.loads((service or self.service).ask("GET", f"/place?{name}")[2]).get("place")
 
     def wait_until(self, holds):
         end = time.monotonic() + SECONDS
