@@ -67,6 +67,7 @@ LoadedRecord load_record(const std::filesystem::path& path, const hydraulics::Re
                          const WarningSink& warn) {
     File file = load_text(path);
     hydraulics::ReadRecord read = hydraulics::read_record(file->text(), needs);
+    read.faults = RepeatedFaults().take(std::move(read.faults));
     report(read.faults, file, warn);
     return {std::move(*read.record), std::move(read.faults)};
 }

@@ -15,7 +15,8 @@
 namespace placedpar {
 
 /// Reads a record of any length piece by piece from a file, a pipe or standard input ("-"). At most two pieces of the
-/// text are in memory. Errors are reported as by load_record. Only the first 20 warnings are shown.
+/// text are in memory. Errors are reported as by load_record. Only the first 20 warnings are shown. A warning that
+/// occurs again in a later piece is counted, and the counts are shown at the end.
 class RecordPieces {
 public:
     static constexpr std::size_t piece_bytes = 1 << 20; ///< approximate length of a piece, which ends at the end of a
@@ -57,6 +58,7 @@ private:
     File first_;           ///< the first piece, which has the header
     std::vector<Diagnostic> warnings_;
     std::size_t more_warnings_ = 0;
+    RepeatedFaults repeated_;
 };
 
 } // namespace placedpar

@@ -2,6 +2,8 @@
 
 #include "identification/verdict/fault_hypothesis.hpp"
 
+#include <vector>
+
 namespace placedpar::identification {
 
 /// Returns whether the matrix has an inverse: it must be symmetric, finite and positive definite.
@@ -38,5 +40,8 @@ struct Deviation {
     Deviation with_steady_leak() const;
     friend bool operator==(const Deviation&, const Deviation&) = default;
 };
+
+/// Returns the mean of the deviations of several movements, weighted by information. REQUIRES: at least one movement.
+Deviation mean_deviation(const std::vector<Deviation>& movements);
 
 } // namespace placedpar::identification
