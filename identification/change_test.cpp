@@ -35,21 +35,27 @@ struct Split {
     std::size_t at = 0;
     Sums before, after;
 
+    /// Returns the mean square of the distances from the two means, in squared standard errors: about 1 if these are
+    /// right. Two estimates do not tell it.
+    double scatter(std::size_t size) const {
+        return size > 2 ? (before.scatter() + after.scatter()) / static_cast<double>(size - 2) : 1;
+    }
     /// Returns the difference of the means, divided by its standard error.
-    double quotient(std::size_t size) const {
-        const double by_chance = size > 2 ? (before.scatter() + after.scatter()) / static_cast<double>(size - 2) : 1;
+    double quotient() const {
         const Estimate first = before.mean(), second = after.mean();
-        return std::abs(second.value - first.value) /
-               (std::hypot(first.standard_error, second.standard_error) * std::sqrt(std::max(1.0, by_chance)));
+        return std::abs(second.value - first.value) / std::hypot(first.standard_error, second.standard_error);
     }
 };
+
+/// Says which errors divide the difference: the standard errors of the estimates, or their scatter.
+enum class ErrorsBy { standard_errors, scatter };
 
 struct BestSplit {
     Split split;
     double quotient = -1;
 };
 
-BestSplit best_split(const std::vector<Estimate>& series) {
+BestSplit best_split(const std::vector<Estimate>& series, ErrorsBy errors) {
     Sums all, before;
     for (const Estimate& each : series)
         all.add(each);
@@ -57,7 +63,8 @@ BestSplit best_split(const std::vector<Estimate>& series) {
     for (std::size_t at = 1; at < series.size(); ++at) {
         before.add(series[at - 1]);
         const Split split{at, before, all - before};
-        if (const double quotient = split.quotient(series.size()); quotient > best.quotient)
+        const double scatter = errors == ErrorsBy::scatter ? split.scatter(series.size()) : 1;
+        if (const double quotient = split.quotient() / std::sqrt(scatter); quotient > best.quotient)
             best = {split, quotient};
     }
     return best;
@@ -93,14 +100,17 @@ std::optional<Change> find_change(const std::vector<Estimate>& series, double le
     std::vector<Estimate> centred = series; // about 0, so that the sums of squares lose no digits
     for (Estimate& each : centred)
         each.value -= series.front().value;
-    const BestSplit best = best_split(centred);
+    BestSplit best = best_split(centred, ErrorsBy::standard_errors);
+    const ErrorsBy errors = best.split.scatter(series.size()) > 1 ? ErrorsBy::scatter : ErrorsBy::standard_errors;
+    if (errors == ErrorsBy::scatter)
+        best = best_split(centred, errors);
     RandomStream random(1, "series without a change");
     std::size_t as_great = 0;
     const auto most = static_cast<std::size_t>(level * (made_up_series + 1));
     for (std::size_t i = 0; i < made_up_series && as_great < most; ++i) {
         for (Estimate& each : centred)
             each.value = each.standard_error * random.normal();
-        as_great += best_split(centred).quotient >= best.quotient;
+        as_great += best_split(centred, errors).quotient >= best.quotient;
     }
     const double probability = static_cast<double>(as_great + 1) / (made_up_series + 1);
     if (probability > level)

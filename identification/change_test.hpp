@@ -19,11 +19,11 @@ struct Change {
 };
 
 /// Looks for the one change that explains a series best. For each place, the weighted means before and after are
-/// compared: their difference is divided by its standard error, which is increased if the estimates scatter around the
-/// two means more than their own standard errors allow. The greatest of these quotients is compared with those of 9,999
-/// made-up series that do not change, with normal errors of the same sizes. A change is returned only if its
-/// probability is at most `level`; so a series without a change gives one with the probability `level`, as far as the
-/// standard errors are right. `level` should be at least 0.001. Equal series give equal results.
+/// compared: their difference is divided by its standard error. If the estimates scatter around the two means more than
+/// their standard errors allow, the scatter replaces the standard errors. The greatest of these quotients is compared
+/// with those of 9,999 made-up series that do not change, with normal errors in the same proportions. A change is
+/// returned only if its probability is at most `level`. So about this share of the series without a change give one.
+/// `level` should be at least 0.001. Equal series give equal results.
 std::optional<Change> find_change(const std::vector<Estimate>& series, double level);
 
 /// Looks for further changes in the parts before and after each change. Returns the changes in order; the means before

@@ -65,9 +65,12 @@ void require_different(const std::vector<ColumnName>& names) {
 std::vector<ColumnName> column_names(const IdentifyOptions& options) {
     std::vector<ColumnName> names =
         options.columns_from.empty() ? std::vector<ColumnName>{} : names_in_file(options.columns_from);
-    for (const std::string& typed : options.columns) {
-        names.push_back(name_typed(typed));
-    }
+    std::vector<ColumnName> typed;
+    for (const std::string& each : options.columns)
+        typed.push_back(name_typed(each));
+    for (const ColumnName& each : typed) // replaces a name of the file
+        std::erase_if(names, [&](const ColumnName& name) { return name.channel == each.channel; });
+    names.insert(names.end(), typed.begin(), typed.end());
     require_different(names);
     return names;
 }

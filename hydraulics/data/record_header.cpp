@@ -103,12 +103,13 @@ std::string_view first_line(std::string_view text) { return text.substr(0, text.
 struct HeaderFound {
     std::size_t at;
     char separator;
-    int score; ///< 0: no column is known; 1: the time is; 2: a sensor, too
+    int score;         ///< 0: no column is known; 1: the time is; 2: a sensor, too
+    std::size_t cells; ///< number of cells
 };
 
-int score_of(std::string_view line, char separator, const std::vector<ColumnName>& names) {
+int score_of(const std::vector<TextCell>& cells, const std::vector<ColumnName>& names) {
     bool time = false, sensor = false;
-    for (const TextCell& cell : split_cells(line, separator))
+    for (const TextCell& cell : cells)
         if (auto channel = channel_of(names, cell.text))
             (channel->sensor ? sensor : time) = true;
     return time ? 1 + sensor : 0;
@@ -126,12 +127,14 @@ HeaderFound find_header(std::string_view text, const std::vector<ColumnName>& na
         else if (!trimmed_text(line).empty() && !line.starts_with('#')) {
             ++lines;
             const char separator_here = stated.value_or(likely_separator(line));
-            if (const int score = score_of(line, separator_here, names); !best || score > best->score)
-                best = {at, separator_here, score};
+            const std::vector<TextCell> cells = split_cells(line, separator_here);
+            const HeaderFound found{at, separator_here, score_of(cells, names), cells.size()};
+            if (!best || found.score > best->score || (found.score == 1 && found.cells > best->cells))
+                best = found;
         }
         at += line.size() + 1;
     }
-    return best.value_or(HeaderFound{std::min(at, text.size()), ',', 0});
+    return best.value_or(HeaderFound{std::min(at, text.size()), ',', 0, 0});
 }
 
 /// Returns the text with all lines above the header as comments, since a logger's own lines describe the record.

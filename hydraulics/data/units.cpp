@@ -79,11 +79,10 @@ struct UnitAlias {
 constexpr std::array aliases{
     UnitAlias{"\u00b0", "deg"},    UnitAlias{"\xb0", "deg"}, // the degree sign in UTF-8, and in Latin-1
     UnitAlias{"degree", "deg"},    UnitAlias{"degrees", "deg"},   UnitAlias{"sec", "s"},
-    UnitAlias{"seconds", "s"},     UnitAlias{"msec", "ms"},       UnitAlias{"PSI", "psi"},
-    UnitAlias{"psig", "psi"},      UnitAlias{"barg", "bar"},      UnitAlias{"inch", "in"},
-    UnitAlias{"inches", "in"},     UnitAlias{"volt", "V"},        UnitAlias{"volts", "V"},
-    UnitAlias{"Volts", "V"},       UnitAlias{"in\u00b2", "in^2"}, UnitAlias{"mm\u00b2", "mm^2"},
-    UnitAlias{"cm\u00b2", "cm^2"},
+    UnitAlias{"seconds", "s"},     UnitAlias{"msec", "ms"},       UnitAlias{"psig", "psi"},
+    UnitAlias{"barg", "bar"},      UnitAlias{"inch", "in"},       UnitAlias{"inches", "in"},
+    UnitAlias{"volt", "V"},        UnitAlias{"volts", "V"},       UnitAlias{"Volts", "V"},
+    UnitAlias{"in\u00b2", "in^2"}, UnitAlias{"mm\u00b2", "mm^2"}, UnitAlias{"cm\u00b2", "cm^2"},
 };
 
 struct QuantityName {
