@@ -5,6 +5,7 @@
 #include "hydraulics/data/record_table.hpp"
 #include "text/diagnostic.hpp"
 #include "text/load_source.hpp"
+#include "text/repeated_faults.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>

@@ -58,17 +58,10 @@ struct GuideLine {
     std::optional<int> colour = std::nullopt; ///< one of the eight colours, if the line belongs to a series
 };
 
-/// A labelled place on an axis.
-struct Tick {
-    double at;
-    std::string label;
-};
-
 struct Axis {
     std::string label = {}; ///< label with unit, such as "pressure [psi]"
     std::optional<double> from = std::nullopt, to = std::nullopt;
     bool logarithmic = false;
-    std::vector<Tick> ticks = {}; ///< empty: gnuplot chooses round numbers. REQUIRES: empty in all panels or in none
 };
 
 /// A diagram with its legend to the right. An axis is extended beyond its end if a series would touch the frame there.

@@ -76,13 +76,6 @@ std::string label_commands(const char* letter, const Axis& axis, int length) {
                        size < 15 ? fmt::format(" font ',{:.1f}'", size) : "");
 }
 
-std::string tick_commands(const char* letter, const Axis& axis) {
-    std::vector<std::string> ticks;
-    for (const Tick& tick : axis.ticks)
-        ticks.push_back(fmt::format("{} {}", quoted(tick.label), tick.at));
-    return ticks.empty() ? "" : fmt::format("set {}tics ({})\n", letter, fmt::join(ticks, ", "));
-}
-
 std::string data_block(const Panel& panel, std::size_t number, std::size_t place) {
     std::string out = fmt::format("$panel{}series{} << END\n", number, place);
     for (const Point& point : panel.series[place].points)
@@ -195,8 +188,7 @@ std::string trial_commands(const Panel& asked, std::size_t number) {
 std::string panel_commands(const Panel& panel, std::size_t number) {
     std::string out = "set title " + quoted(panel.title) + " offset 0,-0.4\nunset arrow\nunset label\n";
     out += label_commands("x", panel.x, plot_width - left_margin) +
-           label_commands("y", panel.y, panel_height - top_margin - bottom_margin) + tick_commands("x", panel.x) +
-           tick_commands("y", panel.y);
+           label_commands("y", panel.y, panel_height - top_margin - bottom_margin);
     out += range_commands("x", panel.x) + range_commands("y", panel.y);
     out += fmt::format("set xrange [Xfrom{0}:Xto{0}]\nset yrange [Yfrom{0}:Yto{0}]\n", number);
     for (std::size_t i = 0; i < panel.series.size(); ++i)

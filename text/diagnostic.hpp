@@ -3,7 +3,6 @@
 #include "text/source.hpp"
 
 #include <cstddef>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -40,24 +39,6 @@ bool has_errors(const std::vector<Diagnostic>& diagnostics);
 std::string render(const Diagnostic& diagnostic);
 std::string render(const SecondPlace& other); ///< the note alone
 std::string render(const std::vector<Diagnostic>& diagnostics);
-
-/// Merges faults that occur in many lines. Two faults are of one kind if their messages differ only in digits, and
-/// their lines differ.
-class RepeatedFaults {
-public:
-    /// Returns the first fault of each new kind; its message has the number of such faults among `faults`. Faults of
-    /// earlier kinds are only counted.
-    std::vector<Diagnostic> take(std::vector<Diagnostic> faults);
-    /// Returns the faults that were only counted, as one line a kind; "" if there are none.
-    std::string later() const;
-
-private:
-    struct Kind {
-        std::string message; ///< of the first
-        std::size_t line, more = 0, last = 0;
-    };
-    std::map<std::string, Kind> kinds_; ///< by message with all digits replaced
-};
 
 /// Returns `... 3 more errors not shown`, with a newline; "" if the count is 0.
 std::string not_shown(std::size_t count, Severity severity);

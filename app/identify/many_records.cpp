@@ -7,6 +7,7 @@
 #include "explore/load.hpp"
 #include "hydraulics/data/clock_time.hpp"
 #include "identification/on_line/moving_identification.hpp"
+#include "identification/verdict/mean_deviation.hpp"
 #include "text/output_file.hpp"
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
@@ -92,7 +93,7 @@ public:
         RecordPieces pieces(path, needs_of_service(options_), print_warnings, [&] { return stopped(); });
         RecordAnswer answer{std::filesystem::path(path).filename().string(), std::nullopt};
         if (auto first = pieces.next()) {
-            answer.date_s = first->begun_s ? first->begun_s : date_in_name(answer.record);
+            answer.date_s = pieces.begun_s() ? pieces.begun_s() : date_in_name(answer.record);
             moves(options_, first->channels()) ? follow_moving(std::move(*first), pieces, answer)
                                                : follow(std::move(*first), pieces, answer);
         }

@@ -2,6 +2,7 @@
 
 #include "explore/load.hpp"
 #include "hydraulics/data/record_table.hpp"
+#include "text/repeated_faults.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -34,6 +35,8 @@ public:
     std::optional<hydraulics::Record> next();
 
     std::uint64_t bytes() const { return bytes_; } ///< number of bytes read so far
+    /// Returns the date of the time 0, in s since 1970, if the file has dates and a piece was read.
+    std::optional<double> begun_s() const { return reader_.begun_s(); }
     bool stopped() const { return stopped_; }
     /// Returns the warnings that were shown.
     const std::vector<Diagnostic>& warnings() const { return warnings_; }

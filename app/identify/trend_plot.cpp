@@ -33,24 +33,10 @@ public:
         }
         const double margin = std::max(0.04 * (at(trend_.answers().size() - 1) - at(0)), 3600.);
         axis.from = at(0) - margin, axis.to = at(trend_.answers().size() - 1) + margin;
-        axis.ticks = ticks(*axis.from, *axis.to);
         return axis;
     }
 
 private:
-    /// Returns dates that are whole hours or days apart.
-    static std::vector<Tick> ticks(double from, double to) {
-        constexpr double hour = 3600, day = 24 * hour, most = 7;
-        constexpr std::array<double, 13> steps{hour,     2 * hour, 6 * hour, 12 * hour, day,       2 * day,   7 * day,
-                                               14 * day, 28 * day, 91 * day, 182 * day, 365 * day, 3650 * day};
-        const auto* step = std::ranges::find_if(steps, [&](double each) { return (to - from) / each <= most; });
-        const double each_s = step == steps.end() ? (to - from) / most : *step;
-        std::vector<Tick> all;
-        for (double at = std::ceil(from / each_s) * each_s; at <= to; at += each_s)
-            all.push_back({at, each_s < day ? date_text(at).substr(5) : date_text(at).substr(0, 10)});
-        return all;
-    }
-
     const Trend& trend_;
 };
 

@@ -62,8 +62,6 @@ public:
     /// Times in rising order. INVARIANT: the times of neighbours differ by a whole number of periods, within
     /// sampling_tolerance.
     std::vector<double> time_s;
-    /// The date of the time 0, in s since 1970, if the file has dates.
-    std::optional<double> begun_s = std::nullopt;
     /// The true configuration of the main valve, a to e, at each instant, or '-'; empty if unknown.
     std::string configuration;
 

@@ -213,8 +213,6 @@ Record RecordReader::read_piece(std::vector<Diagnostic>& faults) {
     record.period_s = period_s_.value_or(0);
     if (!table_.rows.empty())
         read_rows(record, faults);
-    if (begun_ns_)
-        record.begun_s = static_cast<double>(*begun_ns_) / 1e9;
     if (has_errors(faults))
         return record;
     if (!before_ && record.size() < fewest_samples)
@@ -247,6 +245,10 @@ std::vector<Diagnostic> RecordReader::finish() const {
             check_channel(column.name, *column.sensor, *column.unit, column.least, column.greatest,
                           {table_.header.line, column.at}, faults);
     return faults;
+}
+
+std::optional<double> RecordReader::begun_s() const {
+    return begun_ns_ ? std::optional(static_cast<double>(*begun_ns_) / 1e9) : std::nullopt;
 }
 
 ReadRecord read_record(std::string_view text, const RecordNeeds& needs) {

@@ -85,6 +85,8 @@ public:
     ReadRecord read(std::string_view lines);
     /// Returns the warnings about whole channels at the end of the text.
     std::vector<Diagnostic> finish() const;
+    /// Returns the date of the time 0, in s since 1970, if the file has dates and a piece was read.
+    std::optional<double> begun_s() const;
 
 private:
     struct Column {

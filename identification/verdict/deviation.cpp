@@ -23,18 +23,6 @@ PerPairOfHypotheses Deviation::information() const {
     return two_ways_of(with_scatter.inverse());
 }
 
-Deviation mean_deviation(const std::vector<Deviation>& movements) {
-    WayMatrix information = WayMatrix::Zero();
-    WayVector pull = WayVector::Zero();
-    for (const Deviation& each : movements) {
-        const WayMatrix of_each = matrix_of(each.information());
-        information += of_each;
-        pull += of_each * vector_of(each.by);
-    }
-    const WayMatrix covariance = information.inverse();
-    return {ways_of(covariance * pull), two_ways_of(covariance)};
-}
-
 Deviation Deviation::with_steady_leak() const {
     WayVector difference = WayVector::Zero();
     difference[row_of(FaultHypothesis::leak)] = 1;

@@ -2,8 +2,6 @@
 
 #include "identification/verdict/fault_hypothesis.hpp"
 
-#include <vector>
-
 namespace placedpar::identification {
 
 /// Returns whether the matrix has an inverse: it must be symmetric, finite and positive definite.
@@ -40,8 +38,5 @@ struct Deviation {
     Deviation with_steady_leak() const;
     friend bool operator==(const Deviation&, const Deviation&) = default;
 };
-
-/// Returns the mean of the deviations of several movements, weighted by information. REQUIRES: at least one movement.
-Deviation mean_deviation(const std::vector<Deviation>& movements);
 
 } // namespace placedpar::identification

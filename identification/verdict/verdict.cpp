@@ -1,5 +1,6 @@
 #include "identification/verdict/verdict.hpp"
 
+#include "identification/verdict/mean_deviation.hpp"
 #include "identification/verdict/way_matrices.hpp"
 
 #include <fmt/format.h>

@@ -444,7 +444,10 @@ TEST_CASE("a row of units, and lines of words below it, are not samples") {
     REQUIRE(read.record);
     CHECK(read.record->description == "\"TOA5\",\"x\"\n");
     CHECK(read.record->time_s == std::vector<double>{0, 0.02, 0.04, 0.06, 0.08, 0.10});
-    CHECK(read.record->begun_s == 1709251199.9); // by date -ud "2024-02-29 23:59:59" +%s
+    RecordReader reader({{}, false, {column_name("time=TS"), column_name("pressure=P"), column_name("angle=Phi")}});
+    CHECK(!reader.begun_s());
+    REQUIRE(reader.read(text + last).record);
+    CHECK(reader.begun_s() == 1709251199.9); // by date -ud "2024-02-29 23:59:59" +%s
     CHECK(read.record->of(Link::boom, Sensor::inlet_pressure)[5] == doctest::Approx(25 * 14.5037738));
 }
 
