@@ -7,6 +7,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
+#include <iterator>
 
 namespace placedpar::hydraulics {
 
@@ -16,79 +18,59 @@ constexpr std::int64_t ns_per_s = 1'000'000'000;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Reads a text from left to right. After the first part that is wrong, `good` is false and nothing more is read.
-class ClockText {
-public:
-    explicit ClockText(std::string_view text) : rest_(text) {}
+/// Returns whether the text has one of these shapes, in which "0" stands for any digit.
+bool has_shape(std::string_view text, std::initializer_list<std::string_view> shapes) {
+    return std::ranges::any_of(shapes, [text](std::string_view shape) {
+        return std::ranges::equal(text, shape, {}, [](char c) { return is_digit(c) ? '0' : c; });
+    });
+}
 
-    bool good = true;
+/// Returns the number that some of the digits of a text spell; 0 if the text has fewer digits.
+int number_of(std::string_view text, std::size_t first, std::size_t count) {
+    std::string digits;
+    std::ranges::copy_if(text, std::back_inserter(digits), is_digit);
+    int number = 0;
+    for (std::size_t i = first; first + count <= digits.size() && i < first + count; ++i)
+        number = 10 * number + (digits[i] - '0');
+    return number;
+}
 
-    bool over() const { return rest_.empty(); }
-    bool next_is(char c) const { return rest_.starts_with(c); }
-    bool skip(char c) {
-        const bool there = next_is(c);
-        rest_.remove_prefix(there ? 1 : 0);
-        return there;
-    }
-    /// Reads a number with exactly so many digits.
-    int number(std::size_t digits, int least, int most) {
-        const bool there = rest_.size() >= digits && std::ranges::all_of(rest_.substr(0, digits), is_digit);
-        int value = 0;
-        for (std::size_t i = 0; there && i < digits; ++i)
-            value = 10 * value + (rest_[i] - '0');
-        rest_.remove_prefix(there ? digits : 0);
-        good = good && there && value >= least && value <= most;
-        return value;
-    }
-    /// Reads the digits of a fraction of a second.
-    std::int64_t fraction_ns() {
-        good = good && !rest_.empty() && is_digit(rest_.front());
-        std::int64_t ns = 0;
-        for (std::int64_t digit_ns = ns_per_s / 10; !rest_.empty() && is_digit(rest_.front()); digit_ns /= 10) {
-            ns += (rest_.front() - '0') * digit_ns;
-            rest_.remove_prefix(1);
-        }
-        return ns;
-    }
-
-private:
-    std::string_view rest_;
-};
-
-/// Returns the number of days since 1970.
-std::int64_t days_of(ClockText& text) {
+/// Returns the ns since 1970 at the beginning of the day, or nullopt if there is no such day.
+std::optional<std::int64_t> day_ns(std::string_view text) {
     using namespace std::chrono;
-    const int year_number = text.number(4, 1700, 2200);
-    const bool dashes = text.skip('-');
-    const int month_number = text.number(2, 1, 12);
-    text.good = text.good && text.skip('-') == dashes;
-    const int day_number = text.number(2, 1, 31);
-    const year_month_day date{year(year_number), month(static_cast<unsigned>(month_number)),
-                              day(static_cast<unsigned>(day_number))};
-    text.good = text.good && date.ok();
-    return text.good ? sys_days(date).time_since_epoch().count() : 0;
+    const int in_year = number_of(text, 0, 4);
+    const year_month_day date{year(in_year), month(static_cast<unsigned>(number_of(text, 4, 2))),
+                              day(static_cast<unsigned>(number_of(text, 6, 2)))};
+    if (!has_shape(text, {"0000-00-00", "00000000"}) || in_year < 1700 || in_year > 2200 || !date.ok())
+        return std::nullopt;
+    return sys_days(date).time_since_epoch().count() * 86400 * ns_per_s;
 }
 
-std::int64_t time_of_day_ns(ClockText& text) {
-    std::int64_t seconds = 3600 * text.number(2, 0, 23);
-    const bool colons = text.skip(':');
-    seconds += 60 * text.number(2, 0, 59);
-    if (colons ? !text.skip(':') : text.over() || text.next_is('Z') || text.next_is('+') || text.next_is('-'))
-        return seconds * ns_per_s;
-    seconds += text.number(2, 0, 60); // 60: a leap second
-    return seconds * ns_per_s + (text.skip('.') || text.skip(',') ? text.fraction_ns() : 0);
+/// Returns the ns of a text such as "14:30:00" or "143000" since midnight.
+std::optional<std::int64_t> time_of_day_ns(std::string_view text) {
+    const int hours = number_of(text, 0, 2), minutes = number_of(text, 2, 2), seconds = number_of(text, 4, 2);
+    if (!has_shape(text, {"00:00", "00:00:00", "0000", "000000"}) || hours > 23 || minutes > 59 || seconds > 60)
+        return std::nullopt; // 60 s: a leap second
+    return (3600 * hours + 60 * minutes + seconds) * ns_per_s;
 }
 
-/// Returns by how much the zone's time is ahead of UTC, in s. REQUIRES: the text begins with '+' or '-'.
-std::int64_t zone_s(ClockText& text) {
-    const int sign = text.skip('-') ? -1 : 1;
-    if (sign == 1)
-        text.skip('+');
-    const std::int64_t hours_s = 3600 * text.number(2, 0, 23);
-    if (text.over())
-        return sign * hours_s;
-    text.skip(':');
-    return sign * (hours_s + 60 * text.number(2, 0, 59));
+/// Returns the ns of a text such as ".02" or "".
+std::optional<std::int64_t> fraction_ns(std::string_view text) {
+    if (text.size() == 1 || (!text.empty() && !std::ranges::all_of(text.substr(1), is_digit)))
+        return std::nullopt;
+    std::string nine(text);
+    nine.resize(10, '0');
+    return number_of(nine, text.empty() ? 1 : 0, 9);
+}
+
+/// Returns by how much the time of a zone such as "+01:00" is ahead of UTC.
+std::optional<std::int64_t> zone_ns(std::string_view text) {
+    const int hours = number_of(text, 0, 2), minutes = number_of(text, 2, 2);
+    if (has_shape(text, {"", "Z", "z"}))
+        return 0;
+    if (!has_shape(text.substr(1), {"00", "0000", "00:00"}) || hours > 23 || minutes > 59)
+        return std::nullopt;
+    return (text.front() == '-' ? -1 : 1) * (3600 * hours + 60 * minutes) * ns_per_s;
 }
 
 /// Returns a date in a file's name as ISO 8601 writes it: in a name, "-" or "_" stands for "T" and ":".
@@ -106,18 +88,20 @@ std::string iso_text(std::string_view in_name) {
 } // namespace
 
 std::optional<ClockTime> clock_time(std::string_view text) {
-    ClockText rest(text);
-    ClockTime time{days_of(rest) * 86400 * ns_per_s, false};
-    rest.good = rest.good && (rest.skip('T') || rest.skip('t') || rest.skip(' '));
-    time.since_1970_ns += rest.good ? time_of_day_ns(rest) : 0;
-    rest.skip(' ');
-    if (rest.skip('Z') || rest.skip('z'))
-        time.has_zone = true;
-    else if (rest.next_is('+') || rest.next_is('-')) {
-        time.has_zone = true;
-        time.since_1970_ns -= zone_s(rest) * ns_per_s;
-    }
-    return rest.good && rest.over() ? std::optional(time) : std::nullopt;
+    const std::size_t mark = text.size() > 4 && text[4] == '-' ? 10 : 8;
+    if (text.size() <= mark || std::string_view("Tt ").find(text[mark]) == std::string_view::npos)
+        return std::nullopt;
+    const std::string_view rest = text.substr(mark + 1);
+    const std::string_view zone = rest.substr(std::min(rest.find_first_of("Zz+-"), rest.size()));
+    std::string_view time = rest.substr(0, rest.size() - zone.size());
+    if (!zone.empty() && time.ends_with(' '))
+        time.remove_suffix(1);
+    const std::size_t point = std::min(time.find_first_of(".,"), time.size());
+    const auto day = day_ns(text.substr(0, mark)), since_midnight = time_of_day_ns(time.substr(0, point)),
+               fraction = fraction_ns(time.substr(point)), ahead = zone_ns(zone);
+    if (!day || !since_midnight || !fraction || !ahead)
+        return std::nullopt;
+    return ClockTime{*day + *since_midnight + *fraction - *ahead, !zone.empty()};
 }
 
 std::optional<double> date_in_name(std::string_view name) {

@@ -122,7 +122,7 @@ TEST_CASE("a mutated file of a logger or a spreadsheet is either usable or refus
     for (const std::filesystem::path& path : std::set<std::filesystem::path>(begin(folder), end(folder))) {
         std::ifstream in(path, std::ios::binary);
         std::string good(std::istreambuf_iterator<char>(in), {});
-        good.resize(std::min<std::size_t>(good.size(), 1000)); // so that changes often meet the header
+        good.resize(good.rfind('\n', 1000) + 1); // short, so that changes often meet the header
         RecordNeeds needs{{}, true};
         for (const ColumnName& name : names)
             if (good.find(name.in_file) != good.npos)
