@@ -5,6 +5,7 @@
 #include "hydraulics/data/record_table.hpp"
 #include "text/diagnostic.hpp"
 #include "text/load_source.hpp"
+#include "text/repeated_faults.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -67,6 +68,7 @@ LoadedRecord load_record(const std::filesystem::path& path, const hydraulics::Re
                          const WarningSink& warn) {
     File file = load_text(path);
     hydraulics::ReadRecord read = hydraulics::read_record(file->text(), needs);
+    read.faults = RepeatedFaults().take(std::move(read.faults));
     report(read.faults, file, warn);
     return {std::move(*read.record), std::move(read.faults)};
 }

@@ -46,12 +46,28 @@ std::optional<Diagnostic> binary_problem(const File& file) {
                           : "the control character " + byte + " is not allowed in a text: remove it");
 }
 
+/// Returns whether the text is UTF-16, with a byte order mark or without: every second byte of Latin letters is 0.
+bool is_utf16(std::string_view text) {
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+        return true;
+    auto zeros = [text](std::size_t first) {
+        return text.size() >= 8 && text[first] == 0 && text[first + 2] == 0 && text[first + 4] == 0 &&
+               text[1 - first] != 0 && text[3 - first] != 0 && text[5 - first] != 0;
+    };
+    return zeros(0) || zeros(1);
+}
+
 /// Reports the first line that is too long.
 std::optional<Diagnostic> long_line_problem(const File& file) {
     const std::string& text = file->text();
     std::size_t number = file->first_line();
     for (std::size_t start = 0; start < text.size(); ++number) {
         auto end = std::min(text.find('\n', start), text.size());
+        if (std::string_view line = file->line(number);
+            line.size() > longest_source_line && line.find('\r') < line.npos)
+            return problem_at(file, number, line.find('\r') + 1,
+                              "the lines end in carriage returns only, not in LF or CR LF: tr '\\r' '\\n' < FILE > NEW "
+                              "converts the file");
         if (auto bytes = file->line(number).size(); bytes > longest_source_line)
             return problem_at(file, number, longest_source_line + 1,
                               fmt::format("the line is too long: it has {} bytes, but at most {} bytes are allowed",
@@ -85,6 +101,9 @@ std::string why_not_a_file(const std::filesystem::path& path) {
 LoadedSource check_source(std::string shown_path, std::string text, std::size_t first_line) {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     constexpr char end_of_file_in_dos = '\x1a'; // Ctrl-Z, often followed by old data of the disk's block
+    if (first_line == 1 && is_utf16(text))
+        return refused(std::move(shown_path), "the file is UTF-16, expected UTF-8 or ASCII: iconv -f UTF-16 -t UTF-8 "
+                                              "FILE > NEW converts it");
     if (text.starts_with(byte_order_mark))
         text.erase(0, byte_order_mark.size());
     if (auto end = text.find(end_of_file_in_dos); end != std::string::npos)

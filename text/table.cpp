@@ -36,7 +36,7 @@ TextCell trimmed(std::string_view text, std::size_t column) {
 }
 
 /// Splits a line into cells. Sets `open_quote` to the column of a quote that is not closed, or to 0 if all are closed.
-std::vector<TextCell> split_line(std::string_view line, std::size_t& open_quote) {
+std::vector<TextCell> split_line(std::string_view line, char separator, std::size_t& open_quote) {
     std::vector<TextCell> cells;
     std::size_t start = 0;
     bool quoted = false;
@@ -46,7 +46,7 @@ std::vector<TextCell> split_line(std::string_view line, std::size_t& open_quote)
             quoted = !quoted;
             open_quote = quoted ? i + 1 : 0;
         }
-        if (i == line.size() || (line[i] == ',' && !quoted)) {
+        if (i == line.size() || (line[i] == separator && !quoted)) {
             cells.push_back(trimmed(line.substr(start, i - start), start + 1));
             start = i + 1;
         }
@@ -69,11 +69,14 @@ void check_row(std::string_view line, const TextRow& row, std::size_t open_quote
     std::string_view inside = line.substr(0, line.find_last_not_of(blanks) + 1);
     if (std::size_t end = inside.find('\r'); end != std::string_view::npos)
         faults.push_back(error_at(row.line, end + 1, "the line has a carriage return before its end",
-                                  "lines end in LF or in CR LF"));
+                                  "lines end in LF or in CR LF; tr '\\r' '\\n' < FILE > NEW.csv converts a file whose "
+                                  "lines end in carriage returns only"));
 }
 
-void check_header(std::string_view line, const TextRow& header, std::vector<Diagnostic>& faults) {
-    if (std::size_t mark = line.find_first_of(";\t"); header.cells.size() == 1 && mark != std::string_view::npos)
+void check_header(std::string_view line, const TextTable& table, const TextRow& header,
+                  std::vector<Diagnostic>& faults) {
+    if (std::size_t mark = line.find_first_of(";\t");
+        table.separator == ',' && header.cells.size() == 1 && mark != std::string_view::npos)
         faults.push_back(
             error_at(header.line, mark + 1,
                      fmt::format("the columns are separated by {}", line[mark] == ';' ? "semicolons" : "tabs"),
@@ -81,6 +84,8 @@ void check_header(std::string_view line, const TextRow& header, std::vector<Diag
 }
 
 void add_row(TextTable& table, TextRow row, std::vector<Diagnostic>& faults) {
+    if (row.cells.size() == table.header.cells.size() + 1 && row.cells.back().text.empty())
+        row.cells.pop_back();
     if (row.cells.size() == table.header.cells.size())
         table.rows.push_back(std::move(row));
     else
@@ -98,16 +103,20 @@ std::string_view take_line(std::string_view& text) {
     return line;
 }
 
+bool is_comment(std::string_view line) {
+    return line.starts_with('#') && !line.starts_with("#N/A") && !line.starts_with("#NV");
+}
+
 bool is_blank(std::string_view line) { return line.find_first_not_of(blanks) == std::string_view::npos; }
 
 /// Adds a line that is neither blank nor a comment: the header, or a row below it.
 void add_line(TextTable& table, std::string_view line, std::size_t number, std::vector<Diagnostic>& faults) {
     std::size_t open_quote = 0;
-    TextRow row{number, split_line(line, open_quote)};
+    TextRow row{number, split_line(line, table.separator, open_quote)};
     check_row(line, row, open_quote, faults);
     if (!table.header.cells.empty())
         return add_row(table, std::move(row), faults);
-    check_header(line, row, faults);
+    check_header(line, table, row, faults);
     table.header = std::move(row);
 }
 
@@ -131,9 +140,9 @@ std::size_t append_lines(TextTable& table, std::string_view text, std::size_t nu
     for (; !text.empty(); ++number) {
         std::string_view line = take_line(text);
         bool above_header = table.header.cells.empty();
-        if (line.starts_with('#') && above_header)
+        if (is_comment(line) && above_header)
             table.description += std::string(without_mark(line)) + "\n";
-        if (!is_blank(line) && !line.starts_with('#'))
+        if (!is_blank(line) && !is_comment(line))
             add_line(table, line, number, faults);
         bool was_header = above_header && !table.header.cells.empty();
         if (was_header && has_errors(faults)) // without a valid header the rows have no meaning
@@ -142,21 +151,34 @@ std::size_t append_lines(TextTable& table, std::string_view text, std::size_t nu
     return number;
 }
 
-double number_in(const TextCell& cell, std::size_t line, std::vector<Diagnostic>& faults) {
+std::vector<TextCell> split_cells(std::string_view line, char separator) {
+    std::size_t open_quote = 0;
+    return split_line(line, separator, open_quote);
+}
+
+double number_in(const TextCell& cell, std::size_t line, std::vector<Diagnostic>& faults, char decimal_sign) {
+    std::string text = cell.text;
+    if (decimal_sign != '.') // a point is then not part of a number
+        std::ranges::transform(text, text.begin(), [decimal_sign](char c) {
+            return c == decimal_sign ? '.' : c == '.' ? decimal_sign : c;
+        });
     double value = 0;
-    const char* end = cell.text.data() + cell.text.size();
-    const char* begin = cell.text.data() + (cell.text.starts_with('+') && !cell.text.starts_with("+-") ? 1 : 0);
+    const char* end = text.data() + text.size();
+    const char* begin = text.data() + (text.starts_with('+') && !text.starts_with("+-") ? 1 : 0);
     auto [stop, error] = std::from_chars(begin, end, value);
     if (error == std::errc() && stop == end && std::isfinite(value))
         return value;
     bool out_of_range = error == std::errc::result_out_of_range && stop == end;
-    if (out_of_range && is_tiny(cell.text))
+    if (out_of_range && is_tiny(text))
         return 0;
     faults.push_back(error_at(line, cell.column,
                               cell.text.empty() ? "no value"
                               : out_of_range    ? fmt::format("\"{}\" is beyond the range of numbers", cell.text)
                                                 : fmt::format("\"{}\" is not a finite number", cell.text),
-                              "a number such as 1830.5 or -2e-3; leave a row out where a reading is missing"));
+                              decimal_sign == '.'
+                                  ? "a number such as 1830.5 or -2e-3; leave a row out where a reading is missing"
+                                  : "a number such as 1830,5 or -2e-3, since this file has decimal commas; leave a row "
+                                    "out where a reading is missing"));
     return 0;
 }
 

@@ -20,9 +20,11 @@ struct TextRow {
 };
 
 /// A table of comma-separated values. The first row is the header. Lines that start with '#' describe the table if they
-/// come before the header, and are comments elsewhere. Blank lines are ignored. A cell in double quotes may contain
-/// commas, and double quotes that are written twice. Lines end in LF or CR LF; a byte order mark is skipped.
+/// come before the header, and are comments elsewhere, unless they begin with a spreadsheet's "#N/A" or "#NV". Blank
+/// lines are ignored. A cell in double quotes may contain commas, and double quotes that are written twice. A row may
+/// end in a separator that the header does not have. Lines end in LF or CR LF; a byte order mark is skipped.
 struct TextTable {
+    char separator = ',';    ///< separates the cells of a line
     std::string description; ///< the lines before the header, without their "# "
     TextRow header;
     std::vector<TextRow> rows; ///< INVARIANT: each row has as many cells as the header
@@ -38,7 +40,11 @@ TextTable split_table(std::string_view text, std::vector<Diagnostic>& faults);
 /// `number`. The header may have been in an earlier text. Returns the number of the line after the text.
 std::size_t append_lines(TextTable& table, std::string_view text, std::size_t number, std::vector<Diagnostic>& faults);
 
-/// Returns the cell's value if it is a finite number. Otherwise appends a fault and returns 0.
-double number_in(const TextCell& cell, std::size_t line, std::vector<Diagnostic>& faults);
+/// Splits one line, without its end, into cells.
+std::vector<TextCell> split_cells(std::string_view line, char separator);
+
+/// Returns the cell's value if it is a finite number, written with the given decimal sign. Otherwise appends a fault
+/// and returns 0.
+double number_in(const TextCell& cell, std::size_t line, std::vector<Diagnostic>& faults, char decimal_sign = '.');
 
 } // namespace placedpar

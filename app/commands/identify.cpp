@@ -16,6 +16,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace placedpar {
 
@@ -50,15 +51,28 @@ void require_one_way(const IdentifyOptions& options) {
 }
 
 void require_files(const IdentifyOptions& options) {
-    const std::filesystem::path output[] = {options.json};
-    const std::string inputs[] = {options.record, options.machine, options.netlist};
+    const std::filesystem::path output[] = {options.json, options.trend};
+    std::vector<std::string> inputs = options.records;
+    inputs.insert(inputs.end(), {options.machine, options.netlist, options.columns_from});
     if (std::ranges::count_if(inputs, is_standard_stream) > 1)
-        throw UserError("standard input can be read only once: at most one of RECORD, --machine and --on can be "
-                        "\"-\"");
+        throw UserError("standard input can be read only once: at most one of RECORD, --machine, --columns-from and "
+                        "--on can be \"-\"");
     for (const std::string& input : inputs)
         require_apart(output, input);
-    if (!options.json.empty())
-        require_writable(options.json);
+    for (const std::filesystem::path& file : output)
+        if (!file.empty())
+            require_writable(file);
+}
+
+/// Throws UserError if the options do not fit the number of records.
+void require_number_of_records(const IdentifyOptions& options) {
+    const bool many = options.records.size() > 1;
+    if (many && options.way != "service")
+        throw UserError(fmt::format("{} records, expected one with --way {}: a trend needs --way service",
+                                    options.records.size(), options.way));
+    if (!many && !options.trend.empty())
+        throw UserError(
+            "--trend needs at least two records; expected placedpar identify FIRST SECOND ... --trend FILE");
 }
 
 ExitCode identify_record(IdentifyOptions options, const std::string& command_line) try {
@@ -70,11 +84,13 @@ ExitCode identify_record(IdentifyOptions options, const std::string& command_lin
         options.configuration = "a";
     require_files(options);
     require_one_way(options);
+    require_number_of_records(options);
     boost::json::object json{
         {"version", version}, {"commit", commit}, {"command", command_line}, {"seed", options.seed}};
-    ExitCode code = options.way == "service" ? identify_as_service(options, json)
-                    : options.way == "whole" ? identify_over_whole(options, json)
-                                             : identify_by_thesis(options, json);
+    ExitCode code = options.records.size() > 1 ? identify_trend(options, json)
+                    : options.way == "service" ? identify_as_service(options, json)
+                    : options.way == "whole"   ? identify_over_whole(options, json)
+                                               : identify_by_thesis(options, json);
     if (!options.json.empty())
         write_whole(options.json, print_pretty(json));
     return code;
@@ -85,7 +101,10 @@ ExitCode identify_record(IdentifyOptions options, const std::string& command_lin
 Action declare_identify(Options& command, const std::string& typed) {
     auto options = std::make_shared<IdentifyOptions>();
     declare_identify_options(command, *options);
-    return [options, typed] { return identify_record(*options, typed); };
+    return [options, typed] {
+        options->record = options->records.front();
+        return identify_record(*options, typed);
+    };
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "app/identify/ways.hpp"
 
+#include "app/identify/identifying.hpp"
 #include "app/identify/question.hpp"
 #include "app/identify/record_pieces.hpp"
 #include "app/options/link_options.hpp"
@@ -9,6 +10,7 @@
 #include "identification/on_line/population_sets.hpp"
 #include "identification/report/compliance_text.hpp"
 #include "text/counted.hpp"
+#include "text/output_file.hpp"
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 
@@ -24,17 +26,6 @@ using namespace hydraulics;
 using namespace identification;
 
 namespace {
-
-WholeWay moving_way(const IdentifyOptions& options, std::size_t links) {
-    WholeWay whole = whole_way(links);
-    whole.way.bits = options.bits.value_or(whole.way.bits);
-    whole.way.search.elite = options.elite.value_or(whole.way.search.elite);
-    whole.way.search.population = options.population.value_or(whole.way.search.population);
-    whole.way.search.window.trials = options.trials.value_or(whole.way.search.window.trials);
-    whole.way.search.window.bias = options.bias;
-    whole.way.search.validate();
-    return whole;
-}
 
 std::string print_recognition(const Recognition& found) {
     std::string text;
@@ -122,6 +113,17 @@ void add_json(const std::vector<SetAnswer>& sets, const std::vector<LinkIdentifi
 }
 
 } // namespace
+
+WholeWay moving_way(const IdentifyOptions& options, std::size_t links) {
+    WholeWay whole = whole_way(links);
+    whole.way.bits = options.bits.value_or(whole.way.bits);
+    whole.way.search.elite = options.elite.value_or(whole.way.search.elite);
+    whole.way.search.population = options.population.value_or(whole.way.search.population);
+    whole.way.search.window.trials = options.trials.value_or(whole.way.search.window.trials);
+    whole.way.search.window.bias = options.bias;
+    whole.way.search.validate();
+    return whole;
+}
 
 ExitCode identify_moving(const IdentifyOptions& options, Record first, RecordPieces& pieces,
                          boost::json::object& json) {

@@ -3,12 +3,15 @@
 #include "identification/compliance_search.hpp"
 #include "identification/offset_calibration.hpp"
 #include "identification/on_line/population_sets.hpp"
+#include "text/load_source.hpp"
 #include "text/number.hpp"
+#include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 
 #include <boost/json.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -17,6 +20,62 @@ namespace placedpar {
 
 using namespace hydraulics;
 using namespace identification;
+
+namespace {
+
+/// Returns the names in a file with lines such as "boom.inlet_pressure = P_boom_in". Lines that start with '#' are
+/// comments.
+std::vector<ColumnName> names_in_file(const std::string& path) {
+    const LoadedSource source = load_input(path);
+    auto refuse = [&](std::size_t line, const std::string& why) {
+        throw RefusedInput(fmt::format("{}:{}: error: {}\n", shown_input(path), line, why));
+    };
+    if (has_errors(source.problems))
+        throw RefusedInput(render(source.problems));
+    std::vector<ColumnName> names;
+    const std::string& text = source.file->text();
+    for (std::size_t number = 1, at = 0; at < text.size(); ++number) {
+        std::string_view line = source.file->line(number);
+        at = std::min(text.find('\n', at), text.size() - 1) + 1;
+        if (line.find_first_not_of(" \t\r") == line.npos || line.starts_with('#'))
+            continue;
+        try {
+            names.push_back(column_name(line));
+        } catch (const UserError& wrong) {
+            refuse(number, wrong.what());
+        }
+    }
+    return names;
+}
+
+ColumnName name_typed(const std::string& typed) try { return column_name(typed); } catch (const UserError& wrong) {
+    throw UserError(fmt::format("--column {}", wrong.what()));
+}
+
+/// Throws UserError if two channels have the same column, or a channel has two.
+void require_different(const std::vector<ColumnName>& names) {
+    for (const ColumnName& name : names) {
+        if (std::ranges::count(names, name.in_file, &ColumnName::in_file) > 1)
+            throw UserError(fmt::format("the column \"{}\" is given to two channels; expected one", name.in_file));
+        if (std::ranges::count(names, name.channel, &ColumnName::channel) > 1)
+            throw UserError(fmt::format("\"{}\": the channel already has a column; expected one", name.in_file));
+    }
+}
+
+std::vector<ColumnName> column_names(const IdentifyOptions& options) {
+    std::vector<ColumnName> names =
+        options.columns_from.empty() ? std::vector<ColumnName>{} : names_in_file(options.columns_from);
+    std::vector<ColumnName> typed;
+    for (const std::string& each : options.columns)
+        typed.push_back(name_typed(each));
+    for (const ColumnName& each : typed) // replaces a name of the file
+        std::erase_if(names, [&](const ColumnName& name) { return name.channel == each.channel; });
+    names.insert(names.end(), typed.begin(), typed.end());
+    require_different(names);
+    return names;
+}
+
+} // namespace
 
 std::optional<AreasFrom> areas_asked(const IdentifyOptions& options) {
     if (options.areas.empty())
@@ -45,7 +104,7 @@ RecordNeeds needs_of(const IdentifyOptions& options, std::function<LinkSet(const
                     needed.insert(link, sensor);
         return needed;
     };
-    return {needed, options.missing == "skip"};
+    return {needed, options.missing == "skip", column_names(options)};
 }
 
 boost::json::object sampling_json(const Sampling& sampling) {

@@ -22,7 +22,8 @@ hydraulics::Side side_asked(const IdentifyOptions& options);
 /// Reads a number of inches. Throws UserError for anything else.
 double offset_asked(const std::string& text);
 /// Returns the channels that each link needs: the pressure of the chosen side, the angle, and the source of the areas.
-/// `links` receives the channels that are present and returns the links to identify.
+/// Columns have the names that `--column` and `--columns-from` give. `links` receives the channels that are present and
+/// returns the links to identify.
 hydraulics::RecordNeeds needs_of(const IdentifyOptions& options,
                                  std::function<hydraulics::LinkSet(const hydraulics::ChannelSet&)> links);
 

@@ -107,6 +107,8 @@ std::optional<hydraulics::Record> RecordPieces::next() {
 
 void RecordPieces::finish() {
     report(reader_.finish(), first_);
+    if (const std::string later = repeated_.later(); !later.empty())
+        warn_(later);
     if (more_warnings_ > 0)
         warn_(not_shown(std::exchange(more_warnings_, 0), Severity::warning));
 }
@@ -114,7 +116,7 @@ void RecordPieces::finish() {
 void RecordPieces::report(std::vector<Diagnostic> faults, const File& file) {
     std::string warnings;
     std::vector<Diagnostic> errors;
-    for (Diagnostic& fault : faults) {
+    for (Diagnostic& fault : repeated_.take(std::move(faults))) {
         fault.location.file = fault.location.line != 0 && fault.location.line < file->first_line() ? first_ : file;
         if (fault.severity == Severity::error)
             errors.push_back(std::move(fault));

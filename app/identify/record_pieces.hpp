@@ -2,6 +2,7 @@
 
 #include "explore/load.hpp"
 #include "hydraulics/data/record_table.hpp"
+#include "text/repeated_faults.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +16,8 @@
 namespace placedpar {
 
 /// Reads a record of any length piece by piece from a file, a pipe or standard input ("-"). At most two pieces of the
-/// text are in memory. Errors are reported as by load_record. Only the first 20 warnings are shown.
+/// text are in memory. Errors are reported as by load_record. Only the first 20 warnings are shown. A warning that
+/// occurs again in a later piece is counted, and the counts are shown at the end.
 class RecordPieces {
 public:
     static constexpr std::size_t piece_bytes = 1 << 20; ///< approximate length of a piece, which ends at the end of a
@@ -33,6 +35,8 @@ public:
     std::optional<hydraulics::Record> next();
 
     std::uint64_t bytes() const { return bytes_; } ///< number of bytes read so far
+    /// Returns the date of the time 0, in s since 1970, if the file has dates and a piece was read.
+    std::optional<double> begun_s() const { return reader_.begun_s(); }
     bool stopped() const { return stopped_; }
     /// Returns the warnings that were shown.
     const std::vector<Diagnostic>& warnings() const { return warnings_; }
@@ -57,6 +61,7 @@ private:
     File first_;           ///< the first piece, which has the header
     std::vector<Diagnostic> warnings_;
     std::size_t more_warnings_ = 0;
+    RepeatedFaults repeated_;
 };
 
 } // namespace placedpar

@@ -1,5 +1,6 @@
 #include "app/identify/ways.hpp"
 
+#include "app/identify/identifying.hpp"
 #include "app/identify/question.hpp"
 #include "app/identify/record_pieces.hpp"
 #include "app/options/link_options.hpp"
@@ -32,87 +33,13 @@ using namespace identification;
 
 namespace {
 
-/// The monitor uses the same random numbers for a machine of this name.
-constexpr const char* machine_name = "record";
-
-DiagnosisSettings settings_of(const IdentifyOptions& options) {
-    DiagnosisSettings settings;
-    settings.bits = options.bits.value_or(settings.bits);
-    settings.search.elite = options.elite.value_or(settings.search.elite);
-    settings.search.population = options.population.value_or(settings.search.population);
-    settings.search.window.trials = options.trials.value_or(settings.search.window.trials);
-    settings.search.window.length = options.window.value_or(settings.search.window.length);
-    settings.search.window.bias = options.bias;
-    settings.validate();
-    return settings;
-}
-
-LinkSet wanted_links(const IdentifyOptions& options, const ChannelSet& there) {
-    return options.links.empty() ? links_to_diagnose(there) : links_of(options.links);
-}
-
-/// Returns whether the configuration is to be recognised.
-bool moves(const IdentifyOptions& options, const ChannelSet& there) {
-    return options.configuration.empty() && recognisable(there);
-}
-
-/// Rounds a period to whole nanoseconds, since clock steps written as decimals are whole nanoseconds.
-double whole_nanoseconds(double period_s) { return std::round(period_s * 1e9) / 1e9; }
-
-/// Identifies the compliances in a record that is read in pieces.
-class Identifying {
+/// Prints movements, and keeps them for JSON if asked.
+class MovementList {
 public:
-    Identifying(const IdentifyOptions& options, const Record& first)
-        : settings_(settings_of(options)), keeps_movements_(!options.json.empty()),
-          links_(required_links(options, first)),
-          diagnosis_(made(options, first), settings_, readers_of(options, first)) {}
+    explicit MovementList(bool keeps_movements) : keeps_movements_(keeps_movements) {}
 
-    LinkSet links() const { return links_; }
-    const DiagnosisSettings& settings() const { return settings_; }
-    const Diagnosis& diagnosis() const { return diagnosis_.diagnosis(); }
-    std::size_t movements() const { return count_; }
+    std::size_t count() const { return count_; }
     bool flagged() const { return flagged_; }
-
-    void take(const Record& piece) { show(diagnosis_.take(piece)); }
-    void end() { show(diagnosis_.end()); }
-
-    boost::json::array movements_json() && { return std::move(movements_); }
-
-private:
-    static LinkSet required_links(const IdentifyOptions& options, const Record& first) {
-        const LinkSet wanted = wanted_links(options, first.channels());
-        if (!wanted.empty())
-            return wanted;
-        for (Link link : links_of(first.links())) // throws an error that names the channels that the first link lacks
-            require_channels(first, link, areas_from(first.channels(), link, areas_asked(options)));
-        throw UnfitRecord("no link has all readings that identification needs: inlet_pressure, angle, and spool "
-                          "or servo or (inlet_area and bypass_area)");
-    }
-
-    Diagnosis made(const IdentifyOptions& options, const Record& first) const {
-        ExcavatorParameters machine = excavator_parameters(load_machine(options.machine, print_warnings));
-        machine.period_s = whole_nanoseconds(first.period_s);
-        Diagnosis diagnosis(machine_name, machine, settings_, options.seed);
-        diagnosis.change({*configuration_named(options.configuration), links_});
-        return diagnosis;
-    }
-
-    PerLink<LinkReader> readers_of(const IdentifyOptions& options, const Record& first) const {
-        PerLink<LinkReader> readers;
-        const bool offset = !options.offset.empty() && options.offset != "none";
-        for (Link link : links_of(links_)) {
-            const AreasFrom from = areas_from(first.channels(), link, areas_asked(options));
-            require_channels(first, link, from);
-            readers[index_of(link)].from = from;
-        }
-        LinkReader& boom = readers[index_of(Link::boom)];
-        if (offset && (!links_.contains(Link::boom) || boom.from != AreasFrom::spool))
-            throw UserError(fmt::format("--offset {}: the option has no effect, because no area is computed from "
-                                        "the boom's spool",
-                                        options.offset));
-        boom.spool_offset_in = offset ? offset_asked(options.offset) : 0;
-        return readers;
-    }
 
     void show(const std::vector<MovementFinding>& found) {
         for (const MovementFinding& movement : found) {
@@ -123,11 +50,10 @@ private:
                 flagged_ = flagged_ || !link.flags.empty();
         }
     }
+    boost::json::array movements_json() && { return std::move(movements_); }
 
-    DiagnosisSettings settings_;
+private:
     bool keeps_movements_;
-    LinkSet links_;
-    RecordDiagnosis diagnosis_;
     std::size_t count_ = 0;
     boost::json::array movements_; ///< empty unless keeps_movements_, so that memory does not grow with the record
     bool flagged_ = false;
@@ -144,20 +70,14 @@ std::string print_beginning(const Identifying& identifying, const IdentifyOption
                        sampling.readings > 1 ? fmt::format("{}\n", print_sampling(sampling)) : "");
 }
 
-[[noreturn]] void refuse_rest(const Identifying& identifying) {
-    throw UnfitRecord(fmt::format("no movement in {}: expected a valve that opens for long enough while the pressure "
-                                  "lets oil flow into the cylinder",
-                                  counted(identifying.diagnosis().samples(), "sample")));
-}
-
 /// Reports the results after the last sample.
-void report(Identifying& identifying, boost::json::object& json) {
+void report(const Identifying& identifying, MovementList&& movements, boost::json::object& json) {
     print_out("\n" + print_verdicts(identifying.diagnosis()));
     for (auto& [key, value] : verdicts_json(identifying.diagnosis()))
         json[key] = value;
     json["sampling"] = sampling_json(identifying.diagnosis().sampling());
     json["samples"] = identifying.diagnosis().samples();
-    json["movements"] = std::move(identifying).movements_json();
+    json["movements"] = std::move(movements).movements_json();
 }
 
 } // namespace
@@ -166,12 +86,9 @@ ExitCode identify_as_service(const IdentifyOptions& typed, boost::json::object& 
     IdentifyOptions options = typed;
     settings_of(options); // reports wrong settings before anything is read
     InterruptedBySignals interruption;
-    RecordPieces pieces(options.record,
-                        needs_of(options,
-                                 [&](const ChannelSet& there) {
-                                     return moves(options, there) ? LinkSet::all() : wanted_links(options, there);
-                                 }),
-                        print_warnings, [&] { return interruption.requested(); });
+    RecordPieces pieces(options.record, needs_of_service(options), print_warnings,
+                        [&] { return interruption.requested(); });
+    MovementList movements(!options.json.empty());
     std::optional<Identifying> identifying;
     ProgressLine progress;
     while (auto piece = pieces.next()) {
@@ -184,20 +101,20 @@ ExitCode identify_as_service(const IdentifyOptions& typed, boost::json::object& 
             identifying.emplace(options, *piece);
             print_out(print_beginning(*identifying, options));
         }
-        identifying->take(*piece);
+        movements.show(identifying->take(*piece));
         progress.show(fmt::format("{:.0f} Mbyte, {}", static_cast<double>(pieces.bytes()) / 1e6,
-                                  counted(identifying->movements(), "movement")));
+                                  counted(movements.count(), "movement")));
     }
     progress.clear();
     json["warnings"] = warnings_json(pieces.warnings());
     if (!identifying)
         return ExitCode::interrupted;
-    identifying->end();
+    movements.show(identifying->end());
     const bool alarmed = !identifying->diagnosis().alarms().empty();
-    if (identifying->movements() == 0 && !alarmed && !pieces.stopped())
+    if (movements.count() == 0 && !alarmed && !pieces.stopped())
         refuse_rest(*identifying);
-    const bool doubted = identifying->flagged() || alarmed;
-    report(*identifying, json);
+    const bool doubted = movements.flagged() || alarmed;
+    report(*identifying, std::move(movements), json);
     if (pieces.stopped())
         return ExitCode::interrupted;
     return options.strict && doubted ? ExitCode::missed_tolerance : ExitCode::success;

@@ -27,5 +27,7 @@ ExitCode identify_as_service(const IdentifyOptions& options, boost::json::object
 /// Recognises the configuration of each sample, and searches with a population for each set of Figure 3.13.
 ExitCode identify_moving(const IdentifyOptions& options, hydraulics::Record first, RecordPieces& pieces,
                          boost::json::object& json);
+/// Evaluates all records as identify_as_service() does, and prints how the compliance of each link changes.
+ExitCode identify_trend(const IdentifyOptions& options, boost::json::object& json);
 
 } // namespace placedpar

@@ -12,9 +12,15 @@ namespace {
 constexpr std::uint64_t a_million = 1'000'000;
 
 void declare_question(Options& command, IdentifyOptions& options) {
-    command.add("RECORD", options.record, "the measurements: comma-separated values with units in the header")
+    command
+        .add("RECORD", options.records,
+             "the measurements: comma-separated values with units in the header; several records give a trend")
         .type("FILE")
         .required();
+    command.add_list("--column", options.columns, "NAME=NAME_IN_FILE",
+                     "name of a column in the record, such as boom.inlet_pressure=P_boom_in, \"angle [deg]=Phi 1\" or "
+                     "time=Timestamp; without a link: the boom's");
+    add_file(command, "--columns-from", options.columns_from, "file with such names, one a line");
     add_links(command, options.links,
               "links to identify, with commas: bucket, boom, stick, swing; default: every link with readings; "
               "with --way thesis: boom");
@@ -101,6 +107,8 @@ void declare_identify_options(Options& command, IdentifyOptions& options) {
     declare_question(command, options);
     declare_way(command, options);
     declare_thesis_way(command, options);
+    add_file(command, "--trend", options.trend,
+             "with several records: draws the compliance of each over its date as SVG", "FILE.svg");
     add_file(command, "--json", options.json, "writes the result as JSON");
     command.add_flag("--strict", options.strict,
                      "exit code 3 if an answer is flagged as doubtful or an alarm is raised");

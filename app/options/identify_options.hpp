@@ -12,7 +12,11 @@ namespace placedpar {
 
 /// The options of `placedpar identify`. An option that only one --way uses is empty if it was not typed.
 struct IdentifyOptions {
-    std::string record, links, configuration, way, offset, areas, missing = "refuse", machine, json;
+    std::vector<std::string> records; ///< all that were typed
+    std::string record;               ///< the one that is being read
+    std::vector<std::string> columns;
+    std::string columns_from, trend;
+    std::string links, configuration, way, offset, areas, missing = "refuse", machine, json;
     std::uint64_t seed = 1;
     std::optional<std::size_t> bits, population, trials, window, elite; ///< empty: the default of the way
     double bias = 400;

@@ -1,13 +1,14 @@
 #include "hydraulics/data/record_table.hpp"
 
+#include "hydraulics/data/clock_time.hpp"
 #include "hydraulics/data/frozen_run.hpp"
 #include "text/counted.hpp"
+#include "text/nearest.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <iterator>
 
@@ -15,41 +16,13 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// Splits "boom.spool [in]" into its two parts; the unit is empty if there are no brackets.
-std::pair<std::string, std::string> name_and_unit(const std::string& header) {
-    std::size_t open = header.find('[');
-    if (open == std::string::npos || header.back() != ']')
-        return {header, ""};
-    std::string name = header.substr(0, open);
-    name.erase(name.find_last_not_of(" \t") + 1);
-    return {name, header.substr(open + 1, header.size() - open - 2)};
-}
-
-/// The meaning of a column name.
-struct Channel {
-    Link link{};
-    std::optional<Sensor> sensor = std::nullopt; ///< nullopt: the time
-
-    Quantity quantity() const { return sensor ? quantity_of(*sensor) : Quantity::time; }
-};
-
-std::optional<Channel> channel_named(const std::string& name) {
-    if (name == "time")
-        return Channel{};
-    std::size_t dot = name.find('.');
-    auto link = link_named(name.substr(0, dot));
-    auto sensor = dot == std::string::npos ? std::nullopt : sensor_named(std::string_view(name).substr(dot + 1));
-    if (!link || !sensor)
-        return std::nullopt;
-    return Channel{*link, sensor};
-}
-
 /// Returns whether the cell is one of the words that loggers write for a missing reading.
 bool is_missing(const TextCell& cell) {
-    constexpr std::array<std::string_view, 5> words{"", "-", "nan", "na", "null"};
-    std::string text = cell.text;
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return std::ranges::find(words, text) != words.end();
+    constexpr std::array<std::string_view, 15> words{"",     "-",        "--",        "nan",     "-nan",
+                                                     "na",   "n/a",      "#n/a",      "#nv",     "none",
+                                                     "null", "nan(ind)", "-nan(ind)", "1.#qnan", "-1.#ind"};
+    return cell.text.size() <= words.back().size() + 2 &&
+           std::ranges::find(words, lower_case(cell.text)) != words.end();
 }
 
 /// Returns the number of decimals, 3 to 9, that shows all times without rounding.
@@ -71,46 +44,6 @@ std::string print_number(double value, int decimals) {
 }
 
 } // namespace
-
-void RecordReader::read_header(std::vector<Diagnostic>& faults) {
-    const TextRow& header = table_.header;
-    for (std::size_t i = 0; i < header.cells.size(); ++i) {
-        const TextCell& cell = header.cells[i];
-        auto [name, unit_name] = name_and_unit(cell.text);
-        auto refuse = [&](std::string message, std::string hint) {
-            faults.push_back(error_at(header.line, cell.column, std::move(message), std::move(hint)));
-        };
-        const auto channel = channel_named(name);
-        const Unit* unit = unit_named(unit_name);
-        auto same = [&](const Column& column) {
-            return column.sensor == channel->sensor && (!column.sensor || column.link == channel->link);
-        };
-        if (cell.text == "configuration")
-            configuration_ = i;
-        else if (!channel)
-            faults.push_back(
-                warning_at(header.line, cell.column, fmt::format("column \"{}\" is not used", name),
-                           "columns are time and LINK.SENSOR, such as boom.inlet_pressure or bucket.angle"));
-        else if (!unit || unit->quantity != channel->quantity())
-            refuse(unit_name.empty()
-                       ? fmt::format("column \"{}\" has no unit", name)
-                       : fmt::format("\"{}\" is not a unit of {}", unit_name, name_of(channel->quantity())),
-                   fmt::format("{} [UNIT] with {}", name, list_units(channel->quantity())));
-        else if (auto before = std::ranges::find_if(columns_, same); before != columns_.end())
-            refuse(fmt::format("column \"{}\" occurs twice", name),
-                   fmt::format("the first is column {} of the table", before->index + 1));
-        else
-            columns_.push_back({i, cell.column, name, unit, channel->link, channel->sensor});
-    }
-    if (has_errors(faults))
-        return;
-    if (std::ranges::find(columns_, "time", &Column::name) == columns_.end())
-        faults.push_back(
-            error_at(header.line, 1, "the column \"time\" is missing", "add the column, usually the first: time [s]"));
-    else if (columns_.size() == 1)
-        faults.push_back(
-            error_at(header.line, 1, "no column of a sensor", "LINK.SENSOR, such as boom.inlet_pressure [psi]"));
-}
 
 void RecordReader::find_needs() {
     ChannelSet there;
@@ -135,8 +68,40 @@ void RecordReader::skip_missing(std::vector<Diagnostic>& faults) {
                                 fmt::format("{} left out; this is the first of them", counted(skipped, "row"))));
 }
 
+/// Finds out whether numbers have decimal commas: the last comma or point of the first number that has one decides.
+void RecordReader::find_decimal_sign() {
+    for (const TextRow& row : table_.rows)
+        for (const Column& column : columns_) {
+            const TextCell& cell = row.cells[column.index];
+            const std::size_t sign =
+                column.is_clock || is_missing(cell) ? cell.text.npos : cell.text.find_last_of(".,");
+            if (sign != cell.text.npos) {
+                decimal_sign_ = cell.text[sign];
+                return;
+            }
+        }
+}
+
+/// Returns the seconds from the first date.
+double RecordReader::clock_s(const TextRow& row, const Column& column, std::vector<Diagnostic>& faults) {
+    const TextCell& cell = row.cells[column.index];
+    const std::optional<ClockTime> time = clock_time(cell.text);
+    if (time && !begun_ns_) {
+        begun_ns_ = time->since_1970_ns;
+        has_zone_ = time->has_zone;
+    }
+    if (time && time->has_zone == has_zone_)
+        return static_cast<double>(time->since_1970_ns - *begun_ns_) / 1e9;
+    faults.push_back(error_at(row.line, cell.column,
+                              !time       ? fmt::format("\"{}\" is not a date and time of ISO 8601", cell.text)
+                              : has_zone_ ? fmt::format("{} has no time zone, unlike the times before it", cell.text)
+                                          : fmt::format("{} has a time zone, unlike the times before it", cell.text),
+                              "such as 2024-03-05T14:30:00.020, or with its zone, 2024-03-05T14:30:00.020+01:00"));
+    return 0;
+}
+
 /// Returns the value in the unit of units.hpp.
-double RecordReader::value_in(const TextRow& row, const Column& column, std::vector<Diagnostic>& faults) const {
+double RecordReader::value_in(const TextRow& row, const Column& column, std::vector<Diagnostic>& faults) {
     const TextCell& cell = row.cells[column.index];
     if (is_missing(cell)) {
         faults.push_back(error_at(row.line, cell.column,
@@ -145,7 +110,9 @@ double RecordReader::value_in(const TextRow& row, const Column& column, std::vec
                                   "rows out"));
         return 0;
     }
-    double value = number_in(cell, row.line, faults) * column.unit->factor;
+    if (column.is_clock)
+        return clock_s(row, column, faults);
+    double value = number_in(cell, row.line, faults, decimal_sign_.value_or('.')) * column.unit->factor;
     if (std::abs(value) <= largest_reading)
         return value;
     faults.push_back(error_at(row.line, cell.column, fmt::format("{} is too large for a reading", cell.text),
@@ -157,6 +124,8 @@ void RecordReader::read_rows(Record& record, std::vector<Diagnostic>& faults) {
     auto lacks = [](const Column& column) {
         return [&column](const TextRow& row) { return is_missing(row.cells[column.index]); };
     };
+    if (!decimal_sign_)
+        find_decimal_sign();
     for (const TextRow& row : table_.rows)
         if (configuration_) {
             const std::string& cell = row.cells[*configuration_].text;
@@ -215,7 +184,8 @@ void RecordReader::forget_told(std::vector<Diagnostic>& faults) {
 /// Reads the lines into table_, and the header of the first piece. Returns false if nothing can be read.
 bool RecordReader::read_table(std::string_view lines, std::vector<Diagnostic>& faults) {
     table_.rows.clear();
-    line_ = append_lines(table_, lines, line_, faults);
+    line_ = columns_.empty() ? append_lines(table_, find_table(lines), line_, faults)
+                             : append_lines(table_, lines, line_, faults);
     if (table_.rows.empty() && has_errors(faults))
         return false;
     if (table_.header.cells.empty()) {
@@ -275,6 +245,10 @@ std::vector<Diagnostic> RecordReader::finish() const {
             check_channel(column.name, *column.sensor, *column.unit, column.least, column.greatest,
                           {table_.header.line, column.at}, faults);
     return faults;
+}
+
+std::optional<double> RecordReader::begun_s() const {
+    return begun_ns_ ? std::optional(static_cast<double>(*begun_ns_) / 1e9) : std::nullopt;
 }
 
 ReadRecord read_record(std::string_view text, const RecordNeeds& needs) {

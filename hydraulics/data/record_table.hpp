@@ -5,6 +5,7 @@
 #include "text/table.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -21,6 +22,26 @@ struct ReadRecord {
     std::vector<Diagnostic> faults;
 };
 
+/// A quantity that a record has at each instant.
+struct Channel {
+    Link link{};
+    std::optional<Sensor> sensor = std::nullopt; ///< nullopt: the time
+
+    Quantity quantity() const { return sensor ? quantity_of(*sensor) : Quantity::time; }
+    friend bool operator==(const Channel&, const Channel&) = default;
+};
+
+/// A column whose name in the file is not the name of its channel.
+struct ColumnName {
+    std::string in_file; ///< with its unit or without
+    Channel channel;
+    std::string unit; ///< replaces the unit in the file; "": the unit in the file
+};
+
+/// Reads "boom.inlet_pressure=P_boom_in", "angle [deg]=Phi 1" (without a link: the boom's) or "time=Timestamp". The
+/// unit may be left out if the file has it. Throws UserError.
+ColumnName column_name(std::string_view text);
+
 /// States which channels a record must have.
 struct RecordNeeds {
     /// Given the channels that a header names, returns the channels that must have a value in every row. If this
@@ -28,16 +49,21 @@ struct RecordNeeds {
     std::function<ChannelSet(const ChannelSet&)> of = {};
     /// true: rows that lack a required value are left out; false: the record is refused.
     bool skip_missing = false;
+    std::vector<ColumnName> names = {};
 };
 
-/// Reads a record from comma-separated values. The header names each column and its unit, in any order:
+/// Reads a record from comma-separated values, or from values separated by semicolons or tabs: the separator that is
+/// most frequent in the header, or that a line "sep=;" states. Numbers may have decimal commas. The header is the first
+/// line with a column of the time and one of a sensor; lines above it are description. It names each column and its
+/// unit, in any order; a row of units may follow:
 ///
 ///     # boom raised at 4 deg/s, seed 1              any number of lines of description
 ///     time [s],boom.inlet_pressure [psi],boom.angle [deg],boom.spool [in]
 ///     0.00,1555.1,0.000,0.1297
 ///
 /// Columns are time, and LINK.SENSOR for the four links and the sensors of record.hpp. Any unit of the quantity is
-/// converted. A column "configuration" without a unit has the letters a to e, or anything else where it is unknown. A
+/// converted. The time may also be a date and time of ISO 8601, which is converted to seconds from the first instant. A
+/// column "configuration" without a unit has the letters a to e, or anything else where it is unknown. A
 /// column with another name causes a warning and is ignored. A channel that is not needed and has an empty
 /// cell is ignored.
 ///
@@ -59,6 +85,8 @@ public:
     ReadRecord read(std::string_view lines);
     /// Returns the warnings about whole channels at the end of the text.
     std::vector<Diagnostic> finish() const;
+    /// Returns the date of the time 0, in s since 1970, if the file has dates and a piece was read.
+    std::optional<double> begun_s() const;
 
 private:
     struct Column {
@@ -69,6 +97,7 @@ private:
         Link link{};
         std::optional<Sensor> sensor = {}; ///< nullopt: the time
         bool needed = true;
+        bool is_clock = false;                                                     ///< the cells are dates and times
         double least = std::numeric_limits<double>::infinity(), greatest = -least; ///< range of the values so far
 
         std::vector<double>& of(Record& record) const { return sensor ? record.of(link, *sensor) : record.time_s; }
@@ -76,19 +105,31 @@ private:
 
     bool read_table(std::string_view lines, std::vector<Diagnostic>& faults);
     Record read_piece(std::vector<Diagnostic>& faults);
+    std::string find_table(std::string_view text);
+    void take_units_row();
+    const Unit* unit_of(std::size_t index, const Channel& channel, std::vector<Diagnostic>& faults) const;
+    void read_column(std::size_t index, std::vector<std::string>& unused, std::vector<Diagnostic>& faults);
+    void note_unused(const std::vector<std::string>& unused, std::vector<Diagnostic>& faults) const;
+    void require_names(std::vector<Diagnostic>& faults) const;
     void read_header(std::vector<Diagnostic>& faults);
     void find_needs();
+    void find_decimal_sign();
+    double clock_s(const TextRow& row, const Column& column, std::vector<Diagnostic>& faults);
     void skip_missing(std::vector<Diagnostic>& faults);
-    double value_in(const TextRow& row, const Column& column, std::vector<Diagnostic>& faults) const;
+    double value_in(const TextRow& row, const Column& column, std::vector<Diagnostic>& faults);
     void read_rows(Record& record, std::vector<Diagnostic>& faults);
     void check(Record& record, std::vector<Diagnostic>& faults);
     void check_readings(const Column& column, Record& record, std::vector<Diagnostic>& faults) const;
     void forget_told(std::vector<Diagnostic>& faults);
 
     RecordNeeds needs_;
-    TextTable table_;      ///< the rows of the newest piece
-    std::size_t line_ = 1; ///< number of the next line
+    TextTable table_;                ///< the rows of the newest piece
+    std::size_t line_ = 1;           ///< number of the next line
+    std::vector<std::string> units_; ///< the cells of a row of units below the header
     std::vector<Column> columns_;
+    std::optional<char> decimal_sign_;         ///< nullopt until a number has one
+    std::optional<std::int64_t> begun_ns_;     ///< the first date, in ns since 1970
+    bool has_zone_ = false;                    ///< whether the dates have a zone
     std::optional<std::size_t> configuration_; ///< index of the column of the configurations
     std::optional<RowBefore> before_;
     std::optional<double> period_s_;

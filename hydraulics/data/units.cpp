@@ -71,6 +71,20 @@ constexpr std::array all{
     Unit{"Pa s/m^3", Quantity::resistance, psi_per_pascal / in3_per_m3},
 };
 
+/// Other names of units, as loggers write them.
+struct UnitAlias {
+    std::string_view alias, name;
+};
+
+constexpr std::array aliases{
+    UnitAlias{"\u00b0", "deg"},    UnitAlias{"\xb0", "deg"}, // the degree sign in UTF-8, and in Latin-1
+    UnitAlias{"degree", "deg"},    UnitAlias{"degrees", "deg"},   UnitAlias{"sec", "s"},
+    UnitAlias{"seconds", "s"},     UnitAlias{"msec", "ms"},       UnitAlias{"psig", "psi"},
+    UnitAlias{"barg", "bar"},      UnitAlias{"inch", "in"},       UnitAlias{"inches", "in"},
+    UnitAlias{"volt", "V"},        UnitAlias{"volts", "V"},       UnitAlias{"Volts", "V"},
+    UnitAlias{"in\u00b2", "in^2"}, UnitAlias{"mm\u00b2", "mm^2"}, UnitAlias{"cm\u00b2", "cm^2"},
+};
+
 struct QuantityName {
     Quantity quantity;
     std::string_view name;
@@ -104,7 +118,8 @@ constexpr std::array quantity_names{
 } // namespace
 
 const Unit* unit_named(std::string_view name) {
-    const auto* found = std::ranges::find(all, name, &Unit::name);
+    const auto* alias = std::ranges::find(aliases, name, &UnitAlias::alias);
+    const auto* found = std::ranges::find(all, alias == aliases.end() ? name : alias->name, &Unit::name);
     return found == all.end() ? nullptr : found;
 }
 

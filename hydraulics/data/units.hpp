@@ -45,7 +45,8 @@ inline constexpr double pascal_per_psi = 6894.757293168361;
 inline constexpr double metre_per_inch = 0.0254;
 inline constexpr double deg_per_rad = 180 / std::numbers::pi;
 
-/// Returns the unit with a name such as "cm^3/s", "kPa" or "deg", or null. The unit that Quantity lists has factor 1.
+/// Returns the unit with a name such as "cm^3/s", "kPa" or "deg", or another name that loggers use, or null. The unit
+/// that Quantity lists has factor 1.
 const Unit* unit_named(std::string_view name);
 
 /// Returns all units of a quantity, beginning with the unit that Quantity lists.

@@ -1,5 +1,6 @@
 #include "identification/verdict/verdict.hpp"
 
+#include "identification/verdict/mean_deviation.hpp"
 #include "identification/verdict/way_matrices.hpp"
 
 #include <fmt/format.h>
@@ -150,15 +151,7 @@ Verdict verdict_of(const Deviation& mean, bool raised, AreasFrom valve) {
 std::optional<Deviation> LinkJudge::baseline() const {
     if (state_.first.size() < movements_of_baseline)
         return std::nullopt;
-    WayMatrix information = WayMatrix::Zero();
-    WayVector pull = WayVector::Zero();
-    for (const Deviation& each : state_.first) {
-        const WayMatrix of_each = matrix_of(each.information());
-        information += of_each;
-        pull += of_each * vector_of(each.by);
-    }
-    const WayMatrix covariance = information.inverse();
-    return Deviation{ways_of(covariance * pull), two_ways_of(covariance)};
+    return mean_deviation(state_.first);
 }
 
 bool LinkJudge::is_evidence(const Deviation& movement, AreasFrom valve) {

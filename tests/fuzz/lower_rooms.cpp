@@ -13,6 +13,7 @@
 #include "tests/fuzz/reader.hpp"
 #include "text/load_source.hpp"
 #include "text/paint.hpp"
+#include "text/repeated_faults.hpp"
 #include "text/table.hpp"
 #include "text/utf8.hpp"
 
@@ -23,6 +24,8 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace placedpar::fuzz {
 
@@ -71,8 +74,16 @@ process a, b; use "csp.sink" for a; place a on t[0]; place b on t[1];)";
     require(result.network.has_value() != has_errors(result.diagnostics), "what is refused is refused with an error");
 }
 
+/// Reads a record with the names of the files in examples/hydraulics/loggers.
 void read_record(const std::string& text) {
+    static const std::vector<hydraulics::ColumnName> names{
+        hydraulics::column_name("time=TIMESTAMP"), hydraulics::column_name("pressure [psi]=P_boom_in"),
+        hydraulics::column_name("angle=Winkel"), hydraulics::column_name("spool=X_boom")};
     hydraulics::ReadRecord read = hydraulics::read_record(text);
+    for (const hydraulics::ColumnName& name : names)
+        if (text.find(name.in_file) != text.npos)
+            read = hydraulics::read_record(text, {{}, true, {name}});
+    read.faults = RepeatedFaults().take(std::move(read.faults));
     render(read.faults);
     if (!read.record)
         return require(has_errors(read.faults), "what is refused is refused with an error");

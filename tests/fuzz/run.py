@@ -59,7 +59,7 @@ OPENED = request(10, text(b"a/file") + b"\1\5")
 
 SEEDS = {
     "netlist": lambda: files("examples/**/*.cfs", "tests/netlist/refusals/**/*.cfs"),
-    "record": lambda: [rows(text) for text in files("examples/hydraulics/records/*.csv")] + texts_of("tests/hydraulics/data/record*.cpp"),
+    "record": lambda: [rows(text) for text in files("examples/hydraulics/records/*.csv", "examples/hydraulics/loggers/*.*")] + texts_of("tests/hydraulics/data/record*.cpp"),
     "machine": lambda: [rows(text, 12) for text in files("hydraulics/data/excavator.csv")],
     "policies": lambda: texts_of("tests/gaprocs/policies/*.cpp") + matches(r'= "([a-z(][^"\n]+)"', "examples/**/*.cfs"),
     "strings": lambda: texts_of("tests/gaprocs/representation/*.cpp"),

@@ -95,3 +95,21 @@ TEST_CASE("a source takes only the memory of its text") {
     CHECK(loaded.file->text() == std::string(800, 'x'));
     CHECK(loaded.file->text().capacity() < 10'000);
 }
+
+TEST_CASE("UTF-16 and lines that end in carriage returns only are refused by name") {
+    using namespace std::string_literals;
+    constexpr const char* wide =
+        "0:0: the file is UTF-16, expected UTF-8 or ASCII: iconv -f UTF-16 -t UTF-8 FILE > NEW "
+        "converts it";
+    CHECK(problem_of(check_source("a.csv", "\xff\xfet\0"s)) == wide);
+    CHECK(problem_of(check_source("a.csv", "\xfe\xff\0t"s)) == wide);
+    CHECK(problem_of(check_source("a.csv", "t\0i\0m\0e\0"s)) == wide);
+    CHECK(problem_of(check_source("a.csv", "\0t\0i\0m\0e"s)) == wide);
+    CHECK(problem_of(check_source("a.csv", "\0\0\0\0\0\0\0\0"s)).find("binary file") != std::string::npos);
+    std::string old;
+    while (old.size() < 2 * longest_source_line)
+        old += "0.02,1\r";
+    CHECK(problem_of(check_source("a.csv", old)) ==
+          "1:7: the lines end in carriage returns only, not in LF or CR LF: tr "
+          "'\\r' '\\n' < FILE > NEW converts the file");
+}

@@ -60,6 +60,21 @@ TEST_CASE("CR LF, a byte order mark, and a missing last line end are accepted") 
     CHECK(table.rows[0].cells[1].text == "2");
 }
 
+TEST_CASE("a table may have another separator, a separator at the end of its rows, and decimal commas") {
+    std::vector<Diagnostic> faults;
+    TextTable table{.separator = ';'};
+    append_lines(table, "a;b\n1,5;\"x;y\";\n#N/A;2\n# comment\n", 1, faults);
+    CHECK(faults.empty());
+    REQUIRE(table.rows.size() == 2);
+    CHECK(table.rows[0].cells[1].text == "x;y");
+    CHECK(table.rows[1].cells[0].text == "#N/A");
+    CHECK(number_in(table.rows[0].cells[0], 2, faults, ',') == 1.5);
+    CHECK(faults.empty());
+    CHECK(number_in({"1.5", 1}, 2, faults, ',') == 0);
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0].hint.find("decimal commas") != std::string::npos);
+}
+
 TEST_CASE("an empty text is an empty table") {
     std::vector<Diagnostic> faults;
     for (const char* text : {"", "\n\n", "# only this\n", "\xef\xbb\xbf", "\r\n"}) {

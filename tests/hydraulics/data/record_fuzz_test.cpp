@@ -7,7 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
 #include <string>
+#include <vector>
 
 using namespace placedpar;
 using namespace placedpar::hydraulics;
@@ -24,9 +29,13 @@ std::string good_record() {
 /// Changes a text at random places: replaces, removes, inserts or doubles bytes, or inserts pieces that often break
 /// records.
 std::string mutated(std::string text, RandomStream& random) {
-    static constexpr std::array<std::string_view, 20> pieces{
-        "\"",     "\"\"",  ",", ",,", "\n", "\r",           "\r\n", "nan", "inf",  "1e999",
-        "-1e308", "1e308", "#", "[",  "]",  "\xef\xbb\xbf", "+",    "-",   "1e12", "boom.angle [rad]"};
+    static constexpr std::array<std::string_view, 28> pieces{"\"",  "\"\"",    ",",      ",,",
+                                                             "\n",  "\r",      "\r\n",   "nan",
+                                                             "inf", "1e999",   "-1e308", "1e308",
+                                                             "#",   "[",       "]",      "\xef\xbb\xbf",
+                                                             "+",   "-",       "1e12",   "boom.angle [rad]",
+                                                             ";",   "\t",      "(",      ")",
+                                                             ":",   "sep=;\n", "#N/A",   "2024-03-05T14:30:00.02Z"};
     for (std::uint32_t changes = 1 + random.below(6); changes > 0; --changes) {
         std::size_t at = random.below(static_cast<std::uint32_t>(text.size() + 1));
         std::size_t length = random.below(20);
@@ -101,4 +110,37 @@ TEST_CASE("random bytes are refused") {
         CHECK_FALSE(read.record.has_value());
         check_faults(read, text);
     }
+}
+
+TEST_CASE("a mutated file of a logger or a spreadsheet is either usable or refused with a place") {
+    RandomStream random(13, "mutations of loggers");
+    const std::vector<ColumnName> names{column_name("time=TIMESTAMP"), column_name("time=Zeit"),
+                                        column_name("pressure [psi]=P_boom_in"), column_name("angle=Winkel"),
+                                        column_name("spool=X_boom")};
+    int read_well = 0, refused = 0, files = 0;
+    const std::filesystem::directory_iterator folder(PLACEDPAR_SOURCE_DIR "/examples/hydraulics/loggers");
+    for (const std::filesystem::path& path : std::set<std::filesystem::path>(begin(folder), end(folder))) {
+        std::ifstream in(path, std::ios::binary);
+        std::string good(std::istreambuf_iterator<char>(in), {});
+        good.resize(good.rfind('\n', 1000) + 1); // short, so that changes often meet the header
+        RecordNeeds needs{{}, true};
+        for (const ColumnName& name : names)
+            if (good.find(name.in_file) != good.npos)
+                needs.names.push_back(name);
+        ++files;
+        for (int i = 0; i < 300; ++i) {
+            const std::string text = mutated(good, random);
+            CAPTURE(path.string());
+            CAPTURE(text);
+            const ReadRecord read = read_record(text, needs);
+            REQUIRE(read.record.has_value() != has_errors(read.faults));
+            check_faults(read, text);
+            (read.record ? read_well : refused)++;
+            if (read.record)
+                check_record(*read.record);
+        }
+    }
+    CHECK(files == 22); // with the page and the file of names
+    CHECK(read_well > 300);
+    CHECK(refused > 1000);
 }

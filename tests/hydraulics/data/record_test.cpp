@@ -88,10 +88,12 @@ TEST_CASE("a record written by a spreadsheet is read: byte order mark, CR LF, qu
 TEST_CASE("a wrong header is refused with its place") {
     CHECK(record_faults("") == "error 0:0: the header is missing | such as time [s],boom.inlet_pressure [psi]\n");
     CHECK(record_faults("boom.angle [deg]\n1\n") ==
-          "error 1:1: the column \"time\" is missing | add the column, usually the first: time [s]\n");
+          "error 1:1: the column \"time\" is missing | add the column, usually the first: time [s]; or name "
+          "it: --column time=NAME\n");
     CHECK(record_faults("time [s]\n"
                         "0\n") ==
-          "error 1:1: no column of a sensor | LINK.SENSOR, such as boom.inlet_pressure [psi]\n");
+          "error 1:1: no column of a sensor | LINK.SENSOR, such as boom.inlet_pressure [psi]; or name it: --column "
+          "boom.inlet_pressure=NAME\n");
     CHECK(record_faults("time [s],boom.angle\n0,1\n") ==
           "error 1:10: column \"boom.angle\" has no unit | boom.angle [UNIT] with deg or rad\n");
     CHECK(record_faults("time [s],boom.angle [psi]\n0,1\n") ==
@@ -101,12 +103,11 @@ TEST_CASE("a wrong header is refused with its place") {
     std::string text = "time [s],boom.angle [deg],boom.temperature [C],motor.angle [deg]\n";
     for (int i = 0; i < 5; ++i)
         text += fmt::format("{},{},x,y\n", 0.02 * i, i);
-    constexpr const char* used = "columns are time and LINK.SENSOR, such as boom.inlet_pressure or bucket.angle\n";
     CHECK(
         record_faults(text) ==
-        fmt::format("warning 1:27: column \"boom.temperature\" is not used | {}warning 1:48: column \"motor.angle\" is "
-                    "not used | {}",
-                    used, used));
+        "warning 1:27: columns \"boom.temperature\", \"motor.angle\" are not used | columns are time and "
+        "LINK.SENSOR, such as boom.inlet_pressure or bucket.angle; --column boom.angle=NAME reads a column of another "
+        "name\n");
 }
 
 TEST_CASE("a wrong reading is refused with its place") {
@@ -375,4 +376,96 @@ TEST_CASE("a column of configurations is read, and a cell without a known letter
     REQUIRE(read.record);
     CHECK(read.faults.empty());
     CHECK(read.record->configuration == "ae--d-");
+}
+
+namespace {
+
+constexpr const char* logger_columns = "Zeit [s];P_boom_in [bar];Phi [\u00b0];X (mm)\n";
+
+std::vector<ColumnName> logger_names() {
+    return {column_name("time=Zeit"), column_name("pressure=P_boom_in"), column_name("boom.angle=Phi"),
+            column_name("BO.spool = X")};
+}
+
+std::string logger_rows() {
+    std::string text;
+    for (int i = 0; i < 6; ++i)
+        text += fmt::format("0,{:02};{}7,5;{},25;3\n", 2 * i, i, i);
+    return text;
+}
+
+std::string refused_name(std::string_view name) {
+    try {
+        column_name(name);
+    } catch (const UserError& refused) {
+        return refused.what();
+    }
+    return "";
+}
+
+std::string faults_with(const std::string& text, std::vector<ColumnName> names) {
+    return all_faults(read_record(text, {{}, false, std::move(names)}).faults);
+}
+
+} // namespace
+
+TEST_CASE("columns are read by the names that the user gives, with semicolons, decimal commas and other brackets") {
+    for (const char* above : {"", "sep=;\r\n", "\xef\xbb\xbfsep=;\n", "Logger 7\nOperator;Brown;;\n\n"}) {
+        const ReadRecord read = read_record(above + (logger_columns + logger_rows()), {{}, false, logger_names()});
+        REQUIRE(read.record);
+        CHECK(read.record->time_s == std::vector<double>{0, 0.02, 0.04, 0.06, 0.08, 0.10});
+        CHECK(read.record->of(Link::boom, Sensor::inlet_pressure)[2] == doctest::Approx(27.5 * 14.5037738));
+        CHECK(read.record->of(Link::boom, Sensor::angle)[3] == 3.25);
+        CHECK(read.record->of(Link::boom, Sensor::spool)[0] == doctest::Approx(3 / 25.4));
+    }
+    CHECK(refused_name("pressure") ==
+          "\"pressure\": expected NAME=NAME_IN_FILE, such as boom.inlet_pressure=P_boom_in");
+    CHECK(refused_name("presure=P").starts_with("\"presure\" is not a channel: expected time, LINK.SENSOR"));
+    CHECK(refused_name("angle [bar]=Phi") == "\"bar\" is not a unit of angle: expected deg or rad");
+}
+
+TEST_CASE("a name that the file lacks is refused, and so are thousands separators and a mixture of decimal signs") {
+    CHECK(faults_with(logger_columns + logger_rows(), {column_name("time=Zeit"), column_name("pressure=P_boom_im")}) ==
+          "1:columns \"P_boom_in\", \"Phi\", \"X\" are not used 1:no column is named \"P_boom_im\" ");
+    CHECK(faults_with(logger_columns + logger_rows() + "0,12;1.007,5;7,25;3\n", logger_names()) ==
+          "8:\"1.007,5\" is not a finite number ");
+    CHECK(faults_with("time [s];boom.angle [deg]\n0.00;1,007\n0.02;2,000\n0.04;3,000\n0.06;4\n0.08;5\n", {})
+              .starts_with("2:\"1,007\" is not a finite number"));
+}
+
+TEST_CASE("a row of units, and lines of words below it, are not samples") {
+    std::string text = "\"TOA5\",\"x\"\n\"TS\",\"P\",\"Phi\"\n\"TS\",\"bar\",\"degrees\"\n\"\",\"Smp\",\"Smp\"\n";
+    for (int i = 0; i < 6; ++i)
+        text += fmt::format("\"2024-02-29 23:59:59.{:02}\",{},{}\n", 90 + 2 * i > 99 ? 0 : 90 + 2 * i, 20 + i, i);
+    const std::string last = "\"2024-03-01 00:00:00\",25,5\n";
+    text.erase(text.rfind("\"2024"));
+    const ReadRecord read = read_record(
+        text + last, {{}, false, {column_name("time=TS"), column_name("pressure=P"), column_name("angle=Phi")}});
+    REQUIRE(read.record);
+    CHECK(read.record->description == "\"TOA5\",\"x\"\n");
+    CHECK(read.record->time_s == std::vector<double>{0, 0.02, 0.04, 0.06, 0.08, 0.10});
+    RecordReader reader({{}, false, {column_name("time=TS"), column_name("pressure=P"), column_name("angle=Phi")}});
+    CHECK(!reader.begun_s());
+    REQUIRE(reader.read(text + last).record);
+    CHECK(reader.begun_s() == 1709251199.9); // by date -ud "2024-02-29 23:59:59" +%s
+    CHECK(read.record->of(Link::boom, Sensor::inlet_pressure)[5] == doctest::Approx(25 * 14.5037738));
+}
+
+TEST_CASE("times with a zone and times without one are not mixed") {
+    std::string text = "time,boom.angle [deg]\n";
+    for (int i = 0; i < 6; ++i)
+        text += fmt::format("2024-03-05T14:30:00.{:02}{},{}\n", 2 * i, i == 4 ? "" : "Z", i);
+    CHECK(faults_with(text, {}) == "6:2024-03-05T14:30:00.08 has no time zone, unlike the times before it ");
+}
+
+TEST_CASE("the usual words for a missing reading are recognised, also at the start of a line") {
+    for (const char* word :
+         {"", "-", "nan", "-nan", "NaN", "NAN", "#N/A", "N/A", "n/a", "NA", "None", "NULL", "null"}) {
+        const std::string text = boom_columns + rows(0, 5) + fmt::format("{0},{0},20,0.2\n", word) + rows(6, 11);
+        CHECK(!read_record(text).record);
+        const ReadRecord skipped = read_record(text, {{}, true});
+        REQUIRE(skipped.record);
+        CHECK(skipped.record->size() == 10);
+        CHECK(skipped.faults.front().location.line == 7);
+    }
 }

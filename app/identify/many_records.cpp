@@ -1,0 +1,172 @@
+#include "app/identify/identifying.hpp"
+#include "app/identify/record_pieces.hpp"
+#include "app/identify/trend.hpp"
+#include "app/identify/ways.hpp"
+#include "app/signals.hpp"
+#include "app/standard_error.hpp"
+#include "explore/load.hpp"
+#include "hydraulics/data/clock_time.hpp"
+#include "identification/on_line/moving_identification.hpp"
+#include "identification/verdict/mean_deviation.hpp"
+#include "text/output_file.hpp"
+#include "text/standard_streams.hpp"
+#include "text/user_error.hpp"
+
+#include <boost/json.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace placedpar {
+
+using namespace hydraulics;
+using namespace identification;
+
+namespace {
+
+/// The movements of one link in one record.
+struct LinkMovements {
+    std::vector<Deviation> deviations;
+    WayUnits units{};
+};
+
+/// Collects the movements of a record that are evidence, as verdicts do.
+class MovementsOfRecord {
+public:
+    explicit MovementsOfRecord(const Diagnosis& diagnosis) : diagnosis_(diagnosis) {}
+
+    void take(const std::vector<MovementFinding>& found) {
+        for (const MovementFinding& movement : found)
+            for (const LinkFinding& link : movement.links)
+                if (link.whole && is_evidence(link)) {
+                    links_[index_of(link.link)].deviations.push_back(link.whole->deviation.with_steady_leak());
+                    links_[index_of(link.link)].units = link.whole->units;
+                }
+    }
+    void add_to(RecordAnswer& answer) const {
+        for (Link link : all_links)
+            if (const auto& [deviations, units] = links_[index_of(link)]; !deviations.empty()) {
+                const Deviation mean = mean_deviation(deviations);
+                const double health = diagnosis_.health_in3_per_psi(link);
+                auto set = [&, link = link](TrendValue value, FaultHypothesis way, double zero, double unit) {
+                    answer.links[index_of(link)][static_cast<std::size_t>(value)] = {
+                        zero + unit * mean.by[index_of(way)], unit * mean.standard_error(way)};
+                };
+                set(TrendValue::compliance, FaultHypothesis::compliance, health, units.compliance_in3_per_psi);
+                set(TrendValue::leak, FaultHypothesis::leak, 0, units.leak_in3_per_s_psi);
+                if (deviations.front().by[index_of(FaultHypothesis::offset)] != 0) // areas as read have no offset
+                    set(TrendValue::offset, FaultHypothesis::offset, 0, units.offset_in);
+            }
+    }
+
+private:
+    bool is_evidence(const LinkFinding& link) const {
+        return std::ranges::none_of(link.flags, [](const Flag& flag) { return flag.kind == FlagKind::impossible; }) &&
+               LinkJudge::is_evidence(link.whole->deviation,
+                                      link.whole->deviation.by[index_of(FaultHypothesis::offset)] == 0
+                                          ? AreasFrom::areas
+                                          : AreasFrom::spool);
+    }
+
+    const Diagnosis& diagnosis_;
+    PerLink<LinkMovements> links_;
+};
+
+/// Reads the records one after another.
+class TrendReader {
+public:
+    explicit TrendReader(const IdentifyOptions& options) : options_(options) {
+        if (options_.configuration.empty())
+            fixed_.configuration = "a";
+    }
+
+    bool stopped() const { return interruption_.requested(); }
+    /// Returns an answer without values if the record has no movement that is evidence. Throws RefusedInput and
+    /// UnfitRecord.
+    RecordAnswer read(const std::string& path) {
+        ++number_;
+        RecordPieces pieces(path, needs_of_service(options_), print_warnings, [&] { return stopped(); });
+        RecordAnswer answer{std::filesystem::path(path).filename().string(), std::nullopt};
+        if (auto first = pieces.next()) {
+            answer.date_s = pieces.begun_s() ? pieces.begun_s() : date_in_name(answer.record);
+            moves(options_, first->channels()) ? follow_moving(std::move(*first), pieces, answer)
+                                               : follow(std::move(*first), pieces, answer);
+        }
+        progress_.clear();
+        return answer;
+    }
+
+private:
+    void follow(Record first, RecordPieces& pieces, RecordAnswer& answer) {
+        Identifying identifying(fixed_, first);
+        MovementsOfRecord movements(identifying.diagnosis());
+        for (std::optional<Record> piece = std::move(first); piece; piece = pieces.next()) {
+            movements.take(identifying.take(*piece));
+            show_progress(pieces);
+        }
+        movements.take(identifying.end());
+        movements.add_to(answer);
+    }
+
+    void follow_moving(Record first, RecordPieces& pieces, RecordAnswer& answer) {
+        MovingIdentification moving(
+            load_machine(options_.machine, print_warnings),
+            [&](std::size_t links) { return moving_way(options_, links); }, options_.seed);
+        for (std::optional<Record> piece = std::move(first); piece; piece = pieces.next()) {
+            moving.take(*piece);
+            show_progress(pieces);
+        }
+        if (!stopped())
+            for (const LinkIdentified& link : combined_links(moving.sets()))
+                answer.links[index_of(link.link)][static_cast<std::size_t>(TrendValue::compliance)] = {
+                    link.compliance_in3_per_psi, link.standard_error};
+    }
+
+    void show_progress(const RecordPieces& pieces) {
+        progress_.show(fmt::format("record {} of {}, {:.0f} Mbyte", number_, options_.records.size(),
+                                   static_cast<double>(pieces.bytes()) / 1e6));
+    }
+
+    const IdentifyOptions& options_;
+    IdentifyOptions fixed_ = options_; ///< with a configuration
+    InterruptedBySignals interruption_;
+    ProgressLine progress_;
+    std::size_t number_ = 0; ///< of the present record, from 1
+};
+
+} // namespace
+
+ExitCode identify_trend(const IdentifyOptions& options, boost::json::object& json) {
+    settings_of(options); // reports wrong settings before anything is read
+    std::vector<RecordAnswer> answers;
+    TrendReader reader(options);
+    for (const std::string& record : options.records) {
+        try {
+            answers.push_back(reader.read(record));
+        } catch (const UnfitRecord& unfit) {
+            throw RefusedInput(fmt::format("{}: error: {}\n", shown_input(record), unfit.what()));
+        }
+        if (reader.stopped()) {
+            answers.pop_back(); // the record was not read to its end
+            break;
+        }
+    }
+    const Trend trend(std::move(answers));
+    if (trend.links().empty() && !reader.stopped())
+        throw UserError("no record has a movement that tells a compliance");
+    print_out(print_trend(trend));
+    if (reader.stopped())
+        return ExitCode::interrupted;
+    if (!options.trend.empty())
+        write_whole(options.trend, draw_svg(trend_plot(trend)));
+    for (auto& [key, value] : trend_json(trend))
+        json[key] = value;
+    return options.strict && !trend.changes().empty() ? ExitCode::missed_tolerance : ExitCode::success;
+}
+
+} // namespace placedpar

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "hydraulics/data/link.hpp"
+#include "identification/change_test.hpp"
+#include "picture/plot.hpp"
+
+#include <boost/json/fwd.hpp>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace placedpar {
+
+/// The trend of a machine over many records (app/identify/ways.hpp: identify_trend).
+
+/// What is estimated for each link, in in^3/psi, in^3/(s psi) and in.
+enum class TrendValue : unsigned char { compliance, leak, offset };
+inline constexpr std::array<TrendValue, 3> all_trend_values{TrendValue::compliance, TrendValue::leak,
+                                                            TrendValue::offset};
+
+std::string_view name_of(TrendValue value);
+
+/// An interval of 95 % extends so many standard errors to each side.
+inline constexpr double errors_of_interval = 1.96;
+
+/// The answers of one record; a value is missing if the record does not tell it.
+struct RecordAnswer {
+    std::string record;           ///< name of the file
+    std::optional<double> date_s; ///< since 1970
+    hydraulics::PerLink<std::array<std::optional<identification::Estimate>, all_trend_values.size()>> links = {};
+
+    const std::optional<identification::Estimate>& of(hydraulics::Link link, TrendValue value) const {
+        return links[index_of(link)][static_cast<std::size_t>(value)];
+    }
+};
+
+/// A change of one value of a link.
+struct TrendChange {
+    hydraulics::Link link;
+    TrendValue value;
+    std::size_t before, after; ///< indices of the neighbouring records
+    identification::Change change;
+};
+
+/// The probability that a link that does not change is reported as changed, as far as the standard errors are right.
+/// Each of the three values is tested with a third of it.
+inline constexpr double trend_false_alarms = 0.01;
+
+/// Answers in the order of their dates, or in the order of the command line if one has no date.
+class Trend {
+public:
+    explicit Trend(std::vector<RecordAnswer> answers);
+
+    const std::vector<RecordAnswer>& answers() const { return answers_; }
+    const std::vector<TrendChange>& changes() const { return changes_; }
+    bool dated() const;
+    /// Returns the links with an answer.
+    hydraulics::LinkSet links() const;
+    /// Returns the indices of the records that tell the value.
+    std::vector<std::size_t> records_of(hydraulics::Link link, TrendValue value) const;
+
+private:
+    std::vector<RecordAnswer> answers_;
+    std::vector<TrendChange> changes_;
+};
+
+std::string print_trend(const Trend& trend);
+boost::json::object trend_json(const Trend& trend);
+/// Draws each link's compliance over the dates, and each leak and offset that changed.
+Plot trend_plot(const Trend& trend);
+
+} // namespace placedpar

@@ -1,0 +1,132 @@
+#include "hydraulics/data/clock_time.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <initializer_list>
+#include <iterator>
+
+namespace placedpar::hydraulics {
+
+namespace {
+
+constexpr std::int64_t ns_per_s = 1'000'000'000;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Returns whether the text has one of these shapes, in which "0" stands for any digit.
+bool has_shape(std::string_view text, std::initializer_list<std::string_view> shapes) {
+    return std::ranges::any_of(shapes, [text](std::string_view shape) {
+        return std::ranges::equal(text, shape, {}, [](char c) { return is_digit(c) ? '0' : c; });
+    });
+}
+
+/// Returns the number that some of the digits of a text spell; 0 if the text has fewer digits.
+int number_of(std::string_view text, std::size_t first, std::size_t count) {
+    std::string digits;
+    std::ranges::copy_if(text, std::back_inserter(digits), is_digit);
+    int number = 0;
+    for (std::size_t i = first; first + count <= digits.size() && i < first + count; ++i)
+        number = 10 * number + (digits[i] - '0');
+    return number;
+}
+
+/// Returns the ns since 1970 at the beginning of the day, or nullopt if there is no such day.
+std::optional<std::int64_t> day_ns(std::string_view text) {
+    using namespace std::chrono;
+    const int in_year = number_of(text, 0, 4);
+    const year_month_day date{year(in_year), month(static_cast<unsigned>(number_of(text, 4, 2))),
+                              day(static_cast<unsigned>(number_of(text, 6, 2)))};
+    if (!has_shape(text, {"0000-00-00", "00000000"}) || in_year < 1700 || in_year > 2200 || !date.ok())
+        return std::nullopt;
+    return sys_days(date).time_since_epoch().count() * 86400 * ns_per_s;
+}
+
+/// Returns the ns of a text such as "14:30:00" or "143000" since midnight.
+std::optional<std::int64_t> time_of_day_ns(std::string_view text) {
+    const int hours = number_of(text, 0, 2), minutes = number_of(text, 2, 2), seconds = number_of(text, 4, 2);
+    if (!has_shape(text, {"00:00", "00:00:00", "0000", "000000"}) || hours > 23 || minutes > 59 || seconds > 60)
+        return std::nullopt; // 60 s: a leap second
+    return (3600 * hours + 60 * minutes + seconds) * ns_per_s;
+}
+
+/// Returns the ns of a text such as ".02" or "".
+std::optional<std::int64_t> fraction_ns(std::string_view text) {
+    if (text.size() == 1 || (!text.empty() && !std::ranges::all_of(text.substr(1), is_digit)))
+        return std::nullopt;
+    std::string nine(text);
+    nine.resize(10, '0');
+    return number_of(nine, text.empty() ? 1 : 0, 9);
+}
+
+/// Returns by how much the time of a zone such as "+01:00" is ahead of UTC.
+std::optional<std::int64_t> zone_ns(std::string_view text) {
+    const int hours = number_of(text, 0, 2), minutes = number_of(text, 2, 2);
+    if (has_shape(text, {"", "Z", "z"}))
+        return 0;
+    if (!has_shape(text.substr(1), {"00", "0000", "00:00"}) || hours > 23 || minutes > 59)
+        return std::nullopt;
+    return (text.front() == '-' ? -1 : 1) * (3600 * hours + 60 * minutes) * ns_per_s;
+}
+
+/// Returns a date in a file's name as ISO 8601 writes it: in a name, "-" or "_" stands for "T" and ":".
+std::string iso_text(std::string_view in_name) {
+    std::string text(in_name);
+    const std::size_t date = text.size() > 4 && text[4] == '-' ? 10 : 8;
+    if (text.size() <= date)
+        return text + "T00:00";
+    if (text[date] == '_' || text[date] == '-')
+        text[date] = 'T';
+    std::replace(text.begin() + static_cast<std::ptrdiff_t>(date), text.end(), '-', ':');
+    return text;
+}
+
+} // namespace
+
+std::optional<ClockTime> clock_time(std::string_view text) {
+    const std::size_t mark = text.size() > 4 && text[4] == '-' ? 10 : 8;
+    if (text.size() <= mark || std::string_view("Tt ").find(text[mark]) == std::string_view::npos)
+        return std::nullopt;
+    const std::string_view rest = text.substr(mark + 1);
+    const std::string_view zone = rest.substr(std::min(rest.find_first_of("Zz+-"), rest.size()));
+    std::string_view time = rest.substr(0, rest.size() - zone.size());
+    if (!zone.empty() && time.ends_with(' '))
+        time.remove_suffix(1);
+    const std::size_t point = std::min(time.find_first_of(".,"), time.size());
+    const auto day = day_ns(text.substr(0, mark)), since_midnight = time_of_day_ns(time.substr(0, point)),
+               fraction = fraction_ns(time.substr(point)), ahead = zone_ns(zone);
+    if (!day || !since_midnight || !fraction || !ahead)
+        return std::nullopt;
+    return ClockTime{*day + *since_midnight + *fraction - *ahead, !zone.empty()};
+}
+
+std::optional<double> date_in_name(std::string_view name) {
+    constexpr std::array<std::size_t, 7> lengths{19, 17, 16, 15, 13, 10, 8}; // with seconds, with minutes, date alone
+    for (std::size_t at = 0; at < name.size(); ++at)
+        for (std::size_t length : lengths) {
+            const bool begins = at == 0 || !is_digit(name[at - 1]);
+            const bool ends = at + length == name.size() || (at + length < name.size() && !is_digit(name[at + length]));
+            if (!begins || !ends)
+                continue;
+            if (auto found = clock_time(iso_text(name.substr(at, length))))
+                return static_cast<double>(found->since_1970_ns) / 1e9;
+        }
+    return std::nullopt;
+}
+
+std::string date_text(double since_1970_s) {
+    using namespace std::chrono;
+    const auto minutes_since = static_cast<std::int64_t>(std::floor(since_1970_s / 60));
+    const sys_days date = floor<days>(sys_seconds(minutes(minutes_since)));
+    const year_month_day parts(date);
+    const std::int64_t minute = minutes_since - 1440 * date.time_since_epoch().count();
+    return fmt::format("{:04}-{:02}-{:02} {:02}:{:02}", static_cast<int>(parts.year()),
+                       static_cast<unsigned>(parts.month()), static_cast<unsigned>(parts.day()), minute / 60,
+                       minute % 60);
+}
+
+} // namespace placedpar::hydraulics

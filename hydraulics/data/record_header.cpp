@@ -1,0 +1,314 @@
+#include "hydraulics/data/clock_time.hpp"
+#include "hydraulics/data/record_table.hpp"
+#include "text/nearest.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace placedpar::hydraulics {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r";
+constexpr std::size_t most_header_lines = 100; ///< the header is looked for in so many lines
+
+std::string trimmed_text(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(blanks);
+    return first == text.npos ? "" : std::string(text.substr(first, text.find_last_not_of(blanks) + 1 - first));
+}
+
+/// The two parts of "boom.spool [in]" or "boom.spool (in)"; the unit is empty if there are no brackets.
+struct NameAndUnit {
+    std::string name, unit;
+};
+
+NameAndUnit name_and_unit(const std::string& text) {
+    const bool round = text.ends_with(')');
+    const std::size_t open = round ? text.rfind('(') : text.find('[');
+    if (open == text.npos || !(round || text.ends_with(']')))
+        return {text, ""};
+    std::string unit = trimmed_text(std::string_view(text).substr(open + 1, text.size() - open - 2));
+    if (round && !unit_named(unit))
+        return {text, ""};
+    return {trimmed_text(std::string_view(text).substr(0, open)), std::move(unit)};
+}
+
+std::optional<Channel> channel_named(const std::string& name) {
+    if (lower_case(name) == "time")
+        return Channel{};
+    std::size_t dot = name.find('.');
+    auto link = link_named(name.substr(0, dot));
+    auto sensor = dot == std::string::npos ? std::nullopt : sensor_named(std::string_view(name).substr(dot + 1));
+    if (!link || !sensor)
+        return std::nullopt;
+    return Channel{*link, sensor};
+}
+
+/// Returns the channel that a user names; "pressure" is the pressure at the boom's inlet.
+std::optional<Channel> channel_typed(const std::string& name) {
+    const std::size_t dot = name.find('.');
+    std::string sensor = dot == name.npos ? name : name.substr(dot + 1);
+    if (sensor == "pressure")
+        sensor = name_of(Sensor::inlet_pressure);
+    if (auto found = channel_named(name))
+        return found;
+    return channel_named((dot == name.npos ? "boom" : name.substr(0, dot)) + "." + sensor);
+}
+
+/// Returns what a cell of the header names, and whether the user said so.
+const ColumnName* typed_name(const std::vector<ColumnName>& names, const std::string& cell) {
+    auto found = std::ranges::find_if(names, [&](const ColumnName& each) {
+        return each.in_file == cell || each.in_file == name_and_unit(cell).name;
+    });
+    return found == names.end() ? nullptr : &*found;
+}
+
+std::optional<Channel> channel_of(const std::vector<ColumnName>& names, const std::string& cell) {
+    if (const ColumnName* typed = typed_name(names, cell))
+        return typed->channel;
+    auto found = channel_named(name_and_unit(cell).name);
+    return found && std::ranges::count(names, *found, &ColumnName::channel) > 0 ? std::nullopt : found;
+}
+
+/// Returns the separator of the line that occurs most often outside quotes and brackets.
+char likely_separator(std::string_view line) {
+    std::array<std::pair<char, std::size_t>, 3> counts{{{',', 0}, {';', 0}, {'\t', 0}}};
+    bool quoted = false;
+    int depth = 0;
+    for (char c : line) {
+        quoted = quoted != (c == '"');
+        depth += c == '[' || c == '(' ? 1 : c == ']' || c == ')' ? -1 : 0;
+        for (auto& [separator, count] : counts)
+            count += c == separator && !quoted && depth <= 0 ? 1 : 0;
+    }
+    return std::ranges::max_element(counts, {}, &std::pair<char, std::size_t>::second)->first;
+}
+
+/// Returns the separator that a spreadsheet's line such as "sep=;" states.
+std::optional<char> stated_separator(std::string_view line) {
+    std::string text = trimmed_text(line.substr(0, 8)); // a tab at the end is a separator, not a blank
+    std::erase(text, '"');
+    if (!lower_case(text).starts_with("sep="))
+        return std::nullopt;
+    return text.size() > 4 ? text[4] : '\t';
+}
+
+std::string_view first_line(std::string_view text) { return text.substr(0, text.find('\n')); }
+
+/// Where the header is, and what separates its columns.
+struct HeaderFound {
+    std::size_t at;
+    char separator;
+    int score;         ///< 0: no column is known; 1: the time is; 2: a sensor, too
+    std::size_t cells; ///< number of cells
+};
+
+int score_of(const std::vector<TextCell>& cells, const std::vector<ColumnName>& names) {
+    bool time = false, sensor = false;
+    for (const TextCell& cell : cells)
+        if (auto channel = channel_of(names, cell.text))
+            (channel->sensor ? sensor : time) = true;
+    return time ? 1 + sensor : 0;
+}
+
+/// Finds the first line with the columns of a record; else the first line that is not a comment.
+HeaderFound find_header(std::string_view text, const std::vector<ColumnName>& names) {
+    std::optional<HeaderFound> best;
+    std::optional<char> stated;
+    std::size_t at = 0, lines = 0; // number of lines that are not comments
+    while (lines < most_header_lines && at < text.size() && (!best || best->score < 2)) {
+        const std::string_view line = first_line(text.substr(at));
+        if (auto separator = stated_separator(line); separator && !stated)
+            stated = separator;
+        else if (!trimmed_text(line).empty() && !line.starts_with('#')) {
+            ++lines;
+            const char separator_here = stated.value_or(likely_separator(line));
+            const std::vector<TextCell> cells = split_cells(line, separator_here);
+            const HeaderFound found{at, separator_here, score_of(cells, names), cells.size()};
+            if (!best || found.score > best->score || (found.score == 1 && found.cells > best->cells))
+                best = found;
+        }
+        at += line.size() + 1;
+    }
+    return best.value_or(HeaderFound{std::min(at, text.size()), ',', 0, 0});
+}
+
+/// Returns the text with all lines above the header as comments, since a logger's own lines describe the record.
+std::string with_comments(std::string_view text, std::size_t header_at) {
+    std::string commented;
+    std::size_t at = 0;
+    while (at < header_at) {
+        const std::string_view line = first_line(text.substr(at));
+        const bool states_separator = stated_separator(line).has_value();
+        if (!trimmed_text(line).empty() && !line.starts_with('#') && !states_separator)
+            commented += "# ";
+        commented += states_separator ? "" : line;
+        commented += '\n';
+        at += line.size() + 1;
+    }
+    return commented += text.substr(header_at);
+}
+
+bool is_number_or_time(const TextCell& cell) {
+    std::vector<Diagnostic> faults;
+    const bool point = (number_in(cell, 0, faults), faults.empty());
+    faults.clear();
+    return point || clock_time(cell.text) || (number_in(cell, 0, faults, ','), faults.empty());
+}
+
+/// Returns the text of a cell such as "bar", "[bar]" or "(bar)", without brackets.
+std::string without_brackets(const std::string& cell) {
+    const bool brackets = cell.size() > 2 && (cell.front() == '[' || cell.front() == '(');
+    return brackets ? trimmed_text(std::string_view(cell).substr(1, cell.size() - 2)) : cell;
+}
+
+bool is_unit(const TextCell& cell) { return !cell.text.empty() && unit_named(without_brackets(cell.text)) != nullptr; }
+
+} // namespace
+
+ColumnName column_name(std::string_view text) {
+    const std::size_t equals = text.find('=');
+    auto [name, unit] = name_and_unit(trimmed_text(text.substr(0, equals)));
+    const auto channel = channel_typed(name);
+    const std::string in_file = equals == text.npos ? "" : trimmed_text(text.substr(equals + 1));
+    if (in_file.empty())
+        throw UserError(fmt::format("\"{}\": expected NAME=NAME_IN_FILE, such as boom.inlet_pressure=P_boom_in", text));
+    if (!channel)
+        throw UserError(fmt::format("\"{}\" is not a channel: expected time, LINK.SENSOR such as bucket.angle, or for "
+                                    "the boom only the sensor, such as pressure",
+                                    name));
+    const Quantity quantity = channel->quantity();
+    if (const Unit* known = unit_named(unit); !unit.empty() && (!known || known->quantity != quantity))
+        throw UserError(
+            fmt::format("\"{}\" is not a unit of {}: expected {}", unit, name_of(quantity), list_units(quantity)));
+    return {in_file, *channel, unit};
+}
+
+/// Makes comments of the lines above the header, and sets the separator.
+std::string RecordReader::find_table(std::string_view text) {
+    if (text.starts_with("\xef\xbb\xbf"))
+        text.remove_prefix(3);
+    const HeaderFound found = find_header(text, needs_.names);
+    table_.separator = found.separator;
+    return with_comments(text, found.at);
+}
+
+/// Removes the rows of words below the header. The first that has units states the units of columns without one.
+void RecordReader::take_units_row() {
+    const auto first_sample = std::ranges::find_if(
+        table_.rows, [](const TextRow& row) { return std::ranges::any_of(row.cells, is_number_or_time); });
+    const auto units = std::find_if(table_.rows.begin(), first_sample,
+                                    [](const TextRow& row) { return std::ranges::any_of(row.cells, is_unit); });
+    if (units == first_sample)
+        return;
+    for (const TextCell& cell : units->cells)
+        units_.push_back(without_brackets(cell.text));
+    table_.rows.erase(table_.rows.begin(), first_sample);
+}
+
+/// Returns the column's unit, or null after a fault.
+const Unit* RecordReader::unit_of(std::size_t index, const Channel& channel, std::vector<Diagnostic>& faults) const {
+    const TextCell& cell = table_.header.cells[index];
+    if (!channel.sensor && !table_.rows.empty() && clock_time(table_.rows.front().cells[index].text))
+        return unit_named("s");
+    const ColumnName* typed = typed_name(needs_.names, cell.text);
+    const auto [name, in_header] = name_and_unit(cell.text);
+    std::string unit_name = typed ? typed->unit : "";
+    if (unit_name.empty())
+        unit_name = in_header.empty() && index < units_.size() ? units_[index] : in_header;
+    const Unit* unit = unit_named(unit_name);
+    if (unit && unit->quantity == channel.quantity())
+        return unit;
+    faults.push_back(
+        error_at(table_.header.line, cell.column,
+                 unit_name.empty() ? fmt::format("column \"{}\" has no unit", name)
+                                   : fmt::format("\"{}\" is not a unit of {}", unit_name, name_of(channel.quantity())),
+                 fmt::format("{} [UNIT] with {}{}", name, list_units(channel.quantity()),
+                             channel.sensor ? "" : ", or dates with times such as 2024-03-05T14:30:00.020")));
+    return nullptr;
+}
+
+/// Reads the name and the unit of one column. Adds an unknown name to `unused`.
+void RecordReader::read_column(std::size_t index, std::vector<std::string>& unused, std::vector<Diagnostic>& faults) {
+    const TextCell& cell = table_.header.cells[index];
+    const std::string name = name_and_unit(cell.text).name;
+    const auto channel = channel_of(needs_.names, cell.text);
+    if (cell.text == "configuration") {
+        configuration_ = index;
+        return;
+    }
+    if (!channel) {
+        if (!name.empty())
+            unused.push_back(fmt::format("\"{}\"", name));
+        return;
+    }
+    const Unit* unit = unit_of(index, *channel, faults);
+    if (!unit)
+        return;
+    auto same = [&](const Column& column) { return Channel{column.link, column.sensor} == *channel; };
+    if (auto before = std::ranges::find_if(columns_, same); before != columns_.end())
+        faults.push_back(error_at(table_.header.line, cell.column, fmt::format("column \"{}\" occurs twice", name),
+                                  fmt::format("the first is column {} of the table", before->index + 1)));
+    else
+        columns_.push_back({index, cell.column, name, unit, channel->link, channel->sensor});
+}
+
+void RecordReader::note_unused(const std::vector<std::string>& unused, std::vector<Diagnostic>& faults) const {
+    constexpr std::size_t most_named = 5;
+    if (unused.empty())
+        return;
+    const auto first = std::ranges::find_if(table_.header.cells, [&](const TextCell& cell) {
+        return fmt::format("\"{}\"", name_and_unit(cell.text).name) == unused.front();
+    });
+    const std::vector<std::string> named(
+        unused.begin(), unused.begin() + static_cast<std::ptrdiff_t>(std::min(unused.size(), most_named)));
+    faults.push_back(warning_at(
+        table_.header.line, first->column,
+        fmt::format("column{} {}{} {} not used", unused.size() == 1 ? "" : "s", fmt::join(named, ", "),
+                    unused.size() > most_named ? fmt::format(" and {} more", unused.size() - most_named) : "",
+                    unused.size() == 1 ? "is" : "are"),
+        fmt::format("columns are time and LINK.SENSOR, such as boom.inlet_pressure or bucket.angle; --column "
+                    "boom.angle=NAME reads a column of another name")));
+}
+
+/// Reports names that the user gave and the file lacks.
+void RecordReader::require_names(std::vector<Diagnostic>& faults) const {
+    std::vector<std::string> there;
+    for (const TextCell& cell : table_.header.cells)
+        if (!cell.text.empty())
+            there.push_back(name_and_unit(cell.text).name);
+    for (const ColumnName& name : needs_.names)
+        if (std::ranges::none_of(table_.header.cells,
+                                 [&](const TextCell& cell) { return typed_name(needs_.names, cell.text) == &name; })) {
+            const std::string near = did_you_mean(name.in_file, there);
+            faults.push_back(error_at(table_.header.line, 1, fmt::format("no column is named \"{}\"", name.in_file),
+                                      near.empty() ? fmt::format("the columns are {}", fmt::join(there, ", ")) : near));
+        }
+}
+
+void RecordReader::read_header(std::vector<Diagnostic>& faults) {
+    std::vector<std::string> unused;
+    take_units_row();
+    for (std::size_t i = 0; i < table_.header.cells.size(); ++i)
+        read_column(i, unused, faults);
+    note_unused(unused, faults);
+    require_names(faults);
+    if (has_errors(faults))
+        return;
+    auto time = std::ranges::find_if(columns_, [](const Column& column) { return !column.sensor; });
+    if (time == columns_.end())
+        faults.push_back(error_at(table_.header.line, 1, "the column \"time\" is missing",
+                                  "add the column, usually the first: time [s]; or name it: --column time=NAME"));
+    else if (columns_.size() == 1)
+        faults.push_back(error_at(table_.header.line, 1, "no column of a sensor",
+                                  "LINK.SENSOR, such as boom.inlet_pressure [psi]; or name it: --column "
+                                  "boom.inlet_pressure=NAME"));
+    else if (!table_.rows.empty())
+        time->is_clock = clock_time(table_.rows.front().cells[time->index].text).has_value();
+}
+
+} // namespace placedpar::hydraulics

@@ -1,0 +1,110 @@
+"""Tests the trend of a machine over many records: `identify FIRST SECOND ... --trend FILE`."""
+
+import json
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+from program import EXAMPLES, PROGRAM, placedpar
+
+RECORDS = EXAMPLES / "hydraulics" / "records"
+TRUTH = 0.0086
+
+
+class Trends(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def record(self, name, seed, *settings):
+        run = placedpar("record", "excavator", "--seed", seed, "--out", self.folder / name,
+                        *[word for setting in settings for word in ("--set", setting)])
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return self.folder / name
+
+    def trend(self, records, *options, code=0):
+        out = self.folder / "trend.json"
+        run = placedpar("identify", *records, "--json", out, *options)
+        self.assertEqual(run.returncode, code, run.stdout + run.stderr)
+        return json.loads(out.read_text(encoding="utf-8")), run
+
+    def test_a_hose_that_goes_soft_is_found_between_its_records(self):
+        days = [self.record(f"day-2024-03-{day:02}.csv", 7000 + day) for day in range(1, 6)]
+        days += [self.record(f"day-2024-03-{day:02}.csv", 7000 + day, "boom.inlet_compliance=0.0120") for day in range(6, 9)]
+        picture = self.folder / "trend.svg"
+        result, run = self.trend(reversed(days), "--trend", picture)
+        self.assertEqual([each["date"] for each in result["records"]], [f"2024-03-{day:02} 00:00" for day in range(1, 9)])
+        (change,) = [each for each in result["changes"] if each["what"] == "compliance"]
+        self.assertEqual((change["after"], change["until"]), ("day-2024-03-05.csv", "day-2024-03-06.csv"))
+        self.assertAlmostEqual(change["before"], TRUTH, delta=0.1 * TRUTH)
+        self.assertAlmostEqual(change["now"], 0.0120, delta=0.0012)
+        self.assertIn("boom: the compliance rises by ", run.stdout)
+        svg = picture.read_text(encoding="utf-8")
+        for text in ("boom: the compliance rises by", "2024-03-03", "in³/psi"):
+            self.assertIn(text, svg)
+        placedpar("identify", *days, "--strict", "--trend", picture)
+        self.assertEqual(picture.read_text(encoding="utf-8"), svg)
+        self.assertEqual(self.trend(days, "--strict", code=3)[0]["changes"], result["changes"])
+
+    def test_a_sound_machine_does_not_change(self):
+        result, run = self.trend([self.record(f"{seed}.csv", 7100 + seed) for seed in range(6)])
+        self.assertEqual(result["changes"], [])
+        self.assertIn("boom: no change of compliance, leak or spool offset is found", run.stdout)
+        self.assertIn("not every record has a date, so they are in the order of the command line", run.stdout)
+        for each in result["records"]:
+            (boom,) = each["links"]
+            found = boom["compliance_in3_per_psi"]
+            self.assertLess(abs(found["by"] - TRUTH), 4 * found["standard_error"])
+
+    def test_a_date_in_the_record_precedes_the_date_in_its_name(self):
+        loggers = EXAMPLES / "hydraulics" / "loggers"
+        shutil.copy(loggers / "gateway.csv", self.folder / "2024-03-06.csv")  # its first time is of March 5
+        shutil.copy(loggers / "gateway-zone.csv", self.folder / "b.csv")      # an hour earlier
+        result, _ = self.trend([self.folder / "2024-03-06.csv", self.folder / "b.csv"], "--column", "time=timestamp")
+        self.assertEqual([(each["record"], each["date"]) for each in result["records"]],
+                         [("b.csv", "2024-03-05 13:30"), ("2024-03-06.csv", "2024-03-05 14:30")])
+
+    def test_a_machine_that_moves_has_a_trend_too(self):
+        job = EXAMPLES / "hydraulics" / "digging" / "dig.toml"
+        paths = [self.folder / f"{seed}.csv" for seed in (1, 2)]
+        for seed, path in enumerate(paths, 1):
+            placedpar("record", "excavator", "--job", job, "--seed", seed, "--out", path)
+        result, _ = self.trend(paths)
+        links = [each["link"] for each in result["records"][0]["links"]]
+        self.assertIn("boom", links)
+        self.assertEqual(result["changes"], [])
+
+    def test_wrong_use_is_refused(self):
+        step, picture = RECORDS / "boom-4deg.csv", self.folder / "trend.svg"
+        for arguments, said in (([step, "--trend", picture], "--trend needs at least two records"),
+                                ([step, step, "--way", "thesis"], "2 records, expected one with --way thesis"),
+                                ([step, step, "--trend", step], "boom-4deg.csv"),
+                                (["-", "-"], "standard input can be read only once"),
+                                ([step, self.folder / "none.csv", "--trend", picture], "this file does not exist")):
+            run = placedpar("identify", *arguments)
+            self.assertEqual(run.returncode, 1, arguments)
+            self.assertIn(said, run.stderr)
+        self.assertFalse(picture.exists())
+
+    def test_an_interrupted_trend_shows_what_it_has_and_draws_nothing(self):
+        picture = self.folder / "trend.svg"
+        with subprocess.Popen(f"cat {RECORDS / 'boom-4deg.csv'}; exec sleep 60", shell=True, stdout=subprocess.PIPE) as logger:
+            run = subprocess.Popen([PROGRAM, "identify", RECORDS / "boom-two-steps.csv", "-", "--trend", picture],
+                                   stdin=logger.stdout, stdout=subprocess.PIPE, text=True)
+            time.sleep(2)
+            run.send_signal(signal.SIGINT)
+            printed, _ = run.communicate(timeout=20)
+            logger.kill()
+        self.assertEqual(run.returncode, 130)
+        self.assertTrue(re.search(r"^boom-two-steps\.csv +-", printed, re.MULTILINE), printed)
+        self.assertFalse(picture.exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
