@@ -231,6 +231,11 @@ private:
     }
 
     void check_objective() {
+        if (const std::size_t count = recorded_->problem()->objective_names().size(); count > 0)
+            refuse("problem",
+                   fmt::format("\"{}\" has {} objectives, but a process searches for the best value of one",
+                               text("problem"), count),
+                   "search_front() of the library, or search_front() in Python, finds the front");
         say_ignored({"window", "first_window", "trials", "bias", "measurement_bytes", "cycles_per_measurement_word",
                      "measurements"});
         if (text("reproduction") != search_description::usual)

@@ -369,7 +369,7 @@ TEST_CASE("operators and codings that do not fit the strings are refused at thei
     says(refusal_of_sphere("", ", mutation_operator = \"gaussian\""),
          "the mutation \"gaussian(deviation = 0.1)\" does not fit binary strings: expected bit");
     says(refusal_of_sphere("", ", coding = \"real\", crossover_operator = \"by-difference\""),
-         "does not fit real vectors: expected one-point, two-point, uniform, blend");
+         "does not fit real vectors: expected one-point, two-point, uniform, blend, sbx");
     CHECK(refusal_of_sphere("", ", coding = \"real\"").empty());
     CHECK(refusal_of_sphere("", ", coding = \"real\", mutation_operator = \"breeder\"").empty());
     auto line = [](const char* given) {
