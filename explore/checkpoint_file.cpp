@@ -89,8 +89,11 @@ void require_equal(const std::filesystem::path& path, const std::string& what, c
 
 CheckpointFile::CheckpointFile(std::filesystem::path path, const Network& network, std::uint64_t seed,
                                std::uint64_t every)
-    : path_(std::move(path)), seed_(seed), every_(every), searches_(describe(network)) {
-    require_searches(network);
+    : CheckpointFile(std::move(path), describe(network), seed, every) {}
+
+CheckpointFile::CheckpointFile(std::filesystem::path path, std::vector<KeptSearch> searches, std::uint64_t seed,
+                               std::uint64_t every)
+    : path_(std::move(path)), seed_(seed), every_(every), searches_(std::move(searches)) {
     if (path_ == "-" || (std::filesystem::exists(path_) && !std::filesystem::is_regular_file(path_)))
         throw UserError(
             fmt::format("--checkpoint {}: give the name of a file, which is replaced again and again", path_.string()));
@@ -113,13 +116,14 @@ void CheckpointFile::read() {
     }
 }
 
-std::vector<CheckpointFile::Described> CheckpointFile::describe(const Network& network) {
-    std::vector<Described> all;
+std::vector<KeptSearch> CheckpointFile::describe(const Network& network) {
+    require_searches(network);
+    std::vector<KeptSearch> all;
     for (const ProcessInstance& process : network.processes) {
         if (!searches(process))
             continue;
         require_kept_whole(process);
-        Described described{process.name, {}};
+        KeptSearch described{process.name, {}};
         for (const char* name : {"problem", "coding", "population", "stream"})
             if (const auto found = process.parameters.find(name); found != process.parameters.end())
                 described.parameters[name] = print_constant(found->second);
@@ -156,7 +160,7 @@ void CheckpointFile::require_same_run(const json::value& file) const {
     const json::array& kept = file.at("searches").as_array();
     require_equal(path_, "searches:", fmt::format("{}", kept.size()), fmt::format("{}", searches_.size()));
     for (std::size_t i = 0; i < searches_.size(); ++i) {
-        const Described& here = searches_[i];
+        const KeptSearch& here = searches_[i];
         require_equal(path_, "a search named", json::value_to<std::string>(kept[i].at("name")), here.search);
         for (const auto& [name, value] : here.parameters)
             require_equal(path_, fmt::format("{}.{} =", here.search, name),
@@ -177,7 +181,7 @@ void CheckpointFile::take(const json::value& file) {
 
 void CheckpointFile::write(const States& states) const {
     json::array kept;
-    for (const Described& each : searches_) {
+    for (const KeptSearch& each : searches_) {
         json::object search = json_of(states.at(each.search));
         search["name"] = each.search;
         search["parameters"] = json::value_from(each.parameters);

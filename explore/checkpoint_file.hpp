@@ -15,6 +15,12 @@ namespace placedpar {
 
 struct Network; // netlist/network/network.hpp
 
+/// A search whose state is kept, with parameters that must not change between two runs.
+struct KeptSearch {
+    std::string search;
+    std::map<std::string, std::string> parameters;
+};
+
 /// A file with the states of all searches of a run at one generation. The file is replaced as a whole, so it is never
 /// partly written. If searches end at different generations, the last generation that all have reached is kept.
 class CheckpointFile final : public Checkpoints {
@@ -27,6 +33,8 @@ public:
     /// and for one of another seed or of searches with other names, problems, codings or numbers of individuals. Other
     /// parameters may have changed: the searches go on with the new ones.
     CheckpointFile(std::filesystem::path, const Network&, std::uint64_t seed, std::uint64_t every);
+    /// The same for searches of the library, such as run_islands().
+    CheckpointFile(std::filesystem::path, std::vector<KeptSearch>, std::uint64_t seed, std::uint64_t every);
 
     /// Returns the generation from which the searches go on; 0 if they begin anew.
     std::uint64_t begin() const { return begin_; }
@@ -44,13 +52,7 @@ public:
 private:
     using States = std::map<std::string, SearchCheckpoint>; ///< by name of search
 
-    /// What must not change between the two runs.
-    struct Described {
-        std::string search;
-        std::map<std::string, std::string> parameters;
-    };
-
-    static std::vector<Described> describe(const Network&);
+    static std::vector<KeptSearch> describe(const Network&);
     [[noreturn]] void refuse_file(const std::string& why) const;
     void read();
     void take(const boost::json::value& file);
@@ -59,7 +61,7 @@ private:
 
     std::filesystem::path path_;
     std::uint64_t seed_, every_;
-    std::vector<Described> searches_;
+    std::vector<KeptSearch> searches_;
     std::uint64_t begin_ = 0;
     std::int64_t checksum_ = 0; ///< of the file that was read; 0 if there was none
     States begin_states_;

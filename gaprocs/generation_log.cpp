@@ -17,20 +17,20 @@ namespace {
 /// Returns the objective for a fitness: the fitness itself, or its negative if the objective is minimised. If the
 /// objective was not a finite number, returns the worst infinity. Without an objective, returns the fitness.
 double in_its_own_sign(double fitness, std::optional<Goal> goal) {
-    if (goal && fitness == worst_fitness)
+    if (goal && fitness <= worst_fitness)
         fitness = -std::numeric_limits<double>::infinity();
     return goal == Goal::minimise ? 0 - fitness : fitness;
 }
 
 std::size_t count_finite(std::span<const double> fitness) {
-    return fitness.size() - static_cast<std::size_t>(std::ranges::count(fitness, worst_fitness));
+    return static_cast<std::size_t>(std::ranges::count_if(fitness, [](double each) { return each > worst_fitness; }));
 }
 
 /// Returns the mean of the finite values, or worst_fitness if none is finite.
 double mean_of(std::span<const double> fitness) {
     double sum = 0;
     for (double each : fitness)
-        sum += each == worst_fitness ? 0 : each;
+        sum += each <= worst_fitness ? 0 : each;
     std::size_t finite = count_finite(fitness);
     return finite == 0 ? worst_fitness : sum / static_cast<double>(finite);
 }

@@ -21,6 +21,9 @@ public:
     Representation representation() const override { return ask(&SearchProblem::representation); }
     std::size_t channels() const override { return ask(&SearchProblem::channels); }
     std::optional<Objective> objective() const override { return ask(&SearchProblem::objective); }
+    std::vector<std::string> objective_names() const override { return ask(&SearchProblem::objective_names); }
+    std::optional<Merit> merit(const Genome& genome) const override { return ask(&SearchProblem::merit, genome); }
+    bool has_constraints() const override { return ask(&SearchProblem::has_constraints); }
     bool depends_on_window() const override { return ask(&SearchProblem::depends_on_window); }
     std::vector<double> errors(const Genome& genome, std::span<const Sample> window) const override {
         return ask(&SearchProblem::errors, genome, window);

@@ -69,7 +69,7 @@ IslandsSettings settings_for(const SearchProblem& problem, IslandsSettings setti
 
 void add_estimates(const SearchProblem& problem, const Islands& islands, std::size_t sample, IslandsResult& result) {
     for (std::size_t i = 0; i < result.islands.size(); ++i) {
-        if (!islands.ready(i))
+        if (!islands.has_made(i))
             continue;
         const Individual& best = islands.searches()[i].best();
         result.islands[i].estimates.push_back({sample, best, problem.decode(best.genome)});
@@ -120,6 +120,7 @@ Islands::Islands(const SearchProblem& problem, IslandsSettings settings, std::ve
     in_step_ = islands_in_step(settings_.schedule, neighbours_);
     fitness_.resize(streams.size());
     mail_.resize(streams.size());
+    made_.resize(streams.size());
     for (std::size_t i = 0; i < streams.size(); ++i) {
         windows_.emplace_back(settings_.islands[i].window);
         searches_.emplace_back(problem.representation(), settings_.islands[i], std::move(streams[i]));
@@ -142,12 +143,19 @@ bool Islands::ready() const {
     return false;
 }
 
+/// Sets which islands make the next generation.
+void Islands::choose_islands() {
+    for (std::size_t i = 0; i < searches_.size(); ++i)
+        made_[i] = ready(i) && (progress_.empty() || !progress_[i].passes_over());
+}
+
 void Islands::next_generation() {
     migrations_.clear();
+    choose_islands();
     if (settings_.schedule.in_step())
         return exchange_in_step();
     for (std::size_t i = 0; i < searches_.size(); ++i)
-        if (ready(i)) {
+        if (made_[i]) {
             evaluate_one(i);
             send_by_mail(i);
             auto arrivals = mail_for(i);
@@ -158,7 +166,7 @@ void Islands::next_generation() {
 
 void Islands::exchange_in_step() {
     for (std::size_t i = 0; i < searches_.size(); ++i)
-        if (ready(i)) {
+        if (made_[i]) {
             evaluate_one(i);
             auto leaving = emigrants(i);
             migrations_.insert(migrations_.end(), leaving.begin(), leaving.end());
@@ -167,13 +175,15 @@ void Islands::exchange_in_step() {
     auto first = migrations_.begin();
     for (std::size_t i = 0; i < searches_.size(); ++i) {
         auto end = std::find_if(first, migrations_.end(), [&](const Migration& each) { return each.to != i; });
-        if (ready(i))
+        if (made_[i])
             breed(i, {first, end});
         first = end;
     }
 }
 
 void Islands::evaluate_one(std::size_t island) {
+    if (!progress_.empty())
+        progress_[island].note_population(searches_[island]);
     fitness_[island] = evaluate(problem_, searches_[island].population(), windows_[island].samples(),
                                 settings_.islands[island].window.bias);
 }
@@ -218,6 +228,16 @@ void Islands::breed(std::size_t island, std::span<Migration> arrivals) {
     accept_and_breed(searches_[island], fitness_[island], arrivals, settings_.acceptance);
     if (observer_)
         tell_migrations(island, arrivals);
+    if (progress_.empty())
+        return;
+    progress_[island].note_best(searches_[island]);
+    progress_[island].keep(searches_[island]);
+}
+
+void Islands::keep_by(Checkpoints& checkpoints) {
+    const std::vector<std::string> names = island_names(searches_.size());
+    for (std::size_t i = 0; i < searches_.size(); ++i)
+        progress_.emplace_back(searches_[i], names[i], &checkpoints);
 }
 
 void Islands::observe_by(SearchObserver& observer) {
@@ -249,7 +269,7 @@ void accept_and_breed(Search& search, std::span<double> fitness, std::span<Migra
 }
 
 IslandsResult run_islands(const SearchProblem& problem, std::span<const Sample> record, const IslandsSettings& wanted,
-                          std::vector<RandomStream> streams, SearchObserver* observer) {
+                          std::vector<RandomStream> streams, SearchObserver* observer, Checkpoints* checkpoints) {
     IslandsSettings settings = settings_for(problem, wanted);
     settings.validate_for(record.size());
     require_channels(problem, record);
@@ -258,6 +278,10 @@ IslandsResult run_islands(const SearchProblem& problem, std::span<const Sample> 
         islands.observe_by(*observer);
     IslandsResult result;
     result.islands.resize(settings.islands.size());
+    if (checkpoints)
+        islands.keep_by(*checkpoints);
+    for (std::size_t i = 0; i < islands.progress().size(); ++i)
+        add_earlier_best(result.islands[i], problem, islands.progress()[i], islands.searches()[i]);
     for (std::size_t sample = 0; sample < record.size(); ++sample) {
         islands.push(record[sample]);
         if (!islands.ready())
@@ -269,13 +293,15 @@ IslandsResult run_islands(const SearchProblem& problem, std::span<const Sample> 
         }
         add_estimates(problem, islands, sample, result);
     }
+    for (std::size_t i = 0; i < islands.progress().size(); ++i)
+        islands.progress()[i].require_passed(islands.searches()[i]);
     end_result(islands, result);
     return result;
 }
 
 IslandsResult run_islands(const SearchProblem& problem, std::size_t generations, const IslandsSettings& settings,
-                          std::vector<RandomStream> streams, SearchObserver* observer) {
-    return run_islands(problem, empty_record(generations), settings, std::move(streams), observer);
+                          std::vector<RandomStream> streams, SearchObserver* observer, Checkpoints* checkpoints) {
+    return run_islands(problem, empty_record(generations), settings, std::move(streams), observer, checkpoints);
 }
 
 std::vector<std::string> island_names(std::size_t islands) {

@@ -7,6 +7,7 @@
 #include "gaprocs/search.hpp"
 #include "gaprocs/search_observer.hpp"
 #include "gaprocs/search_problem.hpp"
+#include "gaprocs/search_progress.hpp"
 #include "gaprocs/settings.hpp"
 #include "gaprocs/traditional.hpp"
 #include "gaprocs/window.hpp"
@@ -84,12 +85,20 @@ public:
     /// REQUIRES: the observer outlives the islands.
     void observe_by(SearchObserver& observer);
 
+    /// Goes on from the checkpoints, and hands over new ones. The islands have the names of island_names(). Throws as
+    /// SearchProgress. REQUIRES: called before the first next_generation(); the checkpoints outlive the islands.
+    void keep_by(Checkpoints& checkpoints);
+
     void push(const Sample& sample);
     /// Returns whether this island, and all islands that begin together with it, have enough samples for a generation.
     bool ready(std::size_t island) const;
     bool ready() const;
-    /// Makes one generation of each island that is ready.
+    /// Makes one generation of each island that is ready, or passes over a generation that an earlier run has made.
     void next_generation();
+    /// Returns whether the last next_generation() made a generation of this island.
+    bool has_made(std::size_t island) const { return made_[island]; }
+    /// Returns the progress of each island; none without checkpoints.
+    const std::vector<SearchProgress>& progress() const { return progress_; }
 
     const std::vector<Search>& searches() const { return searches_; }
     /// Returns the migrations of the last next_generation(), sorted by destination. Migrations to the same island are
@@ -97,6 +106,7 @@ public:
     const std::vector<Migration>& migrations() const { return migrations_; }
 
 private:
+    void choose_islands();
     void exchange_in_step();
     void evaluate_one(std::size_t island);
     std::vector<Migration> emigrants(std::size_t from);
@@ -116,6 +126,8 @@ private:
     std::vector<Migration> migrations_;
     /// For the asynchronous schedule: emigrants that have been sent but not yet received, by destination and source.
     std::vector<std::map<std::size_t, std::vector<Migration>>> mail_;
+    std::vector<char> made_; ///< see has_made()
+    std::vector<SearchProgress> progress_;
     SearchObserver* observer_ = nullptr;
     std::vector<std::string> names_; ///< names of the islands for the observer
 };
@@ -125,13 +137,16 @@ struct IslandsResult {
     std::vector<Migration> migrations; ///< migrations of all generations, in the order of the generations
 };
 
-/// Runs the islands over a record, without a simulated machine. Throws as Islands, IslandsSettings::validate_for() and
-/// require_channels().
+/// Runs the islands over a record, without a simulated machine. The islands go on from checkpoints as run_traditional()
+/// does; without the asynchronous schedule, the generations are those of an unbroken run, bit for bit. Throws as
+/// Islands, IslandsSettings::validate_for(), require_channels() and SearchProgress.
 IslandsResult run_islands(const SearchProblem& problem, std::span<const Sample> record, const IslandsSettings& settings,
-                          std::vector<RandomStream> streams, SearchObserver* observer = nullptr);
+                          std::vector<RandomStream> streams, SearchObserver* observer = nullptr,
+                          Checkpoints* checkpoints = nullptr);
 /// Runs the islands on a problem with an objective. Each island gives one estimate for each generation.
 IslandsResult run_islands(const SearchProblem& problem, std::size_t generations, const IslandsSettings& settings,
-                          std::vector<RandomStream> streams, SearchObserver* observer = nullptr);
+                          std::vector<RandomStream> streams, SearchObserver* observer = nullptr,
+                          Checkpoints* checkpoints = nullptr);
 
 /// Returns "island[0]", "island[1]", ..., the names of processes that a netlist declares as island[n].
 std::vector<std::string> island_names(std::size_t islands);

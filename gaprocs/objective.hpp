@@ -1,9 +1,13 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace placedpar {
 
@@ -12,6 +16,23 @@ enum class Goal : unsigned char { minimise, maximise };
 /// The fitness of an individual whose objective is infinite or NaN. It is the least fitness, but finite, so that the
 /// fitness of a whole population can be added up.
 inline constexpr double worst_fitness = -0x1p1000;
+
+/// Returns the fitness of an individual that violates constraints by so much in all: less than the fitness of every
+/// feasible individual, and the less the greater the violation (K. Deb, "An efficient constraint handling method for
+/// genetic algorithms", 2000). So a reproduction by ranks or tournaments follows Deb's rules. NaN counts as an infinite
+/// violation. Violations that differ only after 42 bits have equal fitness. REQUIRES: the violation is above 0, or NaN.
+inline double infeasible_fitness(double violation) {
+    const double counted = std::isnan(violation) ? std::numeric_limits<double>::infinity() : violation;
+    const auto above = std::bit_cast<std::uint64_t>(counted) >> 10; // keeps the fitness above -2^1004
+    return -std::bit_cast<double>(std::bit_cast<std::uint64_t>(-2 * worst_fitness) + above);
+}
+
+/// What decides between two individuals of a problem with constraints or several objectives.
+struct Merit {
+    bool feasible = false;
+    std::vector<double> costs = {}; ///< costs to be minimised; all feasible individuals have the same number of costs
+    double violation = 0;           ///< of an infeasible individual: by how much it violates constraints, in all
+};
 
 /// How a problem without measurements rates an individual: by one number, the objective, which is minimised or
 /// maximised.
@@ -27,9 +48,10 @@ struct Objective {
             return worst_fitness;
         return std::clamp(goal == Goal::maximise ? value : -value, worst_fitness, -worst_fitness);
     }
-    /// Returns the value of the objective for a fitness; nothing if the value was not a finite number.
+    /// Returns the value of the objective for a fitness; nothing if the value was not a finite number, or if the
+    /// individual is infeasible.
     std::optional<double> value(double fitness) const {
-        if (fitness == worst_fitness)
+        if (fitness <= worst_fitness)
             return std::nullopt;
         return goal == Goal::maximise ? fitness : 0 - fitness;
     }

@@ -4,9 +4,13 @@
 #include "gaprocs/representation/parameter_coding.hpp"
 #include "gaprocs/representation/representation.hpp"
 #include "gaprocs/search_problem.hpp"
+#include "text/user_error.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -29,26 +33,48 @@ namespace placedpar {
 // std::size_t> for a Permutation. With a ParameterCoding, the search may breed either bits or real numbers: see
 // gaprocs/policies/coding.hpp. An objective that is infinite or NaN is worse than every other, so objective() may
 // return infinity for an individual that is not allowed.
+//
+// A problem may also have constraints(), with the same argument: numbers of which each is at most 0 if its constraint
+// is satisfied. An equation h(x) = 0 is stated as |h(x)| - tolerance. The sum of the numbers above 0 is the violation.
+// Every individual without violation is better than every individual with one; of two with, the lesser violation is
+// better (K. Deb, 2000). So a population of which no individual is feasible approaches the constraints first. If a
+// penalty is given, the objective gets worse by the penalty times the violation instead. NaN is the greatest violation.
+//
+// A problem with objectives() in place of objective() has several, and objective_names(), their names. All are
+// minimised, or all maximised.
 
 /// An objective problem has the functions representation() and objective(). The argument of objective() is what the
 /// representation decodes. It may also have parameter_names() and parameter_units(), by default "x_1", "x_2", ...
 /// without units; objective_unit(); and optimum(), the best possible objective.
 template <typename P>
-concept StatesObjective = requires(const P& problem, const Genome& genome) {
+concept StatesOneObjective = requires(const P& problem, const Genome& genome) {
     { problem.objective(problem.representation().decode(genome)) } -> std::convertible_to<double>;
     { problem.representation().bits() } -> std::convertible_to<std::size_t>;
+};
+template <typename P>
+concept StatesObjectives = requires(const P& problem, const Genome& genome) {
+    { problem.objectives(problem.representation().decode(genome)) } -> std::convertible_to<std::vector<double>>;
+    { problem.objective_names() } -> std::convertible_to<std::vector<std::string>>;
+    { problem.representation().bits() } -> std::convertible_to<std::size_t>;
+};
+template <typename P>
+concept StatesObjective = StatesOneObjective<P> || StatesObjectives<P>;
+template <typename P>
+concept StatesConstraints = requires(const P& problem, const Genome& genome) {
+    { problem.constraints(problem.representation().decode(genome)) } -> std::convertible_to<std::vector<double>>;
 };
 
 /// Makes a SearchProblem of an objective problem.
 template <StatesObjective P>
 class ObjectiveProblemOf final : public SearchProblem {
 public:
-    ObjectiveProblemOf(P problem, Goal goal)
+    /// `penalty`: see above; 0 for none.
+    ObjectiveProblemOf(P problem, Goal goal, double penalty = 0)
         : problem_(std::move(problem)),
-          representation_(problem_.representation()), objective_{goal, unit(), known_optimum()} {}
-    ObjectiveProblemOf(P problem, Objective objective, Coding coding)
+          representation_(problem_.representation()), objective_{goal, unit(), known_optimum()}, penalty_(penalty) {}
+    ObjectiveProblemOf(P problem, Objective objective, double penalty, Coding coding)
         : problem_(std::move(problem)), representation_(problem_.representation()), objective_(std::move(objective)),
-          coding_(coding) {}
+          penalty_(penalty), coding_(coding) {}
 
     std::size_t bits() const override { return representation().bits(); }
     Representation representation() const override {
@@ -64,7 +90,12 @@ public:
         throw std::logic_error("an objective problem has no error");
     }
     double fitness(const Genome& genome, std::span<const Sample>, double) const override {
-        return objective_.fitness(problem_.objective(read(genome)));
+        if constexpr (StatesObjectives<P>)
+            throw UserError("a problem with several objectives has no fitness: search for its front");
+        else if constexpr (StatesConstraints<P>)
+            return constrained_fitness(read(genome));
+        else
+            return objective_.fitness(problem_.objective(read(genome)));
     }
     void fitness_of(std::span<const Genome> population, std::span<const Sample> samples, double bias,
                     std::span<double> out) const override {
@@ -72,6 +103,27 @@ public:
             out[i] = fitness(population[i], samples, bias);
     }
     std::optional<Objective> objective() const override { return objective_; }
+    std::vector<std::string> objective_names() const override {
+        if constexpr (StatesObjectives<P>)
+            return problem_.objective_names();
+        return {};
+    }
+    bool has_constraints() const override { return StatesConstraints<P>; }
+    std::optional<Merit> merit(const Genome& genome) const override {
+        const auto& x = read(genome);
+        Merit merit{.feasible = true, .costs = {}, .violation = violation_of(x)};
+        if constexpr (StatesObjectives<P>)
+            merit.costs = problem_.objectives(x);
+        else
+            merit.costs = {problem_.objective(x)};
+        for (double& cost : merit.costs) {
+            cost = objective_.goal == Goal::maximise ? 0 - cost : cost;
+            if (!std::isfinite(cost))
+                merit.violation = std::numeric_limits<double>::infinity();
+        }
+        merit.feasible = merit.violation == 0;
+        return merit;
+    }
 
     /// Returns the numbers that the string codes; empty if the string does not code numbers.
     std::vector<double> decode(const Genome& genome) const override {
@@ -110,7 +162,24 @@ private:
     std::shared_ptr<const SearchProblem> coded_plainly(Coding coding) const override {
         if (!by_fields && coding != Coding::natural)
             refuse_coding(coding);
-        return std::make_shared<ObjectiveProblemOf>(problem_, objective_, coding);
+        return std::make_shared<ObjectiveProblemOf>(problem_, objective_, penalty_, coding);
+    }
+    /// Returns the sum of the numbers above 0; infinity if one is NaN.
+    double violation_of(const auto& x) const {
+        double sum = 0;
+        if constexpr (StatesConstraints<P>)
+            for (double each : problem_.constraints(x))
+                sum += std::isnan(each) ? std::numeric_limits<double>::infinity() : std::max(each, 0.0);
+        return sum;
+    }
+    double constrained_fitness(const auto& x) const {
+        const double violation = violation_of(x);
+        if (violation > 0 && penalty_ == 0)
+            return infeasible_fitness(violation);
+        const double worse = penalty_ * violation;
+        const double value = problem_.objective(x) + (objective_.goal == Goal::maximise ? -worse : worse);
+        return std::isfinite(value) ? objective_.fitness(value)
+                                    : infeasible_fitness(std::numeric_limits<double>::infinity());
     }
     std::size_t parameters() const {
         if constexpr (of_numbers)
@@ -148,17 +217,18 @@ private:
     P problem_;
     Read representation_;
     Objective objective_;
+    double penalty_ = 0;
     Coding coding_ = Coding::natural;
 };
 
-/// minimise() and maximise() throw as P::representation() does.
+/// minimise() and maximise() throw as P::representation() does. `penalty`: for each unit of violation; 0: Deb's rules.
 template <StatesObjective P>
-std::shared_ptr<const SearchProblem> minimise(P problem) {
-    return std::make_shared<ObjectiveProblemOf<P>>(std::move(problem), Goal::minimise);
+std::shared_ptr<const SearchProblem> minimise(P problem, double penalty = 0) {
+    return std::make_shared<ObjectiveProblemOf<P>>(std::move(problem), Goal::minimise, penalty);
 }
 template <StatesObjective P>
-std::shared_ptr<const SearchProblem> maximise(P problem) {
-    return std::make_shared<ObjectiveProblemOf<P>>(std::move(problem), Goal::maximise);
+std::shared_ptr<const SearchProblem> maximise(P problem, double penalty = 0) {
+    return std::make_shared<ObjectiveProblemOf<P>>(std::move(problem), Goal::maximise, penalty);
 }
 
 } // namespace placedpar

@@ -26,7 +26,8 @@ struct RecordToMake {
 
 /// Problems that share a name and differ in their numbers, such as "sphere(dimensions = 3, bits = 16)". minimised() and
 /// maximised() make a family of objective problems from a struct that has `name`, `about` and numbers() like a policy.
-/// The struct is itself an objective problem (gaprocs/objective_problem.hpp), or its function problem() returns one.
+/// The struct is itself an objective problem (gaprocs/objective_problem.hpp), or its function problem() returns one. If
+/// the problem has constraints, the family has one more number, `penalty`.
 struct ProblemFamily {
     PolicyDescription description;
     /// Makes the problem. REQUIRES: `numbers` has a value in range for each number of the description. Throws what the
@@ -47,14 +48,26 @@ auto problem_with(const std::vector<double>& numbers) {
 }
 
 template <class P>
+ProblemFamily family_with(Goal goal) {
+    using Problem = decltype(problem_with<P>({}));
+    PolicyDescription description = describe_policy<P>();
+    if constexpr (StatesConstraints<Problem>)
+        description.numbers.push_back({"penalty", 0, 0, 1e100, false,
+                                       "makes the objective worse, times the violation of constraints; 0: every "
+                                       "feasible individual is better than every other"});
+    return {std::move(description), [goal](const std::vector<double>& numbers) {
+                const double penalty = StatesConstraints<Problem> ? numbers.back() : 0;
+                return std::make_shared<ObjectiveProblemOf<Problem>>(problem_with<P>(numbers), goal, penalty);
+            }};
+}
+
+template <class P>
 ProblemFamily minimised() {
-    return {describe_policy<P>(),
-            [](const std::vector<double>& numbers) { return minimise(problem_with<P>(numbers)); }};
+    return family_with<P>(Goal::minimise);
 }
 template <class P>
 ProblemFamily maximised() {
-    return {describe_policy<P>(),
-            [](const std::vector<double>& numbers) { return maximise(problem_with<P>(numbers)); }};
+    return family_with<P>(Goal::maximise);
 }
 
 } // namespace placedpar

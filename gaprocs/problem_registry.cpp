@@ -72,12 +72,33 @@ void ProblemRegistry::add(ProblemFamily family) {
     families_.emplace(std::move(name), std::move(family));
 }
 
+void ProblemRegistry::add_reader(std::string format, ProblemReader reader) {
+    readers_.emplace(std::move(format), std::move(reader));
+}
+
+/// Returns the problem that a reader reads from a file; null if no reader has this format.
+const RecordedProblem* ProblemRegistry::read(std::string_view name) const {
+    const std::size_t colon = name.find(':');
+    const auto reader = readers_.find(name.substr(0, colon));
+    if (colon == name.npos || reader == readers_.end())
+        return nullptr;
+    auto found = made_.find(name);
+    if (found == made_.end())
+        found = made_
+                    .emplace(name, RecordedProblem(reader->second.read(std::string(name.substr(colon + 1))),
+                                                   std::vector<Sample>()))
+                    .first;
+    return &found->second;
+}
+
 const RecordedProblem& ProblemRegistry::find(std::string_view name) const {
     if (auto found = problems_.find(name); found != problems_.end())
         return found->second;
     auto family = families_.find(boost::algorithm::trim_copy(name.substr(0, name.find('('))));
     if (family != families_.end())
         return make(family->second, name);
+    if (const RecordedProblem* from_file = read(name))
+        return *from_file;
     std::string guess = did_you_mean(name, names());
     throw UserError(fmt::format("unknown search problem '{}'; known: {}{}", name, fmt::join(names(), ", "),
                                 guess.empty() ? "" : "; " + guess));

@@ -42,6 +42,13 @@ private:
     mutable std::vector<Sample> record_;
 };
 
+/// Reads problems from files.
+struct ProblemReader {
+    std::string about; ///< one line
+    /// Throws UserError for a file that cannot be read.
+    std::function<std::shared_ptr<const SearchProblem>(const std::string& file)> read;
+};
+
 /// The problems that a netlist may name, as in `problem = "boom"`. The registry is filled before a run. find() does not
 /// make a record; the first RecordedProblem::record() does.
 class ProblemRegistry {
@@ -55,6 +62,10 @@ public:
     /// "sphere(bits = 20)". Throws std::invalid_argument for an empty or repeated name.
     void add(ProblemFamily family);
 
+    /// Adds a reader. The first find() of "format:FILE" reads the file; a relative name begins at the working
+    /// directory.
+    void add_reader(std::string format, ProblemReader reader);
+
     /// Returns the problem. Throws UserError if the name is unknown (the message lists the names), or if the numbers
     /// are wrong or give no valid problem. The reference is valid as long as the registry exists.
     const RecordedProblem& find(std::string_view name) const;
@@ -63,16 +74,20 @@ public:
     std::vector<std::string> names() const;
     /// Returns the descriptions of the families in alphabetical order.
     std::vector<PolicyDescription> families() const;
+    const std::map<std::string, ProblemReader, std::less<>>& readers() const { return readers_; }
 
 private:
     template <class Record>
     void add_recorded(std::string name, std::shared_ptr<const SearchProblem> problem, Record record);
     void require_new(const std::string& name) const;
     const RecordedProblem& make(const ProblemFamily& family, std::string_view text) const;
+    const RecordedProblem* read(std::string_view name) const;
 
     std::map<std::string, RecordedProblem, std::less<>> problems_;
     std::map<std::string, ProblemFamily, std::less<>> families_;
-    mutable std::map<std::string, RecordedProblem> made_; ///< problems made of families, by name with all numbers
+    std::map<std::string, ProblemReader, std::less<>> readers_; ///< by format
+    /// Problems made of families, by name with all numbers, and problems that were read.
+    mutable std::map<std::string, RecordedProblem, std::less<>> made_;
 };
 
 } // namespace placedpar

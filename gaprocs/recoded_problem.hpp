@@ -28,6 +28,9 @@ public:
     std::size_t bits() const override { return recoding_.length(); }
     std::size_t channels() const override { return problem_->channels(); }
     std::optional<Objective> objective() const override { return problem_->objective(); }
+    std::vector<std::string> objective_names() const override { return problem_->objective_names(); }
+    std::optional<Merit> merit(const Genome& genome) const override { return problem_->merit(to_problem(genome)); }
+    bool has_constraints() const override { return problem_->has_constraints(); }
     double error(const Genome& genome, std::span<const double> sample) const override {
         return problem_->error(to_problem(genome), sample);
     }

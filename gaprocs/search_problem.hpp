@@ -51,6 +51,13 @@ public:
     /// Returns the objective of a problem that needs no record of measurements; nothing for a problem with a record. If
     /// there is an objective, fitness() ignores the samples and the bias.
     virtual std::optional<Objective> objective() const { return std::nullopt; }
+    /// Returns the names of the objectives of a problem that has several; otherwise none. Such a problem has no
+    /// fitness: search_front() searches for it (gaprocs/front_search.hpp).
+    virtual std::vector<std::string> objective_names() const { return {}; }
+    /// Returns the costs of an individual, all to be minimised, and by how much it violates the constraints; nothing
+    /// for a problem with a record. An individual with a cost that is not a finite number is infeasible.
+    virtual std::optional<Merit> merit(const Genome&) const { return std::nullopt; }
+    virtual bool has_constraints() const { return false; }
     /// Returns whether the error at a sample depends on the first sample of the window. If so, the errors of one
     /// individual cannot be divided among processes.
     virtual bool depends_on_window() const { return false; }

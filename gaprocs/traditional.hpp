@@ -11,6 +11,9 @@
 
 namespace placedpar {
 
+class Checkpoints;    // gaprocs/checkpoints.hpp
+class SearchProgress; // gaprocs/search_progress.hpp
+
 /// The answer of a search after a sample.
 struct Estimate {
     std::size_t sample; ///< number of the sample in the record, from 0
@@ -29,17 +32,25 @@ struct SearchResult {
     const Estimate& best() const;
 };
 
+/// For an objective, adds the best individual of earlier runs to the estimates.
+void add_earlier_best(SearchResult&, const SearchProblem&, const SearchProgress&, const Search&);
+
 /// Returns the fitness of each individual over the samples of the window.
 std::vector<double> evaluate(const SearchProblem& problem, std::span<const Genome> population,
                              std::span<const Sample> window, double bias);
 
 /// Runs the traditional genetic algorithm over a record (thesis figure 1.1, 3.1.1), without a simulated machine.
-/// Algorithm A must give the same results bit for bit. To the observer, the search has the name "traditional". Throws
-/// as SearchSettings::validate(), settings_for(), WindowSettings::validate_for() and require_channels().
+/// Algorithm A must give the same results bit for bit. To the observer and the checkpoints, the search has the name
+/// "traditional". If it goes on from a checkpoint (gaprocs/checkpoints.hpp), the estimates of the earlier run are
+/// absent; for an objective, the first estimate is then the best individual of the earlier run. Throws as
+/// SearchSettings::validate(), settings_for(), WindowSettings::validate_for() and require_channels(), and as
+/// SearchProgress.
 SearchResult run_traditional(const SearchProblem& problem, std::span<const Sample> record,
-                             const SearchSettings& settings, RandomStream random, SearchObserver* observer = nullptr);
+                             const SearchSettings& settings, RandomStream random, SearchObserver* observer = nullptr,
+                             Checkpoints* checkpoints = nullptr);
 /// Runs the algorithm on a problem with an objective. Gives one estimate for each generation.
 SearchResult run_traditional(const SearchProblem& problem, std::size_t generations, const SearchSettings& settings,
-                             RandomStream random, SearchObserver* observer = nullptr);
+                             RandomStream random, SearchObserver* observer = nullptr,
+                             Checkpoints* checkpoints = nullptr);
 
 } // namespace placedpar

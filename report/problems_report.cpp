@@ -40,7 +40,10 @@ std::string goal_of(const Objective& objective) {
 
 std::string what_is_searched(const RecordedProblem& recorded) {
     auto objective = recorded.problem()->objective();
-    return objective ? goal_of(*objective) : record_of(recorded);
+    std::string goal = objective ? goal_of(*objective) : record_of(recorded);
+    if (const auto names = recorded.problem()->objective_names(); !names.empty())
+        goal += fmt::format(": {}", fmt::join(names, ", "));
+    return recorded.problem()->has_constraints() ? goal + "; has constraints" : goal;
 }
 
 /// A row of the table of fields: one field, or, if there are many, consecutive fields that are alike, "x_1 ... x_20".
@@ -113,6 +116,8 @@ std::string print_problems(const ProblemRegistry& problems) {
         auto family = family_named(problems, name);
         out += in_two_columns(family ? family->text() : name, family ? family->about : record_of(problems.find(name)));
     }
+    for (const auto& [format, reader] : problems.readers())
+        out += in_two_columns(format + ":FILE", reader.about);
     return out;
 }
 

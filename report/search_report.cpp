@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -69,6 +70,25 @@ std::vector<SearchSummary> summaries_of(const GenerationLog& log) {
 std::string print_between(const SearchSummary& all) {
     return fmt::format("diversity between searches: {:.4f} in the first generation, {:.4f} in the last\n",
                        all.first.between, all.last.between);
+}
+
+/// Says which search first found the best value of an objective. Values of searches with records are not compared,
+/// since their windows may differ.
+std::string print_finder(const GenerationLog& log) {
+    if (!log.compares() || !log.has_objective(0) || log.of_all().empty() || !is_finite(log.of_all().back()))
+        return "";
+    std::size_t finder = 0, earliest = std::numeric_limits<std::size_t>::max();
+    for (std::size_t search = 0; search < log.searches().size(); ++search) {
+        const auto found =
+            std::ranges::find(log.of(search), log.of_all().back().best_so_far, &LoggedGeneration::best_so_far);
+        const auto generation = static_cast<std::size_t>(found - log.of(search).begin());
+        if (found != log.of(search).end() && generation < earliest) {
+            finder = search;
+            earliest = generation;
+        }
+    }
+    return fmt::format("best of all: {:.6g}, first found by {} in generation {}\n", log.of_all().back().best_so_far,
+                       log.searches()[finder], log.first() + earliest);
 }
 
 /// Returns the median of a figure over several runs, and its quartiles: "120 [100, 131]".
@@ -138,7 +158,7 @@ std::string print_searches(const GenerationLog& log) {
     if (rows.empty())
         return "";
     std::string out = table_of(rows, row_of).text("\n");
-    return rows.back().of_all ? out + print_between(rows.back()) : out;
+    return rows.back().of_all ? out + print_between(rows.back()) + print_finder(log) : out;
 }
 
 std::string print_searches(std::span<const SeededLog> logs) {

@@ -4,6 +4,7 @@
 #include "explore/generate/topology.hpp"
 #include "explore/problems.hpp"
 #include "text/output_file.hpp"
+#include "text/program_name.hpp"
 
 #include <fmt/format.h>
 
@@ -19,7 +20,10 @@ struct GenerateOptions {
 };
 
 ExitCode generate_netlist(const GenerateOptions& options) {
-    std::string text = generate::generate(options.request, known_kinds(known_problems(0))).text;
+    const ProblemRegistry problems = known_problems(0);
+    const std::string& name = options.request.problem;
+    std::string text =
+        generate::generate(options.request, known_kinds(problems), name.empty() ? nullptr : &problems.find(name)).text;
     write_whole(options.out, text);
     return ExitCode::success;
 }
@@ -43,6 +47,12 @@ void add_wish(Options& command, generate::TopologyRequest& request) {
              "processor",
              "farm|islands|KIND")
         .show_default();
+    command
+        .add("--problem", request.problem,
+             fmt::format("what is searched for: a problem that \"{} kinds problems\" lists; default: boom",
+                         program_name()))
+        .type("PROBLEM")
+        .check(not_a_name);
     command
         .add("--host", request.host,
              "where the host's process runs; choose node if no processor has a link "

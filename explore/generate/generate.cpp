@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace placedpar::generate {
 
 namespace {
@@ -23,7 +25,12 @@ void require_port(const ProcessKind& kind, const std::string& port, Direction di
                                     kind.name, direction == Direction::output ? "output" : "input", port, option));
 }
 
-Job job_of_kind(const TopologyRequest& request, const Catalogue& catalogue, const Topology& topology) {
+bool has_problem(const ProcessKind& kind) {
+    return std::ranges::count(kind.parameters, "problem", &ParameterDescription::name) > 0;
+}
+
+Job job_of_kind(const TopologyRequest& request, const Catalogue& catalogue, const Topology& topology,
+                const ProblemStatements& problem) {
     const ProcessKind* kind = catalogue.find(request.job);
     if (!kind)
         throw UserError(
@@ -31,15 +38,22 @@ Job job_of_kind(const TopologyRequest& request, const Catalogue& catalogue, cons
                          fmt::format("expected farm, islands, or a name that {} kinds lists", program_name())));
     require_port(*kind, request.output, Direction::output, "--output");
     require_port(*kind, request.input, Direction::input, "--input");
-    return processes_of(request.job, kind->port("from_host") != nullptr, request.output, request.input, topology);
+    const bool has_host = kind->port("from_host") != nullptr;
+    if (!request.problem.empty() && !has_host && !has_problem(*kind))
+        throw UserError(
+            fmt::format("--problem: {} has no parameter \"problem\", so it searches for nothing", kind->name));
+    return processes_of(request.job, has_host, request.output, request.input, topology, problem,
+                        has_problem(*kind) ? problem.each : "");
 }
 
-Job job_of(const TopologyRequest& request, const Catalogue& catalogue, const Topology& topology) {
+Job job_of(const TopologyRequest& request, const Catalogue& catalogue, const Topology& topology,
+           const RecordedProblem* problem) {
+    const ProblemStatements statements = statements_of(request.problem, problem);
     if (request.job == "farm")
-        return farm(topology);
+        return farm(topology, statements);
     if (request.job == "islands")
-        return request.topology == "figure-e2" ? islands_with_slaves() : islands(topology);
-    return job_of_kind(request, catalogue, topology);
+        return request.topology == "figure-e2" ? islands_with_slaves(statements) : islands(topology, statements);
+    return job_of_kind(request, catalogue, topology, statements);
 }
 
 std::string host_on_workstation(const TopologyRequest& request, const Topology& topology) {
@@ -100,7 +114,7 @@ std::string command_of(const TopologyRequest& request) {
           std::tuple("--input", &request.input, &usual.input)})
         if (*said != *unsaid)
             text += fmt::format(" {} {}", name, *said);
-    return text;
+    return request.problem.empty() ? text : text + fmt::format(" --problem \"{}\"", request.problem);
 }
 
 std::string heading_of(const TopologyRequest& request, const Job& job, const Topology& topology,
@@ -113,9 +127,9 @@ std::string heading_of(const TopologyRequest& request, const Job& job, const Top
 
 } // namespace
 
-Generated generate(const TopologyRequest& request, const Catalogue& catalogue) {
+Generated generate(const TopologyRequest& request, const Catalogue& catalogue, const RecordedProblem* problem) {
     Topology topology = topology_of(request);
-    Job job = job_of(request, catalogue, topology);
+    Job job = job_of(request, catalogue, topology, problem);
     std::string body = body_of(request, job, topology);
     Distances distances = distances_in(read(request, body, catalogue));
     return {heading_of(request, job, topology, distances) + body, distances};

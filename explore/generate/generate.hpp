@@ -6,6 +6,10 @@
 
 #include <string>
 
+namespace placedpar {
+class RecordedProblem; // gaprocs/problem_registry.hpp
+}
+
 namespace placedpar::generate {
 
 /// A netlist that has been read and checked.
@@ -15,7 +19,7 @@ struct Generated {
 };
 
 /// Throws UserError if the topology or job is unknown, if the topology does not have this size, or if a processor would
-/// need more links than a transputer has.
-Generated generate(const TopologyRequest&, const Catalogue&);
+/// need more links than a transputer has. `problem`: what TopologyRequest::problem names; null if it is "".
+Generated generate(const TopologyRequest&, const Catalogue&, const RecordedProblem* problem = nullptr);
 
 } // namespace placedpar::generate

@@ -1,6 +1,7 @@
 #include "explore/generate/job.hpp"
 
 #include "explore/generate/statements.hpp"
+#include "gaprocs/problem_registry.hpp"
 
 #include <fmt/format.h>
 
@@ -9,19 +10,27 @@ namespace placedpar::generate {
 namespace {
 
 /// The workload of examples/thesis/workload.inc, under the first reading of Table E.1.
-constexpr const char* workload = R"(val samples 0;                  /* of the record; 0: all */
-val cycles_per_error 1440;      /* Table E.1: one individual's error at one sample */
+constexpr const char* workload =
+    R"(val cycles_per_error 1440;      /* Table E.1: one individual's error at one sample */
 val cycles_per_individual 1750; /* the genetic operators, for one individual */
 )";
 
 /// Parameters that masters and islands share.
-constexpr const char* costs = R"(population = population, cycles_per_error = cycles_per_error,
-        cycles_per_individual = cycles_per_individual, cycles_per_measurement_word = 134, string_bytes = 2)";
+std::string costs(const ProblemStatements& problem) {
+    return "population = population, cycles_per_error = cycles_per_error,\n"
+           "        cycles_per_individual = cycles_per_individual, " +
+           problem.search;
+}
 
-constexpr const char* host_process = R"(process host;
-use "ga.host" for host;
-host (samples = samples);
-)";
+std::string host_process(const ProblemStatements& problem) {
+    return fmt::format("process host;\nuse \"ga.host\" for host;\nhost ({});\n", problem.host);
+}
+
+/// Returns the parameters that the record of a problem asks for.
+std::string advised(const RecordAdvice& advice) {
+    std::string text = advice.trials == 0 ? "" : fmt::format(", trials = {}", advice.trials);
+    return advice.bias == 0 ? text : text + fmt::format(", bias = {:g}", advice.bias);
+}
 
 const std::vector<std::string> each_processor{"rep i = 0 for nodes"};
 
@@ -35,45 +44,61 @@ std::string population_of(const char* islands, const char* least) {
                        islands, least);
 }
 
+/// Returns the parameters of a slave.
+std::string of_slave(const ProblemStatements& problem) {
+    return "cycles_per_error = cycles_per_error" + (problem.each.empty() ? "" : ", " + problem.each);
+}
+
 } // namespace
 
-Job farm(const Topology& topology) {
-    std::string statements = host_process;
+ProblemStatements statements_of(const std::string& name, const RecordedProblem* problem) {
+    const std::string samples = "val samples 0;                  /* of the record; 0: all */\n";
+    if (!problem)
+        return {samples, "samples = samples", "cycles_per_measurement_word = 134, string_bytes = 2", ""};
+    const std::string named = fmt::format("val problem \"{}\";\n", name), each = "problem = problem";
+    if (problem->problem()->objective())
+        return {named + "val generations 100;\n", each + ", generations = generations", each, each};
+    return {named + samples, each + ", samples = samples", each + advised(problem->advice()), each};
+}
+
+Job farm(const Topology& topology, const ProblemStatements& problem) {
+    std::string statements = host_process(problem);
     statements += "process master;\n" + use("ga.master", "master");
-    statements += fmt::format("master ({});\n", costs);
+    statements += fmt::format("master ({});\n", costs(problem));
     statements += "connect host.to_masters[0] to master.from_host;\n";
     statements += fmt::format("place master on t{};\n", topology.first);
     statements +=
         "if nodes > 1 {\n    process slave[nodes - 1];\n    use \"ga.slave\" for slave;\n"
-        "    master (slaves = nodes - 1);\n    slave (cycles_per_error = cycles_per_error);\n"
-        "    rep i = 1 for nodes - 1 {\n        connect master.to_slaves[i - 1] to slave[i - 1].from_master;\n"
+        "    master (slaves = nodes - 1);\n    slave (" +
+        of_slave(problem) +
+        ");\n    rep i = 1 for nodes - 1 {\n        connect master.to_slaves[i - 1] to slave[i - 1].from_master;\n"
         "        connect slave[i - 1].to_master to master.from_slaves[i - 1];\n";
     statements += fmt::format("        place slave[i - 1] on t{};\n    }}\n}}\n", topology.at);
     return {.has_host = true,
             .about = "A farm: a master on the first processor, slaves on all others. Messages to distant slaves "
                      "pass through other processors.",
-            .vals = std::string("val population nodes > 120 ? nodes : 120;\n") + workload,
+            .vals = "val population nodes > 120 ? nodes : 120;\n" + problem.vals + workload,
             .statements = statements};
 }
 
-Job islands(const Topology& topology) {
-    std::string statements = host_process;
+Job islands(const Topology& topology, const ProblemStatements& problem) {
+    std::string statements = host_process(problem);
     statements += fmt::format("process island{};\n", topology.array) + use("ga.island", "island");
-    statements += fmt::format("island ({});\n", costs);
+    statements += fmt::format("island ({});\n", costs(problem));
     statements += "if nodes > 1\n    island (exchange_every = exchange_every);\n";
     statements += within(each_processor, {fmt::format("connect host.to_masters[i] to island{}.from_host;", topology.at),
                                           fmt::format("place island{0} on t{0};", topology.at)});
     statements += print_channels(topology, "island", "to_neighbours", "from_neighbours");
     return {.has_host = true,
             .about = "Islands: one on every processor. Neighbours exchange individuals.",
-            .vals = workload + population_of("nodes", "4"),
+            .vals = problem.vals + workload + population_of("nodes", "4"),
             .statements = statements};
 }
 
-Job islands_with_slaves() {
-    std::string statements = host_process;
+Job islands_with_slaves(const ProblemStatements& problem) {
+    std::string statements = host_process(problem);
     statements += "process island[clusters];\n" + use("ga.island", "island");
-    statements += fmt::format("island ({});\n", costs);
+    statements += fmt::format("island ({});\n", costs(problem));
     statements += "rep c = 0 for clusters {\n"
                   "    connect host.to_masters[c] to island[c].from_host;\n"
                   "    place island[c] on t[c][0];\n"
@@ -85,7 +110,9 @@ Job islands_with_slaves() {
                   "if slaves > 0 {\n"
                   "    process slave[clusters][slaves];\n"
                   "    use \"ga.slave\" for slave;\n"
-                  "    slave (cycles_per_error = cycles_per_error);\n"
+                  "    slave (" +
+                  of_slave(problem) +
+                  ");\n"
                   "    island (slaves = slaves);\n"
                   "    rep c = 0 for clusters {\n"
                   "        connect island[c].to_slaves to slave[c][0].from_master;\n"
@@ -101,14 +128,16 @@ Job islands_with_slaves() {
     return {.has_host = true,
             .about = "Islands: one at the head of each chain, with slaves along the chain. Each island sends "
                      "individuals to the next island of the ring.",
-            .vals = workload + population_of("clusters", "slaves + 4"),
+            .vals = problem.vals + workload + population_of("clusters", "slaves + 4"),
             .statements = statements};
 }
 
 Job processes_of(const std::string& kind, bool has_host, const std::string& output, const std::string& input,
-                 const Topology& topology) {
-    std::string statements = has_host ? host_process : "";
+                 const Topology& topology, const ProblemStatements& problem, const std::string& parameters) {
+    std::string statements = has_host ? host_process(problem) : "";
     statements += fmt::format("process node{};\n", topology.array) + use(kind.c_str(), "node");
+    if (!parameters.empty())
+        statements += fmt::format("node ({});\n", parameters);
     std::vector<std::string> of_each{fmt::format("place node{0} on t{0};", topology.at)};
     if (has_host)
         of_each.push_back(fmt::format("connect host.to_masters[i] to node{}.from_host;", topology.at));
@@ -116,7 +145,7 @@ Job processes_of(const std::string& kind, bool has_host, const std::string& outp
     statements += print_channels(topology, "node", output, input);
     return {.has_host = has_host,
             .about = fmt::format("A {} on every processor, connected with its neighbours.", kind),
-            .vals = has_host ? "val samples 0;                  /* of the record; 0: all */\n" : "",
+            .vals = has_host ? problem.vals : "",
             .statements = statements};
 }
 

@@ -4,6 +4,10 @@
 
 #include <string>
 
+namespace placedpar {
+class RecordedProblem; // gaprocs/problem_registry.hpp
+}
+
 namespace placedpar::generate {
 
 /// The processes of a netlist and their placement on the array `t` of processors.
@@ -14,16 +18,27 @@ struct Job {
     std::string statements; ///< lines, each with a newline
 };
 
+/// The statements that tell a job's processes what they search for.
+struct ProblemStatements {
+    std::string vals;   ///< lines, each with a newline
+    std::string host;   ///< parameters of the host
+    std::string search; ///< parameters of each master or island, besides population and workload
+    std::string each;   ///< of each process that has a parameter "problem": "", or "problem = problem"
+};
+
+/// Returns the statements for the problem that `name` names; for the default problem if `problem` is null.
+ProblemStatements statements_of(const std::string& name, const RecordedProblem* problem);
+
 /// Places a master, and a slave on every other processor. Channels to slaves that are not neighbours of the master are
 /// routed through other processors.
-Job farm(const Topology&);
+Job farm(const Topology&, const ProblemStatements&);
 /// Places an island on every processor; islands on neighbouring processors exchange individuals.
-Job islands(const Topology&);
+Job islands(const Topology&, const ProblemStatements&);
 /// In the topology `figure-e2`, places an island on the head of each chain, and its slaves along the chain.
-Job islands_with_slaves();
+Job islands_with_slaves(const ProblemStatements&);
 /// Places a process of `kind` on every processor, and connects it with its neighbours by the port arrays named by
-/// `output` and `input`.
+/// `output` and `input`. `parameters`: of each process; "" for none.
 Job processes_of(const std::string& kind, bool has_host, const std::string& output, const std::string& input,
-                 const Topology&);
+                 const Topology&, const ProblemStatements&, const std::string& parameters);
 
 } // namespace placedpar::generate

@@ -1,5 +1,6 @@
 #include "explore/optimise/machine_search.hpp"
 
+#include "gaprocs/front_search.hpp"
 #include "gaprocs/search.hpp"
 #include "runtime/random.hpp"
 #include "text/user_error.hpp"
@@ -27,17 +28,6 @@ std::uint64_t draw_below(std::uint64_t count, RandomStream& random) {
     return (high << 32 | random()) % count;
 }
 
-SearchSettings settings_of(const StudySearch& wanted, std::size_t bits) {
-    SearchSettings settings;
-    settings.population = wanted.population;
-    settings.elite = wanted.population / 2;
-    settings.reproduction = UniversalReproduction{};
-    settings.crossover = UniformCrossover{};
-    settings.crossover_probability = 0.9;
-    settings.mutation_probability = 1 / static_cast<double>(bits); // mutates one bit of each offspring on average
-    return settings;
-}
-
 void note_why(SearchCourse& course, const std::string& why) {
     Infeasible& noted = course.why[why.substr(0, why.find('\n'))];
     if (noted.machines++ == 0)
@@ -51,7 +41,7 @@ MachineSearch::MachineSearch(const Study& study, const MachineSpace& space, Mach
 
 std::optional<SearchCourse> MachineSearch::genetic() {
     SearchCourse course{.way = "genetic"};
-    SearchSettings settings = settings_of(wanted_, space_.bits());
+    SearchSettings settings = front_settings(BitString(space_.bits()), wanted_.population);
     settings.initial = first_population();
     Search search(space_.bits(), settings, RandomStream(wanted_.seed, "optimise"));
     for (std::uint64_t generation = 1; generation <= wanted_.generations; ++generation) {
@@ -81,17 +71,13 @@ std::vector<Genome> MachineSearch::first_population() {
     return population;
 }
 
-/// Returns a fitness by rank for the better half; 0 for the other half, which has no offspring.
+/// Returns the front_fitness() of the machines, of which each counts only once.
 std::vector<double> MachineSearch::fitness_of(const std::vector<std::uint64_t>& machines) {
     std::vector<Merit> merits;
     std::set<std::uint64_t> seen;
     for (std::uint64_t machine : machines)
         merits.push_back(seen.insert(machine).second ? trials_.of(machine).merit : Merit{});
-    std::vector<std::size_t> order = order_of(merits);
-    std::vector<double> fitness(machines.size());
-    for (std::size_t place = 0, half = machines.size() / 2; place < half; ++place)
-        fitness[order[place]] = static_cast<double>(half - place);
-    return fitness;
+    return front_fitness(merits);
 }
 
 std::optional<SearchCourse> MachineSearch::random(std::size_t simulated) {

@@ -2,9 +2,9 @@
 
 #include "explore/netlist_run.hpp"
 #include "explore/optimise/machine_space.hpp"
-#include "explore/optimise/merit.hpp"
 #include "explore/study/results.hpp"
 #include "explore/study/study.hpp"
+#include "gaprocs/merit.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,7 @@
 #include "gaprocs/policies/crossover.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <type_traits>
 #include <utility>
@@ -61,7 +62,7 @@ std::vector<std::size_t> ordered_offspring(const std::vector<std::size_t>& kept,
 template <class Operator>
 void cross_pair(const Operator& cross, Genome& a, Genome& b, const Representation& representation,
                 RandomStream& random) {
-    if constexpr (std::is_same_v<Operator, BlendCrossover>)
+    if constexpr (std::is_same_v<Operator, BlendCrossover> || std::is_same_v<Operator, SimulatedBinaryCrossover>)
         cross(a, b, representation.reals(), random);
     else if constexpr (std::is_same_v<Operator, OrderCrossover>)
         cross(a, b, representation.permutation(), random);
@@ -99,6 +100,28 @@ void BlendCrossover::operator()(Genome& a, Genome& b, const RealVector& reals, R
         double beyond = alpha * (high - low);
         for (Genome* offspring : {&a, &b})
             reals.set(*offspring, i, low - beyond + (high - low + 2 * beyond) * random.uniform());
+    }
+}
+
+/// Returns how far the offspring of parents at this distance are apart, as a multiple of the distance. `room`: from the
+/// parents to the nearest bound, above 0 or 0; `turn`: uniform in 0 ... 1.
+double SimulatedBinaryCrossover::spread(double distance, double room, double turn) const {
+    const double most = 2 - std::pow(1 + 2 * room / distance, -(index + 1));
+    const double scaled = turn * most;
+    return std::pow(scaled <= 1 ? scaled : 1 / (2 - scaled), 1 / (index + 1));
+}
+
+void SimulatedBinaryCrossover::operator()(Genome& a, Genome& b, const RealVector& reals, RandomStream& random) const {
+    for (std::size_t i = 0; i < reals.parameters(); ++i) {
+        const auto [low, high] = std::minmax({reals.value(a, i), reals.value(b, i)});
+        if (!random.chance(0.5) || low == high)
+            continue;
+        const double turn = random.uniform(), middle = low + (high - low) / 2, half = (high - low) / 2;
+        const double below = middle - half * spread(high - low, low - reals.range(i).low, turn);
+        const double above = middle + half * spread(high - low, reals.range(i).high - high, turn);
+        const bool swapped = random.chance(0.5);
+        reals.set(a, i, swapped ? above : below);
+        reals.set(b, i, swapped ? below : above);
     }
 }
 

@@ -81,6 +81,27 @@ struct BlendCrossover {
     void operator()(Genome& a, Genome& b, const RealVector& reals, RandomStream& random) const;
 };
 
+/// Simulated binary crossover (K. Deb and R. Agrawal, "Simulated binary crossover for continuous search space", 1995),
+/// in the form for bounded parameters (K. Deb and A. Kumar, 1995). Each number is crossed with probability 1/2: the
+/// offspring's numbers are at equal distances outside or inside the parents' numbers. The larger `index`, the nearer to
+/// the parents. Draws one number for each number of the vector, and two more if it is crossed and the parents differ.
+struct SimulatedBinaryCrossover {
+    static constexpr std::string_view name = "sbx",
+                                      about = "simulated binary crossover: offspring get numbers near the parents' "
+                                              "numbers, the nearer the larger `index`",
+                                      source = "K. Deb and R. Agrawal, 1995";
+    double index = 15;
+    static constexpr auto numbers() {
+        return std::tuple(PolicyNumber{"index", &SimulatedBinaryCrossover::index, 0, 1000,
+                                       "distribution index: how near the offspring are to the parents"});
+    }
+    static constexpr bool fits(StringKind kind) { return kind == StringKind::real; }
+    void operator()(Genome& a, Genome& b, const RealVector& reals, RandomStream& random) const;
+
+private:
+    double spread(double distance, double room, double turn) const;
+};
+
 /// Order crossover (L. Davis, "Applying adaptive algorithms to epistatic domains", 1985). An offspring takes the
 /// entries between two cuts from one parent. The missing entries follow, in the order in which the other parent has
 /// them. Draws two numbers, for the cuts, as TwoPointCrossover does.
@@ -113,7 +134,7 @@ public:
 /// reproduction has put the population in random order. With DifferenceCrossover, an individual's mate is the next
 /// unmated individual that differs from it in two bits or more; the mate is moved beside the individual.
 class Crossover : public OneOf<Crossover, OnePointCrossover, TwoPointCrossover, UniformCrossover, DifferenceCrossover,
-                               BlendCrossover, OrderCrossover, OwnCrossover> {
+                               BlendCrossover, SimulatedBinaryCrossover, OrderCrossover, OwnCrossover> {
 public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "crossover", about = "how two parents make two offspring";

@@ -100,6 +100,17 @@ void BreederMutation::operator()(Genome& genome, std::size_t place, const Repres
     reals.set(genome, place, reals.value(genome, place) + (random.chance(0.5) ? step : -step));
 }
 
+void PolynomialMutation::operator()(Genome& genome, std::size_t place, const Representation& representation,
+                                    RandomStream& random) const {
+    const RealVector& reals = representation.reals();
+    const double width = width_of(reals, place), value = reals.value(genome, place), turn = random.uniform();
+    const bool down = turn < 0.5;
+    const double room = (down ? value - reals.range(place).low : reals.range(place).high - value) / width;
+    const double part = down ? 2 * turn : 2 - 2 * turn; // uniform in 0 ... 1
+    const double step = 1 - std::pow(part + (1 - part) * std::pow(1 - room, index + 1), 1 / (index + 1));
+    reals.set(genome, place, value + (down ? -step : step) * width);
+}
+
 void UniformMutation::operator()(Genome& genome, std::size_t place, const Representation& representation,
                                  RandomStream& random) const {
     const RealVector& reals = representation.reals();

@@ -93,6 +93,23 @@ struct BreederMutation {
                     RandomStream& random) const;
 };
 
+/// Adds a step of either sign, which never leaves the range; small steps are the more likely the larger `index` (K. Deb
+/// and M. Goyal, "A combined genetic adaptive search (GeneAS) for engineering design", 1996). Draws one number.
+struct PolynomialMutation {
+    static constexpr std::string_view name = "polynomial",
+                                      about = "a step within the parameter's bounds is added, the smaller the larger "
+                                              "`index`",
+                                      source = "K. Deb and M. Goyal, 1996";
+    double index = 20;
+    static constexpr auto numbers() {
+        return std::tuple(
+            PolicyNumber{"index", &PolynomialMutation::index, 0, 1000, "distribution index: how small the steps are"});
+    }
+    static constexpr bool fits(StringKind kind) { return kind == StringKind::real; }
+    void operator()(Genome& genome, std::size_t place, const Representation& representation,
+                    RandomStream& random) const;
+};
+
 /// Replaces the number by a random number of its range. Draws one number.
 struct UniformMutation {
     static constexpr std::string_view name = "uniform", about = "a number is replaced by a random one from its range",
@@ -142,7 +159,7 @@ public:
 
 /// The policy that changes strings at random.
 class Mutation : public OneOf<Mutation, BitMutation, DistanceMutation, GaussianMutation, BreederMutation,
-                              UniformMutation, SwapMutation, InversionMutation, OwnMutation> {
+                              PolynomialMutation, UniformMutation, SwapMutation, InversionMutation, OwnMutation> {
 public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "mutation", about = "how an offspring is changed at random";

@@ -18,8 +18,21 @@ namespace placedpar {
 
 namespace {
 
-void measure_objective(ProcessEnvironment& environment, const Objective& objective, double fitness) {
-    if (auto value = objective.value(fitness))
+/// Reports the objective without penalty, and by how much the individual violates the constraints.
+void measure_constrained(ProcessEnvironment& environment, const Objective& objective, const Merit& merit) {
+    if (merit.feasible)
+        environment.measure("best_objective", objective.goal == Goal::maximise ? 0 - merit.costs[0] : merit.costs[0],
+                            objective.unit);
+    else
+        environment.measure("best_objective", "not feasible");
+    environment.measure("violation", merit.violation);
+}
+
+void measure_objective(ProcessEnvironment& environment, const SearchProblem& problem, const Objective& objective,
+                       const Individual& individual) {
+    if (problem.has_constraints())
+        measure_constrained(environment, objective, problem.merit(individual.genome).value());
+    else if (auto value = objective.value(individual.fitness))
         environment.measure("best_objective", *value, objective.unit);
     else
         environment.measure("best_objective", "not a finite number");
@@ -32,7 +45,7 @@ void measure_objective(ProcessEnvironment& environment, const Objective& objecti
 void measure_individual(ProcessEnvironment& environment, const SearchProblem& problem, const Individual& individual,
                         const std::vector<double>& values) {
     if (auto objective = problem.objective())
-        measure_objective(environment, *objective, individual.fitness);
+        measure_objective(environment, problem, *objective, individual);
     else
         environment.measure("best_fitness", individual.fitness);
     if (values.empty())

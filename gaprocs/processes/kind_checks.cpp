@@ -40,7 +40,7 @@ public:
             return;
         check_samples_for_code();
         if (has_objective())
-            return refuse_given({"samples", "sample_bytes"}, "\"generations\" sets the length of the search");
+            return say_ignored({"samples", "sample_bytes"});
         refuse_generations();
         if (integer("samples") > record_length())
             refuse("samples", fmt::format("samples = {}, but the record of \"{}\" has only {}", integer("samples"),
@@ -172,14 +172,17 @@ private:
                found->second == network_.processes[process_].parameters.at(parameter);
     }
 
-    void refuse_given(std::initializer_list<const char*> parameters, const std::string& hint) {
+    /// Warns of parameters that an objective ignores. Of processes with the same setting, only the first warns.
+    void say_ignored(std::initializer_list<const char*> parameters) {
+        std::vector<std::string> ignored;
         for (const char* parameter : parameters)
-            if (given(parameter))
-                refuse(parameter,
-                       fmt::format(
-                           "{} applies only to problems with a record: \"{}\" is an objective without measurements",
-                           parameter, text("problem")),
-                       hint);
+            if (given(parameter) && !is_as_before(parameter))
+                ignored.emplace_back(parameter);
+        if (!ignored.empty())
+            warn(ignored.front(),
+                 fmt::format("ignored, since \"{}\" is an objective without measurements: {}", text("problem"),
+                             fmt::join(ignored, ", ")),
+                 "\"generations\" of ga.host sets the length of the search");
     }
 
     /// Checks that each estimate comes from a search that gets its samples from this host. To measure response times,
@@ -228,9 +231,13 @@ private:
     }
 
     void check_objective() {
-        refuse_given({"window", "first_window", "trials", "bias", "measurement_bytes", "cycles_per_measurement_word",
-                      "measurements"},
-                     "leave it out: \"generations\" of ga.host sets the length of the search");
+        if (const std::size_t count = recorded_->problem()->objective_names().size(); count > 0)
+            refuse("problem",
+                   fmt::format("\"{}\" has {} objectives, but a process searches for the best value of one",
+                               text("problem"), count),
+                   "search_front() of the library, or search_front() in Python, finds the front");
+        say_ignored({"window", "first_window", "trials", "bias", "measurement_bytes", "cycles_per_measurement_word",
+                     "measurements"});
         if (text("reproduction") != search_description::usual)
             try {
                 require_fitting_reproduction(*recorded_->problem(), Reproduction::named(text("reproduction")));

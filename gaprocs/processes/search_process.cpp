@@ -6,11 +6,11 @@
 #include "gaprocs/processes/island_exchange.hpp"
 #include "gaprocs/processes/kind_checks.hpp"
 #include "gaprocs/processes/parameters.hpp"
+#include "gaprocs/search_progress.hpp"
 #include "gaprocs/window.hpp"
 #include "netlist/kinds/environment.hpp"
 #include "netlist/network/network.hpp"
 #include "runtime/executive.hpp"
-#include "runtime/fingerprint.hpp"
 #include "runtime/timer.hpp"
 #include "text/user_error.hpp"
 
@@ -35,21 +35,22 @@ public:
     /// `recoded`: `problem` if the process belongs to a pair; otherwise null.
     SearchProcess(ProcessEnvironment& environment, const SearchProblem& problem, RecodedProblem* recoded,
                   SearchObserver* observer, Checkpoints* checkpoints)
-        : environment_(environment), problem_(problem), observer_(observer), checkpoints_(checkpoints),
+        : environment_(environment), problem_(problem), observer_(observer),
           settings_(read_search_settings(environment, problem)), workload_(read_workload(environment, problem)),
           from_host_(environment.input<HostMessage>("from_host")), to_host_(estimates_to("to_host")),
           to_analyst_(estimates_to("to_analyst")), farm_(make_farm(environment, problem, workload_)),
           has_slaves_(environment.connected("to_slaves")),
           rehearsals_(has_slaves_ ? environment.integer("rehearsals") : 0), window_(settings_.window),
-          search_(problem.representation(), settings_, environment.random_stream(stream_name(environment))) {
+          search_(problem.representation(), settings_, environment.random_stream(stream_name(environment))),
+          progress_(search_, environment.process(), checkpoints) {
         if (environment.network().processes[environment.index()].kind == "ga.island")
             exchange_.emplace(environment, problem, settings_, workload_);
         if (recoded)
             bias_point_.emplace(environment, *recoded, workload_);
         if (observer)
             search_.listen(told_to(*observer, environment.process(), problem, now));
-        if (const SearchCheckpoint* begin = checkpoints ? checkpoints->begin_of(environment.process()) : nullptr)
-            go_on_from(*begin);
+        if (progress_.best())
+            values_of_best_ = problem_.decode(progress_.best()->genome);
     }
 
     void run() {
@@ -76,18 +77,13 @@ private:
             farm_.measure(std::make_shared<const std::vector<Sample>>(samples.begin(), samples.end()));
             const bool full = samples.size() == settings_.window.length;
             for (std::size_t trial = 0; trial < settings_.window.trials; ++trial)
-                if (to_pass_over_ > 0)
-                    --to_pass_over_;
-                else
+                if (!progress_.passes_over())
                     run_generation(full);
             if (to_host_)
                 to_host_.output(estimate());
         }
         rate_.stop();
-        if (to_pass_over_ > 0)
-            throw UserError(fmt::format("the checkpoint is of a later generation than the last one of this search, {}: "
-                                        "let the search run longer, or delete the checkpoint to begin anew",
-                                        search_.generation() - to_pass_over_));
+        progress_.require_passed(search_);
     }
 
     Output<EstimateMessage> estimates_to(const char* port) const {
@@ -102,25 +98,13 @@ private:
         rate_.start();
     }
 
-    void go_on_from(const SearchCheckpoint& checkpoint) {
-        to_pass_over_ = checkpoint.search.generation;
-        search_.go_on_from(checkpoint.search);
-        if (!search_.is_valid(checkpoint.best))
-            throw UserError("the best individual of the checkpoint does not belong to this search");
-        populations_ = Fingerprint(checkpoint.populations);
-        best_ = checkpoint.best;
-        values_of_best_ = problem_.decode(best_->genome);
-    }
-
     void run_generation(bool full_window) {
         if (full_window && !std::exchange(timing_, true))
             begin_timing();
         execution_.start();
         if (bias_point_)
             bias_point_->before_generation();
-        for (const Genome& genome : search_.population())
-            for (std::uint64_t word : genome.words())
-                populations_.mix(word);
+        progress_.note_population(search_);
         std::vector<double> fitness = farm_.evaluate(search_.population());
         migrations_.clear();
         if (exchange_ && exchange_->is_due(search_.generation() + 1))
@@ -128,7 +112,9 @@ private:
         operators_.start();
         compute(static_cast<std::int64_t>(fitness.size()) * workload_.genetic_operators);
         accept_and_breed(search_, fitness, migrations_, exchange_ ? exchange_->acceptance() : Acceptance());
-        note_best();
+        // The parameters are decoded now, because the bias point of a fine search moves.
+        if (progress_.note_best(search_))
+            values_of_best_ = problem_.decode(search_.best().genome);
         operators_.stop();
         if (bias_point_)
             bias_point_->after_generation(search_.best().genome);
@@ -137,17 +123,7 @@ private:
         execution_.stop();
         if (observer_)
             tell_migrations();
-        if (checkpoints_ && checkpoints_->is_due(search_.generation()))
-            checkpoints_->keep(environment_.process(), {search_.state(), populations_.value(), *best_});
-    }
-
-    /// Keeps the best individual and its decoded parameters. Decoding later would be wrong in a fine search, because
-    /// the bias point moves.
-    void note_best() {
-        if (best_ && search_.best().fitness <= best_->fitness)
-            return;
-        best_ = search_.best();
-        values_of_best_ = problem_.decode(best_->genome);
+        progress_.keep(search_);
     }
 
     EstimateMessage estimate() const {
@@ -193,7 +169,7 @@ private:
         environment_.measure("generations", static_cast<double>(search_.generation()));
         if (timing_)
             report_rate();
-        environment_.measure("populations", fmt::format("{:016x}", populations_.value()));
+        environment_.measure("populations", fmt::format("{:016x}", progress_.populations()));
         if (search_.generation() > 0)
             report_best_known();
     }
@@ -219,7 +195,7 @@ private:
 
     /// Returns the best individual: for an objective, of all generations; otherwise of the last generation, which was
     /// evaluated with the newest measurements.
-    const Individual& best_known() const { return problem_.objective() ? *best_ : search_.best(); }
+    const Individual& best_known() const { return problem_.objective() ? *progress_.best() : search_.best(); }
 
     void report_best_known() {
         measure_individual(environment_, problem_, best_known(),
@@ -229,7 +205,6 @@ private:
     ProcessEnvironment& environment_;
     const SearchProblem& problem_;
     SearchObserver* observer_; ///< null: no observer
-    Checkpoints* checkpoints_; ///< null: the search begins anew, and hands over no state
     SearchSettings settings_;
     Workload workload_;
     Input<HostMessage> from_host_;
@@ -240,15 +215,13 @@ private:
     std::optional<IslandExchange> exchange_;
     std::optional<BiasPointEnd> bias_point_; ///< only if the process belongs to a pair
 
-    std::size_t samples_ = 0;        ///< number of samples received
-    std::uint64_t to_pass_over_ = 0; ///< generations that an earlier run has made
+    std::size_t samples_ = 0; ///< number of samples received
     SlidingWindow window_;
     Search search_;
-    std::optional<Individual> best_; ///< fittest individual of all generations; used only for an objective
-    std::vector<double> values_of_best_;
-    Fingerprint populations_;
-    std::vector<Migration> migrations_; ///< immigrants of this generation; Migration::place is set when the generation
-                                        ///< is bred
+    SearchProgress progress_;
+    std::vector<double> values_of_best_; ///< parameters of the fittest individual of all generations
+    std::vector<Migration> migrations_;  ///< immigrants of this generation; Migration::place is set when the generation
+                                         ///< is bred
 
     bool timing_ = false;
     std::uint64_t generations_before_timing_ = 0;

@@ -80,6 +80,12 @@ double Foxholes::objective(std::span<const double> x) const {
 
 double Rastrigin::objective(std::span<const double> x) const { return rastrigin(x, 0); }
 
+double Ackley::objective(std::span<const double> x) const {
+    const auto count = static_cast<double>(x.size());
+    const double waves = sum_of(x, [](double each) { return std::cos(2 * std::numbers::pi * each); });
+    return 20 + std::numbers::e - 20 * std::exp(-0.2 * std::sqrt(sum_of(x, square) / count)) - std::exp(waves / count);
+}
+
 /// Each computation needs the result of the one before, so that the compiler keeps them all: its share is too small to
 /// change a number.
 double Costly::objective(std::span<const double> x) const {

@@ -121,6 +121,16 @@ struct Griewank : OverBox<Griewank> {
     double objective(std::span<const double> x) const;
 };
 
+/// 20 + e - 20 exp(-0.2 sqrt(the mean of x_i^2)) - exp(the mean of cos(2 pi x_i)) (D. Ackley, "A Connectionist Machine
+/// for Genetic Hillclimbing", 1987).
+struct Ackley : OverBox<Ackley> {
+    static constexpr std::string_view name = "ackley",
+                                      about = "Ackley's function: a plain of small valleys around one deep hole";
+    static constexpr std::size_t usual_dimensions = 10, usual_bits = 16;
+    static constexpr double low = -32.768, high = 32.768;
+    double objective(std::span<const double> x) const;
+};
+
 /// Rastrigin's function, computed over and over, so that an evaluation takes as long as is wanted.
 struct Costly : OverBox<Costly> {
     static constexpr std::string_view name = "costly",

@@ -1,6 +1,8 @@
 #include "python/module/search.hpp"
 
+#include "explore/checkpoint_file.hpp"
 #include "explore/problems.hpp"
+#include "gaprocs/front_search.hpp"
 #include "gaprocs/generation_log.hpp"
 #include "gaprocs/islands.hpp"
 #include "gaprocs/objective_problem.hpp"
@@ -13,6 +15,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <memory>
 #include <string_view>
 #include <utility>
 
@@ -151,11 +154,12 @@ private:
 
 /// Runs the search on the record of the problem, or for so many generations if it has none.
 IslandsResult run(const SearchProblem& problem, const RecordedProblem* recorded, std::size_t generations,
-                  const IslandsSettings& settings, std::uint64_t seed, SearchObserver& observer) {
+                  const IslandsSettings& settings, std::uint64_t seed, SearchObserver& observer,
+                  Checkpoints* checkpoints) {
     auto streams = island_streams(seed, settings.islands.size());
     if (recorded && !problem.objective())
-        return run_islands(problem, recorded->record(), settings, std::move(streams), &observer);
-    return run_islands(problem, generations, settings, std::move(streams), &observer);
+        return run_islands(problem, recorded->record(), settings, std::move(streams), &observer, checkpoints);
+    return run_islands(problem, generations, settings, std::move(streams), &observer, checkpoints);
 }
 
 struct SearchOptions {
@@ -163,7 +167,23 @@ struct SearchOptions {
     std::uint64_t seed;
     std::string coding;
     py::dict numbers, policies;
+    std::string checkpoint; ///< a file; "" for none
 };
+
+/// Returns the file that keeps the search; nothing if none is asked for.
+std::unique_ptr<CheckpointFile> checkpoint_of(const SearchOptions& options, const SearchProblem& problem,
+                                              const IslandsSettings& settings) {
+    constexpr std::uint64_t every = 10; // generations, as in `placedpar run`
+    if (options.checkpoint.empty())
+        return nullptr;
+    std::vector<KeptSearch> searches;
+    for (const std::string& name : island_names(settings.islands.size()))
+        searches.push_back({name,
+                            {{"bits", std::to_string(problem.bits())},
+                             {"coding", options.coding},
+                             {"population", std::to_string(settings.islands.front().population)}}});
+    return std::make_unique<CheckpointFile>(options.checkpoint, std::move(searches), options.seed, every);
+}
 
 IslandsSettings settings_of(const SearchProblem& problem, const SearchOptions& options, const PolicyFailure& failure) {
     SearchSettings island = usual_settings(problem);
@@ -190,8 +210,10 @@ py::dict search(const SearchProblem& coded, const RecordedProblem* recorded, con
     const auto failure = std::make_shared<SharedObject>();
     const IslandsSettings settings = settings_of(*problem, options, failure);
     HeedfulLog observer(options.islands);
+    const auto checkpoint = checkpoint_of(options, *problem, settings);
     try {
-        const IslandsResult result = run(*problem, recorded, options.generations, settings, options.seed, observer);
+        const IslandsResult result =
+            run(*problem, recorded, options.generations, settings, options.seed, observer, checkpoint.get());
         py::list islands;
         for (const SearchResult& each : result.islands)
             islands.append(dict_of(*problem, each));
@@ -207,23 +229,46 @@ py::dict search(const SearchProblem& coded, const RecordedProblem* recorded, con
     }
 }
 
+/// Returns the front as arrays: `x` and `values` with a row for each individual.
+py::dict search_front_of(const std::string& name, std::size_t generations, std::size_t population, std::uint64_t seed,
+                         const std::string& coding) {
+    const ProblemRegistry problems = known_problems(seed);
+    const auto problem = problems.find(name).problem()->coded(Coding::named(coding));
+    const FrontResult result = search_front(
+        *problem, generations, front_settings(problem->representation(), 2 * population), RandomStream(seed, "front"));
+    py::list x, values;
+    for (const FrontIndividual& each : result.front) {
+        x.append(each.parameters);
+        values.append(each.objectives);
+    }
+    py::dict found;
+    found["x"] = x;
+    found["values"] = values;
+    found["names"] = problem->objective_names();
+    found["least_violation"] = result.least_violation;
+    found["evaluations"] = result.evaluations;
+    return found;
+}
+
 } // namespace
 
 void add_searches(py::module_& module) {
     add_policies(module);
-    module.def("search_function",
-               [](const py::object& function, const Bounds& bounds, const std::vector<std::size_t>& bits,
-                  bool maximises, std::size_t islands, std::size_t generations, std::uint64_t seed, std::string coding,
-                  py::dict numbers, py::dict policies) {
-                   return search(*problem_of(function, bounds, bits, maximises), nullptr,
-                                 {islands, generations, seed, std::move(coding), numbers, policies});
-               });
+    module.def("search_function", [](const py::object& function, const Bounds& bounds,
+                                     const std::vector<std::size_t>& bits, bool maximises, std::size_t islands,
+                                     std::size_t generations, std::uint64_t seed, std::string coding, py::dict numbers,
+                                     py::dict policies, std::string checkpoint) {
+        return search(*problem_of(function, bounds, bits, maximises), nullptr,
+                      {islands, generations, seed, std::move(coding), numbers, policies, std::move(checkpoint)});
+    });
+    module.def("search_front", &search_front_of);
     module.def("search_problem", [](const std::string& name, std::size_t islands, std::size_t generations,
-                                    std::uint64_t seed, std::string coding, py::dict numbers, py::dict policies) {
+                                    std::uint64_t seed, std::string coding, py::dict numbers, py::dict policies,
+                                    std::string checkpoint) {
         const ProblemRegistry problems = known_problems(seed);
         const RecordedProblem& recorded = problems.find(name);
         return search(*recorded.problem(), &recorded,
-                      {islands, generations, seed, std::move(coding), numbers, policies});
+                      {islands, generations, seed, std::move(coding), numbers, policies, std::move(checkpoint)});
     });
 }
 

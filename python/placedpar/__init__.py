@@ -12,5 +12,5 @@ from .errors import Deadlock, Error, NetlistError, NetlistWarning, ProcessError
 from .monitor import Monitor
 from .network import Drawing, Network, Page, Run, load
 from .process import *
-from .search import Found, search
+from .search import Found, Front, search, search_front
 from .study import Explanation, explain, sweep

@@ -1,6 +1,7 @@
 """Searches by genetic algorithms, with the fitness in Python or of a problem that PlacedPar knows."""
 
 import math
+import os
 from typing import Any, Callable, Optional, Sequence, Union
 
 from . import _core
@@ -78,7 +79,7 @@ def search(problem: Any, bounds: Optional[Sequence[tuple[float, float]]] = None,
            crossover_probability: Optional[float] = None, mutation_probability: Optional[float] = None,
            reproduction: Optional[Policy] = None, crossover: Optional[Policy] = None, mutation: Optional[Policy] = None,
            topology: Optional[Policy] = None, schedule: Optional[Policy] = None, emigration: Optional[Policy] = None,
-           acceptance: Optional[Policy] = None) -> Found:
+           acceptance: Optional[Policy] = None, checkpoint: Union[str, "os.PathLike[str]", None] = None) -> Found:
     """Searches for the least value of an objective and returns what was Found.
 
     problem: a function of a population, an array of shape (n, d), that returns n values, shape (n,) or (n, 1); or a
@@ -86,6 +87,7 @@ def search(problem: Any, bounds: Optional[Sequence[tuple[float, float]]] = None,
     bounds: d pairs (least, greatest) of a function. maximise: the greatest value is wanted.
     bits: of each parameter's field, a number or d numbers; coding: "natural", "gray" or "real" (no bits).
     Each island has `population` individuals and its own random numbers, given by `seed`.
+    checkpoint: a file that keeps all populations, every 10 generations. If it is there, the search goes on from it.
 
     The policies are texts as in a netlist, such as "tournament(3)", or functions:
     reproduction(fitness, count, random) -> count indices of parents;
@@ -103,7 +105,7 @@ def search(problem: Any, bounds: Optional[Sequence[tuple[float, float]]] = None,
                      mutation_probability=mutation_probability)
     policies = _given(reproduction=reproduction, crossover=crossover, mutation=mutation, topology=topology,
                       schedule=schedule, emigration=emigration, acceptance=acceptance)
-    settings = (islands, generations, seed_of(seed), coding, numbers, policies)
+    settings = (islands, generations, seed_of(seed), coding, numbers, policies, os.fspath(checkpoint or ""))
     if isinstance(problem, str):
         return Found(_core.search_problem(problem, *settings))
     if not callable(problem) or hasattr(problem, "_evaluate"):
@@ -115,6 +117,34 @@ def search(problem: Any, bounds: Optional[Sequence[tuple[float, float]]] = None,
     if len(fields) != len(bounds):
         raise TypeError(f"{len(bounds)} bounds need as many numbers of bits, not {len(fields)}")
     return Found(_core.search_function(problem, bounds, fields, maximise, *settings))
+
+
+class Front:
+    """The result of search_front: x, an array of shape (n, d), and values, of shape (n, objectives), of the n
+    individuals that no other dominates; names of the objectives; least_violation of the constraints, 0 if an
+    individual satisfies all; the number of evaluations.
+    """
+
+    def __init__(self, found: dict[str, Any]) -> None:
+        import numpy
+
+        self.x = numpy.array(found["x"])
+        self.values = numpy.array(found["values"])
+        self.names: list[str] = found["names"]
+        self.least_violation: float = found["least_violation"]
+        self.evaluations: int = found["evaluations"]
+
+    def __repr__(self) -> str:
+        return f"<placedpar.Front of {len(self.values)} individuals>"
+
+
+def search_front(problem: str, *, generations: int = 250, population: int = 100, seed: int = 1,
+                 coding: str = "natural") -> Front:
+    """Searches for the front of a known problem with several objectives, such as "zdt1", by NSGA-II.
+
+    Makes population * (generations + 1) evaluations. Raises Error for settings that do not fit.
+    """
+    return Front(_core.search_front(problem, generations, population, seed_of(seed), coding))
 
 
 def _given(**values: Any) -> dict[str, Any]:

@@ -6,7 +6,7 @@ import resource
 import tempfile
 import unittest
 
-from program import FIGURE_E2, placedpar
+from program import EXAMPLES, FIGURE_E2, placedpar
 
 ASKED = ("pipeline --size 4", "ring --size 5", "tree --size 7", "mesh --size 2x3", "torus --size 2x4", "hypercube --size 8",
          "cube-connected-cycles --size 24", "star --size 5", "chordal-ring --size 8", "figure-e2 --size 2x2")
@@ -31,6 +31,25 @@ class Generate(unittest.TestCase):
                 for command in (["check"], ["show", "--format", "svg"], ["run", "--set", "samples=5"]):
                     run = placedpar(*command, path)
                     self.assertEqual((run.returncode, run.stderr), (0, ""), words)
+
+    def test_a_problem_is_searched_by_every_job(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for machine in ("ring --size 4 --job islands", "ring --size 4 --job farm", "figure-e2 --size 2x2"):
+                for problem in ("ackley(dimensions=3)", "plant", "tour-circle(5)"):
+                    path = self.generated(folder, f"{machine} --problem {problem}")
+                    run = placedpar("run", path)
+                    self.assertEqual((run.returncode, run.stderr), (0, ""), (machine, problem))
+                    if problem.startswith("tour"):
+                        self.assertRegex(run.stdout, r"best_objective +5.87785\n")  # a regular pentagon
+                        self.assertRegex(run.stdout, r"best_string +[0-4]( [0-4]){4}\n")
+                    if machine.endswith("islands") and problem != "plant":
+                        self.assertRegex(run.stdout, r"best of all: \S+, first found by island\[\d\] in generation \d+\n")
+
+    def test_ready_islands_search_for_another_problem(self):
+        run = placedpar("run", EXAMPLES / "genetic/islands/islands.cfs", "--set", "problem=ackley")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual(run.stderr.count("ignored, since"), 1)
+        self.assertRegex(run.stdout, r"best of all: \S+, first found by island\[\d\] in generation \d+\n")
 
     def test_figure_e2_is_the_machine_of_the_thesis(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -57,7 +76,9 @@ class Generate(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "refused.cfs")
             for words in ("torus --size 4x4", "ring --size 0", "hypercube --size 12", "moebius --size 8", "ring --size -3",
-                          "tree --size 9 --branches 4", "mesh --size 4", "ring", "ring --size 8 --job nobody", "ring --size 8 --host sun"):
+                          "tree --size 9 --branches 4", "mesh --size 4", "ring", "ring --size 8 --job nobody", "ring --size 8 --host sun",
+                          "ring --size 8 --problem rastrign",
+                          "ring --size 4 --job csp.identity --output out --input in --problem sphere"):
                 run = placedpar("generate", *words.split(), "-o", path)
                 self.assertEqual((run.returncode, run.stdout), (1, ""), words)
                 self.assertTrue(run.stderr.startswith("placedpar: ") or run.stderr.startswith("--"), run.stderr)

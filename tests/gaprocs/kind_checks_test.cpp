@@ -336,7 +336,7 @@ std::string refusal_of_sphere(const std::string& host, const std::string& master
 
 } // namespace
 
-TEST_CASE("parameters that need a record are refused for a problem without one") {
+TEST_CASE("parameters that need a record are ignored, with a warning, for a problem without one") {
     CHECK(refusal_of_sphere("", "").empty());
     CHECK(refusal_of_sphere(", generations = 7", "").empty());
     for (const char* parameter :
@@ -344,13 +344,13 @@ TEST_CASE("parameters that need a record are refused for a problem without one")
           "cycles_per_measurement_word = 0", "measurements = \"sample\""}) {
         std::string name(parameter, std::string(parameter).find(' '));
         says(refusal_of_sphere("", fmt::format(", {}", parameter)),
-             fmt::format("farm.cfs:5:41: error: {} applies only to problems with a record: \"sphere\" is an objective "
-                         "without measurements",
+             fmt::format("farm.cfs:5:41: warning: ignored, since \"sphere\" is an objective without measurements: {}\n",
                          name));
     }
     says(refusal_of_sphere(", samples = 3", ""),
-         "farm.cfs:4:27: error: samples applies only to problems with a record");
-    says(refusal_of_sphere(", sample_bytes = 3", ""), "hint: \"generations\" sets the length of the search");
+         "farm.cfs:4:27: warning: ignored, since \"sphere\" is an objective without measurements: samples\n");
+    says(refusal_of_sphere(", sample_bytes = 3", ""), "hint: \"generations\" of ga.host sets the length of the search");
+    says(refusal_of_sphere("", ", window = 10, bias = 400.0"), "without measurements: window, bias\n");
     says(refusal("host", "host (problem = \"line\", generations = 3);"),
          "farm.cfs:4:25: error: generations applies only to problems without a record: \"line\" has a record of 12 "
          "samples");
@@ -369,7 +369,7 @@ TEST_CASE("operators and codings that do not fit the strings are refused at thei
     says(refusal_of_sphere("", ", mutation_operator = \"gaussian\""),
          "the mutation \"gaussian(deviation = 0.1)\" does not fit binary strings: expected bit");
     says(refusal_of_sphere("", ", coding = \"real\", crossover_operator = \"by-difference\""),
-         "does not fit real vectors: expected one-point, two-point, uniform, blend");
+         "does not fit real vectors: expected one-point, two-point, uniform, blend, sbx");
     CHECK(refusal_of_sphere("", ", coding = \"real\"").empty());
     CHECK(refusal_of_sphere("", ", coding = \"real\", mutation_operator = \"breeder\"").empty());
     auto line = [](const char* given) {

@@ -124,8 +124,8 @@ TEST_CASE("a farm gives the library's generations for every representation and c
 }
 
 TEST_CASE("a farm gives the library's generations with every operator that fits") {
-    for (const char* crossover : {"one-point", "two-point", "uniform", "blend(alpha = 0.2)"})
-        for (const char* mutation : {"gaussian(0.3)", "breeder", "uniform"})
+    for (const char* crossover : {"one-point", "two-point", "uniform", "blend(alpha = 0.2)", "sbx"})
+        for (const char* mutation : {"gaussian(0.3)", "breeder", "polynomial", "uniform"})
             check_farm("plane", minimise(Plane{}), settings_with(*minimise(Plane{}), crossover, mutation),
                        fmt::format(", crossover_operator = \"{}\", mutation_operator = \"{}\"", crossover, mutation));
     for (const char* mutation : {"swap", "inversion"})

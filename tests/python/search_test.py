@@ -123,6 +123,25 @@ class Searches(unittest.TestCase):
         self.assertEqual(list(least.x), list(most.x))
         self.assertEqual(least.value, -most.value)
 
+    def test_a_search_goes_on_from_a_checkpoint(self):
+        whole = pp.search(sphere, BOX, islands=3, generations=40, seed=5)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "search.checkpoint")
+            pp.search(sphere, BOX, islands=3, generations=25, seed=5, checkpoint=file)
+            second = pp.search(sphere, BOX, islands=3, generations=40, seed=5, checkpoint=file)
+            with self.assertRaisesRegex(pp.Error, "the checkpoint has seed 5, but this run has 6"):
+                pp.search(sphere, BOX, islands=3, generations=40, seed=6, checkpoint=file)
+        self.assertEqual((second.value, second.string, second.generation), (whole.value, whole.string, whole.generation))
+        self.assertEqual(int(second.log["generation"].min()), 21)
+
+    def test_a_front_is_searched(self):
+        front = pp.search_front("zdt1(dimensions = 5)", generations=100, population=40, coding="real")
+        self.assertEqual((front.names, front.evaluations, front.values.shape), (["f_1", "f_2"], 40 * 101, (40, 2)))
+        self.assertLess(numpy.abs(front.values[:, 1] - (1 - numpy.sqrt(front.values[:, 0]))).max(), 0.1)
+        self.assertEqual(front.x.shape, (40, 5))
+        with self.assertRaisesRegex(pp.Error, "several objectives has no fitness"):
+            pp.search("zdt1", generations=2)
+
     def test_errors_say_what_would_be_right(self):
         for message, arguments in (
                 ("did you mean \"tournament\"", {"reproduction": "tournamnet"}),

@@ -55,7 +55,7 @@ BELOW = {
     "observe/trace": ["netlist", "picture"],
     "observe/critical_path": ["observe/trace"],
     "observe/page": ["observe/trace", "report"],
-    "explore/generate": ["netlist"],
+    "explore/generate": ["gaprocs", "netlist"],
     "explore": ["classics", "identification", "occam", "problems", "report"],
     "explore/prediction": ["explore", "native"],
     "explore/exercise": ["explore"],

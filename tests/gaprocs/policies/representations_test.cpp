@@ -60,10 +60,11 @@ TEST_CASE("each operator states which strings it fits") {
     CHECK(Crossover::fitting(StringKind::binary) ==
           std::vector<std::string>{"one-point", "two-point", "uniform", "by-difference"});
     CHECK(Crossover::fitting(StringKind::real) ==
-          std::vector<std::string>{"one-point", "two-point", "uniform", "blend"});
+          std::vector<std::string>{"one-point", "two-point", "uniform", "blend", "sbx"});
     CHECK(Crossover::fitting(StringKind::permutation) == std::vector<std::string>{"order"});
     CHECK(Mutation::fitting(StringKind::binary) == std::vector<std::string>{"bit", "distance"});
-    CHECK(Mutation::fitting(StringKind::real) == std::vector<std::string>{"gaussian", "breeder", "uniform"});
+    CHECK(Mutation::fitting(StringKind::real) ==
+          std::vector<std::string>{"gaussian", "breeder", "polynomial", "uniform"});
     CHECK(Mutation::fitting(StringKind::permutation) == std::vector<std::string>{"swap", "inversion"});
     CHECK_FALSE(Mutation().fits(StringKind::real));
     CHECK(Mutation::named("gaussian(0.2)").text() == "gaussian(deviation = 0.2)");

@@ -57,6 +57,8 @@ TEST_CASE("each function has its published optimum") {
     CHECK(at(Rosenbrock{}, 1) == 0);
     CHECK(at(Rastrigin{}, 0) == 0);
     CHECK(at(Griewank{}, 0) == 0);
+    CHECK(std::abs(at(Ackley{}, 0)) < 1e-14);
+    CHECK(at(Ackley{}, 1) == doctest::Approx(20 - 20 * std::exp(-0.2)));
     CHECK(std::abs(at(Schwefel{}, Schwefel::best_place)) < 1e-9);
     CHECK(at(StepFunction{}, -5.12) == -30);
     CHECK(StepFunction{}.optimum() == -30);
@@ -71,6 +73,7 @@ TEST_CASE("no random point is better than the optimum") {
     check_optimum(Rosenbrock{});
     check_optimum(Rastrigin{});
     check_optimum(Griewank{});
+    check_optimum(Ackley{});
     check_optimum(Schwefel{});
     check_optimum(StepFunction{});
     check_optimum(Foxholes{});

@@ -69,7 +69,7 @@ TEST_CASE(
 TEST_CASE("every benchmark problem can be made by name, with default parameters and a representation") {
     ProblemRegistry problems;
     add_benchmark_problems(problems);
-    CHECK(problems.names().size() == 15);
+    CHECK(problems.names().size() == 26);
     for (const std::string& name : problems.names()) {
         CAPTURE(name);
         auto problem = problems.find(name).problem();

@@ -1,4 +1,4 @@
-#include "explore/optimise/merit.hpp"
+#include "gaprocs/merit.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -10,14 +10,18 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-/// Sorts by feasibility and costs. A machine then comes before the machines that it dominates.
-void sort_by_costs(Indices& indices, std::span<const Merit> merits) {
-    std::ranges::stable_sort(indices, [&](std::size_t a, std::size_t b) {
-        return merits[a].feasible != merits[b].feasible ? merits[a].feasible : merits[a].costs < merits[b].costs;
-    });
+/// Returns whether the first comes before the second, so that each comes before those that it dominates.
+bool comes_before(const Merit& a, const Merit& b) {
+    if (a.feasible != b.feasible)
+        return a.feasible;
+    return a.feasible ? a.costs < b.costs : a.violation < b.violation;
 }
 
-/// Moves the machines that no other machine dominates out of `left`. REQUIRES: left is sorted by costs.
+void sort_by_costs(Indices& indices, std::span<const Merit> merits) {
+    std::ranges::stable_sort(indices, [&](std::size_t a, std::size_t b) { return comes_before(merits[a], merits[b]); });
+}
+
+/// Moves the individuals that no other dominates out of `left`. REQUIRES: left is sorted by costs.
 Indices take_front(Indices& left, std::span<const Merit> merits) {
     Indices front, rest;
     for (std::size_t each : left) {
@@ -29,7 +33,7 @@ Indices take_front(Indices& left, std::span<const Merit> merits) {
     return front;
 }
 
-/// Adds to each machine of the front the distance between its neighbours in one cost, as a fraction of the front's
+/// Adds to each individual of the front the distance between its neighbours in one cost, as a fraction of the front's
 /// range. The two ends of the front get infinity.
 void add_distances(const Indices& front, std::span<const Merit> merits, std::size_t cost,
                    std::vector<double>& distances) {
@@ -54,7 +58,7 @@ Indices all_of(std::span<const Merit> merits) {
 
 bool dominates(const Merit& a, const Merit& b) {
     if (!a.feasible || !b.feasible)
-        return a.feasible && !b.feasible;
+        return comes_before(a, b);
     return a.costs != b.costs &&
            std::equal(a.costs.begin(), a.costs.end(), b.costs.begin(), [](double x, double y) { return x <= y; });
 }

@@ -1,4 +1,4 @@
-#include "explore/optimise/merit.hpp"
+#include "gaprocs/merit.hpp"
 
 #include "runtime/random.hpp"
 

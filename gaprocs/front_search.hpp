@@ -1,0 +1,45 @@
+#pragma once
+
+#include "gaprocs/merit.hpp"
+#include "gaprocs/search_problem.hpp"
+#include "gaprocs/settings.hpp"
+#include "runtime/random.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace placedpar {
+
+/// Returns the settings of a search in the manner of NSGA-II (K. Deb, A. Pratap, S. Agarwal and T. Meyarivan, 2002). Of
+/// `population` individuals the better half survives unchanged, and its offspring replace the other half. Parents are
+/// chosen by stochastic universal sampling over front_fitness(). Real vectors have simulated binary crossover and
+/// polynomial mutation, other strings uniform or order crossover; on average one character of each offspring mutates.
+SearchSettings front_settings(const Representation&, std::size_t population);
+
+/// Returns a fitness by order_of() for the better half; 0 for the other half, which has no offspring.
+std::vector<double> front_fitness(std::span<const Merit>);
+
+struct FrontIndividual {
+    Genome genome;
+    std::vector<double> parameters;
+    std::vector<double> objectives; ///< in the problem's own sign
+};
+
+struct FrontResult {
+    /// The feasible survivors that no other dominates, in ascending order of the first cost; empty if no survivor is
+    /// feasible.
+    std::vector<FrontIndividual> front;
+    double least_violation = 0; ///< of the survivors; 0 if one is feasible
+    std::uint64_t generations = 0;
+    std::uint64_t evaluations = 0; ///< survivors are not evaluated again
+};
+
+/// Searches for the front of a problem with one or several objectives, with or without constraints. If several
+/// individuals are equal, all but the first count as infeasible. A survivor population of n needs front_settings(...,
+/// 2 * n) and makes n * (generations + 1) evaluations. Throws as SearchSettings::validate() and
+/// require_fitting_operators(), and UserError for a problem with a record or for 0 generations.
+FrontResult search_front(const SearchProblem&, std::size_t generations, const SearchSettings&, RandomStream);
+
+} // namespace placedpar

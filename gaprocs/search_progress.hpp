@@ -1,0 +1,46 @@
+#pragma once
+
+#include "gaprocs/checkpoints.hpp"
+#include "gaprocs/search.hpp"
+#include "runtime/fingerprint.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace placedpar {
+
+/// The course of a search over several runs, of which each goes on from the checkpoint of the run before. For each
+/// generation, call passes_over(); if it returns false, call note_population(), evaluate and breed, then note_best()
+/// and keep().
+class SearchProgress {
+public:
+    /// Puts the search into the state of the checkpoint of this name, if there is one. Throws as Search::go_on_from().
+    /// `checkpoints`: null if the search begins anew and is not kept.
+    SearchProgress(Search&, std::string name, Checkpoints* checkpoints);
+
+    /// Returns whether an earlier run has made the next generation, and passes over it.
+    bool passes_over() { return to_pass_over_ > 0 && to_pass_over_-- > 0; }
+    /// Throws UserError if generations of the earlier run are left to pass over.
+    void require_passed(const Search&) const;
+
+    void note_population(const Search&);
+    /// Returns whether the search's best individual is the fittest of all generations so far.
+    bool note_best(const Search&);
+    /// Hands over the state of the search if a checkpoint is due.
+    void keep(const Search&) const;
+
+    /// Returns the fittest individual of all generations, those of earlier runs included; nothing before the first.
+    const std::optional<Individual>& best() const { return best_; }
+    /// Returns a hash over all populations in order.
+    std::uint64_t populations() const { return populations_.value(); }
+
+private:
+    std::string name_;
+    Checkpoints* checkpoints_;
+    std::uint64_t to_pass_over_ = 0; ///< generations
+    std::optional<Individual> best_;
+    Fingerprint populations_;
+};
+
+} // namespace placedpar
