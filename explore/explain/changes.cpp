@@ -1,5 +1,6 @@
 #include "explore/explain/changes.hpp"
 
+#include "explore/stated_vals.hpp"
 #include "netlist/kinds/device_kind.hpp"
 #include "text/number.hpp"
 
@@ -8,11 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <optional>
-#include <regex>
 #include <set>
 
 namespace placedpar {
@@ -300,20 +298,6 @@ private:
             changes_.push_back(std::move(change));
     }
 
-    static std::string text_of(const std::string& path) {
-        std::ifstream file(path);
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
-
-    /// Returns the vals that a file sets to a plain number.
-    static std::map<std::string, std::int64_t> plain_vals(const std::string& text) {
-        static const std::regex declaration(R"((?:^|\n)\s*val\s+(\w+)\s+(\d{1,9})\s*;)");
-        std::map<std::string, std::int64_t> vals;
-        for (std::sregex_iterator found(text.begin(), text.end(), declaration), end; found != end; ++found)
-            vals[(*found)[1]] = std::stoll((*found)[2]);
-        return vals;
-    }
-
     /// Returns whether the settings make more processes or processors. A refused machine counts, since the refusal says
     /// why there cannot be more.
     bool makes_more(const Overrides& set) const {
@@ -321,24 +305,17 @@ private:
         return then.processes > now_.processes || then.processors > now_.processors;
     }
 
-    std::int64_t as_set(const std::string& name, std::int64_t otherwise) const {
-        for (const SetByOption& set : network_.set)
-            if (set.name == name)
-                return parse_number<std::int64_t>(set.value).value_or(otherwise);
-        return otherwise;
-    }
-
     void add_vals() {
-        std::vector<std::string> paths = network_.included_paths;
-        paths.push_back(network_.source_path);
-        for (const std::string& path : paths)
-            for (auto [name, value] : plain_vals(text_of(path))) {
-                value = as_set(name, value);
-                Overrides more{{name, std::to_string(value + 1)}};
-                if (makes_more(more))
-                    changes_.push_back({Change::Of::number, "one more of " + name + ":",
-                                        fmt::format("{} instead of {}", value + 1, value), more});
-            }
+        constexpr std::size_t most_digits = 9;
+        for (const auto& [name, expression] : stated_vals(network_)) {
+            const auto value = parse_number<std::int64_t>(expression);
+            if (!value || expression.size() > most_digits)
+                continue;
+            Overrides more{{name, std::to_string(*value + 1)}};
+            if (makes_more(more))
+                changes_.push_back({Change::Of::number, "one more of " + name + ":",
+                                    fmt::format("{} instead of {}", *value + 1, *value), more});
+        }
     }
 
     const Network& network_;
