@@ -195,7 +195,8 @@ private:
             const GraphNode& node = graph_.nodes[i];
             const std::string entries = entries_of(node.attributes, known, node.name, node.line);
             const auto label = node.attributes.find("label");
-            const bool labelled = label != node.attributes.end() && label->second != node.name;
+            const bool labelled =
+                label != node.attributes.end() && label->second != node.name && label->second != "\\N";
             made_.attributes +=
                 fmt::format("{} /* {}{} */\n",
                             entries.empty() ? fmt::format("/* t[{}] */", i) : fmt::format("t[{}]{};", i, entries),

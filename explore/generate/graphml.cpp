@@ -52,11 +52,18 @@ private:
             text_ += piece.text;
     }
 
-    void begin(const XmlPiece& piece) {
-        inside_.push_back(piece.name);
+    /// Takes the text of a label, which may have elements behind the text.
+    void note_label() {
+        if (!inside_.empty() && inside_.back() == "NodeLabel" && !open_.empty() && !trimmed_text(text_).empty())
+            open_.back().attributes["label"] = trimmed_text(text_);
         text_.clear();
+    }
+
+    void begin(const XmlPiece& piece) {
+        note_label();
+        inside_.push_back(piece.name);
         if (piece.name == "key")
-            key_ = &keys_[stated(piece, "id")], *key_ = {stated(piece, "for"), stated(piece, "attr.name"), ""};
+            begin_key(piece);
         else if (piece.name == "graph")
             begin_graph(piece);
         else if (piece.name == "hyperedge")
@@ -65,6 +72,11 @@ private:
             open_.push_back({piece.attributes, piece.line});
         else if (piece.name == "data")
             data_key_ = stated(piece, "key");
+    }
+
+    void begin_key(const XmlPiece& piece) {
+        key_ = &keys_[stated(piece, "id")];
+        *key_ = {stated(piece, "for"), stated(piece, "attr.name"), ""};
     }
 
     void begin_graph(const XmlPiece& piece) {
@@ -80,16 +92,14 @@ private:
     }
 
     void end(const XmlPiece& piece) {
-        inside_.pop_back();
         if (piece.name == "default" && key_)
             key_->by_default = trimmed_text(text_);
-        else if (piece.name == "NodeLabel" && !open_.empty() && !trimmed_text(text_).empty())
-            open_.back().attributes["label"] = trimmed_text(text_);
         else if (piece.name == "data" && !open_.empty())
             add_data();
         else if (piece.name == "node" || piece.name == "edge")
             end_element(piece.name);
-        text_.clear();
+        note_label();
+        inside_.pop_back();
     }
 
     void add_data() {
