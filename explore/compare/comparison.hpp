@@ -25,7 +25,7 @@ struct ComparedRun {
 };
 
 /// Reads a run from the report that `placedpar run --json` wrote. Throws UserError if the file is not such a report.
-/// `warn` is told if the netlist has changed since.
+/// If the netlist has changed since, calls `warn` with a sentence that says so.
 ComparedRun run_of_report(const std::string& path, const std::function<void(const std::string&)>& warn);
 
 /// Reads the network of a run. Throws RefusedInput.

@@ -55,7 +55,7 @@ private:
         };
         handlers["fault"] = [&](const toml::node& node) { study_.read.faults = texts(node); };
         handlers["use"] = [&](const toml::node& node) { read_programs(node); };
-        handlers["price"] = [&](const toml::node& node) { read_prices(node); };
+        handlers["price"] = [&](const toml::node& node) { study_.prices = numbers(node, "price = {T800 = 300}"); };
         handlers["search"] = [&](const toml::node& node) { read_search(node); };
         handlers["relative_to"] = [&](const toml::node& node) { read_reference(node); };
         handlers["until"] = [&](const toml::node& node) {
@@ -473,18 +473,6 @@ private:
         else
             report(node.source().begin, "expected a table of programs and kinds",
                    "use = {\"sim.lku\" = \"ga.master\"}");
-    }
-
-    void read_prices(const toml::node& node) {
-        const toml::table* table = node.as_table();
-        if (!table)
-            return report(node.source().begin, "expected a table of parts and prices",
-                          "price = {T800 = 300, link = 5}");
-        for (const auto& [part, value] : *table)
-            if (const auto price = value.value<double>(); price && *price >= 0 && *price <= 1e12)
-                study_.prices[std::string(part.str())] = *price;
-            else
-                report(value.source().begin, fmt::format("the price of {} is not a number from 0 to 1e12", part.str()));
     }
 
     std::vector<std::string> measures(const toml::node& node) {
