@@ -7,7 +7,8 @@
 namespace placedpar {
 
 void add_classical_kinds(Catalogue& catalogue) {
-    for (auto kinds : {philosopher_kinds(), sieve_kinds(), matrix_kinds(), farm_kinds(), bounded_buffer_kinds()})
+    for (auto kinds :
+         {philosopher_kinds(), sieve_kinds(), matrix_kinds(), farm_kinds(), bounded_buffer_kinds(), task_kinds()})
         for (auto& kind : kinds)
             catalogue.add(std::move(kind));
 }

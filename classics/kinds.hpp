@@ -19,5 +19,6 @@ std::vector<ProcessKind> sieve_kinds();          ///< csp.numbers, csp.sieve
 std::vector<ProcessKind> matrix_kinds();         ///< csp.vector, csp.cell, csp.column
 std::vector<ProcessKind> farm_kinds();           ///< csp.balancer, csp.worker
 std::vector<ProcessKind> bounded_buffer_kinds(); ///< csp.buffer, csp.customer
+std::vector<ProcessKind> task_kinds();           ///< csp.task
 
 } // namespace placedpar

@@ -36,14 +36,14 @@ void report(const std::vector<Diagnostic>& faults, const File& file, const Warni
         throw RefusedInput(render_faults(faults, file, Severity::error));
 }
 
-File load_text(const std::filesystem::path& path) {
+} // namespace
+
+std::shared_ptr<const SourceFile> load_text(const std::filesystem::path& path) {
     LoadedSource loaded = load_input(path);
     if (has_errors(loaded.problems))
         throw RefusedInput(render_faults(loaded.problems, loaded.file, Severity::error));
     return loaded.file;
 }
-
-} // namespace
 
 Network load_network(const std::filesystem::path& path, const Overrides& overrides, const ProblemRegistry& problems,
                      const WarningSink& warn, const ReadOptions& options) {

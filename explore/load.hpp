@@ -3,10 +3,12 @@
 #include "hydraulics/data/record.hpp"
 #include "netlist/read.hpp"
 #include "text/diagnostic.hpp"
+#include "text/source.hpp"
 
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,9 @@ inline constexpr std::size_t most_faults_shown = 20;
 
 /// A function that receives a file's warnings as text in whole lines.
 using WarningSink = std::function<void(const std::string&)>;
+
+/// Reads a text. Throws RefusedInput.
+std::shared_ptr<const SourceFile> load_text(const std::filesystem::path&);
 
 /// Reads a netlist with all kinds that this program knows. Throws RefusedInput.
 Network load_network(const std::filesystem::path&, const Overrides&, const ProblemRegistry&, const WarningSink&,

@@ -29,23 +29,27 @@ ExitCode generate_netlist(const GenerateOptions& options) {
 }
 
 void add_wish(Options& command, generate::TopologyRequest& request) {
-    command.add("TOPOLOGY", request.topology, fmt::format("{}", fmt::join(generate::names_of_topologies(), ", ")))
+    command
+        .add("TOPOLOGY", request.topology,
+             fmt::format("{}; or a file with a graph (.graphml, .dot, .gv)",
+                         fmt::join(generate::names_of_topologies(), ", ")))
         .required();
     command
         .add("--size", request.size,
-             "number of processors; mesh, torus: rows x columns; figure-e2: chains x "
-             "processors in a chain")
-        .type("PROCESSORS|NxN")
-        .required();
+             "number of processors; mesh, torus: rows x columns; mesh also planes x rows x columns; figure-e2: chains "
+             "x processors in a chain")
+        .type("PROCESSORS|NxN");
+    command.add_flag("--split", request.split,
+                     "builds a node of a graph with five or six edges from two processors, instead of refusing it");
     add_count(command, "--branches", request.branches, "tree: number of children of a processor; default: 2");
     add_count(command, "--chord", request.chord,
               "chordal ring: length of a chord, counted in processors along the ring; default: about the square root "
               "of the size");
     add_count(command, "--degree", request.degree, "chordal ring: links of a processor, 3 or 4; default: 3");
     add_file(command, "--job", request.job,
-             "software: a farm, islands, or one process of the kind KIND on each "
+             "software: a farm, islands, the graph of tasks in a file, or one process of the kind KIND on each "
              "processor",
-             "farm|islands|KIND")
+             "farm|islands|FILE.csv|KIND")
         .show_default();
     command
         .add("--problem", request.problem,

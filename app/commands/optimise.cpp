@@ -1,6 +1,7 @@
 #include "app/command.hpp"
 #include "app/options/common_options.hpp"
 #include "app/options/many_runs.hpp"
+#include "app/options/netlist_options.hpp"
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
 #include "explore/load.hpp"
@@ -15,6 +16,7 @@
 #include "ranks/ranks.hpp"
 #include "text/counted.hpp"
 #include "text/nearest.hpp"
+#include "text/number.hpp"
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
 
@@ -38,6 +40,7 @@ struct OptimiseOptions {
     bool random = false, exhaustive = false;
     std::string results; ///< "": named after the study
     std::string csv, svg;
+    std::vector<std::string> price;
     std::size_t jobs = 0;
     bool yes = false, any_version = false;
 
@@ -46,6 +49,13 @@ struct OptimiseOptions {
         return results.empty() ? std::filesystem::path(study).stem().string() + ".sqlite" : results;
     }
 };
+
+double price_in(const std::string& part, const std::string& text) {
+    const auto price = parse_number<double>(text);
+    if (!price || !(*price >= 0 && *price <= 1e12))
+        throw UserError(fmt::format("--price {}={}: expected a number from 0 to 1e12", part, text));
+    return *price;
+}
 
 Study searched_study(const OptimiseOptions& options) {
     if (!lower_case(options.study).ends_with(".toml"))
@@ -59,6 +69,8 @@ Study searched_study(const OptimiseOptions& options) {
     study.search->population = options.population.value_or(study.search->population);
     study.search->generations = options.generations.value_or(study.search->generations);
     study.until = options.until.value_or(study.until);
+    for (const auto& [part, price] : overrides_of(options.price, "--price", "T800=300"))
+        study.prices[part] = price_in(part, price);
     return study;
 }
 
@@ -268,6 +280,8 @@ Action declare_optimise(Options& command, const std::string&) {
     auto options = std::make_shared<OptimiseOptions>();
     command.add("STUDY", options->study, "a study (.toml) with a table [search]").required().check(not_a_name);
     add_search_size(command, *options);
+    command.add_list("--price", options->price, "PART=PRICE",
+                     "price of each T800, C004, link ..., for the measure \"price\"; may be repeated");
     command.add_flag("--random", options->random, "also tries as many machines drawn at random, for comparison");
     command.add_flag("--exhaustive", options->exhaustive, "also tries all machines, for comparison");
     add_file(command, "--results", options->results,

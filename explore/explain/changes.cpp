@@ -1,5 +1,6 @@
 #include "explore/explain/changes.hpp"
 
+#include "explore/stated_vals.hpp"
 #include "netlist/kinds/device_kind.hpp"
 #include "text/number.hpp"
 
@@ -8,11 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <optional>
-#include <regex>
 #include <set>
 
 namespace placedpar {
@@ -21,6 +19,8 @@ namespace {
 
 constexpr std::int64_t fastest = 1'000'000'000; ///< greatest speed that the language accepts
 constexpr std::size_t most_alone = 10;          ///< largest number of single parts of each kind that are varied
+constexpr std::size_t most_nodes_in_full = 256; ///< in larger networks, fewer changes are tried
+constexpr std::size_t most_alone_of_many = 3;   ///< of larger networks, in place of `most_alone`
 
 /// Attributes of a bus that cost time. The time-out is left out: it only matters if a device does not respond.
 constexpr std::array bus_times{"cycle", "bytecycle", "grant"};
@@ -65,7 +65,7 @@ std::string as_array(const std::string& name) { return array_of(name) + (name.fi
 
 /// Returns the names of the busiest uses, the busiest first.
 template <class Uses, class Name, class Spent>
-std::vector<std::string> busiest(const Uses& uses, Name name, Spent spent) {
+std::vector<std::string> busiest(std::size_t most, const Uses& uses, Name name, Spent spent) {
     std::vector<std::pair<Time, std::string>> by_time;
     for (const auto& use : uses)
         if (Time time = spent(use); time > Time{0})
@@ -73,7 +73,7 @@ std::vector<std::string> busiest(const Uses& uses, Name name, Spent spent) {
     std::ranges::sort(by_time);
     std::vector<std::string> names;
     for (const auto& [time, each] : by_time)
-        if (names.size() < most_alone && std::ranges::find(names, each) == names.end())
+        if (names.size() < most && std::ranges::find(names, each) == names.end())
             names.push_back(each);
     return names;
 }
@@ -91,6 +91,10 @@ public:
         add_processes();
         add_constants();
         add_vals();
+        if (network_.nodes.size() > most_nodes_in_full)
+            std::erase_if(changes_, [](const Change& each) {
+                return is_extreme(each, factors.front()) || is_extreme(each, factors.back());
+            });
         return std::move(changes_);
     }
 
@@ -105,6 +109,12 @@ private:
                     faster(network_.nodes[node].integer("clock"), factor);
             changes_.push_back(std::move(change));
         }
+    }
+
+    /// Returns whether the change is a small or the greatest one. A run of many processors takes long, so only the
+    /// change between them is tried.
+    static bool is_extreme(const Change& change, const Factor& factor) {
+        return change.change == factor.faster || change.change == factor.less;
     }
 
     bool has_clock(std::size_t node) const {
@@ -126,8 +136,8 @@ private:
         for (const auto& [name, nodes] : arrays)
             add_clocks(nodes.size() == 1 ? Change::Of::alone : Change::Of::array,
                        (nodes.size() == 1 ? "processor of " : "processors of ") + name, nodes);
-        for (const std::string& name :
-             busiest(report_.processors, std::mem_fn(&ProcessorUse::name), std::mem_fn(&ProcessorUse::busy)))
+        for (const std::string& name : busiest(most_alone_, report_.processors, std::mem_fn(&ProcessorUse::name),
+                                               std::mem_fn(&ProcessorUse::busy)))
             add_clocks(Change::Of::alone, "processor " + name, alone[name]);
     }
 
@@ -181,7 +191,7 @@ private:
             return;
         auto wires = wires_by_end();
         for (const std::string& from :
-             busiest(report_.links, std::mem_fn(&LinkUse::from), std::mem_fn(&LinkUse::occupied)))
+             busiest(most_alone_, report_.links, std::mem_fn(&LinkUse::from), std::mem_fn(&LinkUse::occupied)))
             add_link(*wires.at(from));
     }
 
@@ -219,7 +229,8 @@ private:
                 buses[node.name] = &node;
         if (buses.size() > 1)
             add_bus_times(Change::Of::all, "all buses", buses);
-        for (const std::string& name : busiest(report_.buses, std::mem_fn(&BusUse::name), std::mem_fn(&BusUse::busy)))
+        for (const std::string& name :
+             busiest(most_alone_, report_.buses, std::mem_fn(&BusUse::name), std::mem_fn(&BusUse::busy)))
             if (auto bus = buses.find(name); bus != buses.end())
                 add_bus_times(Change::Of::alone, "bus " + name, {*bus});
     }
@@ -260,7 +271,7 @@ private:
         auto spent = [&](const ProcessInstance& process) {
             return shares_processor(process) ? busy[network_.nodes[process.node].name] : Time{0};
         };
-        std::vector<std::string> names = busiest(network_.processes, name, spent);
+        std::vector<std::string> names = busiest(most_alone_, network_.processes, name, spent);
         for (const ProcessInstance& process : network_.processes)
             if (std::ranges::find(names, process.name) != names.end())
                 add_process(process);
@@ -300,20 +311,6 @@ private:
             changes_.push_back(std::move(change));
     }
 
-    static std::string text_of(const std::string& path) {
-        std::ifstream file(path);
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
-
-    /// Returns the vals that a file sets to a plain number.
-    static std::map<std::string, std::int64_t> plain_vals(const std::string& text) {
-        static const std::regex declaration(R"((?:^|\n)\s*val\s+(\w+)\s+(\d{1,9})\s*;)");
-        std::map<std::string, std::int64_t> vals;
-        for (std::sregex_iterator found(text.begin(), text.end(), declaration), end; found != end; ++found)
-            vals[(*found)[1]] = std::stoll((*found)[2]);
-        return vals;
-    }
-
     /// Returns whether the settings make more processes or processors. A refused machine counts, since the refusal says
     /// why there cannot be more.
     bool makes_more(const Overrides& set) const {
@@ -321,30 +318,24 @@ private:
         return then.processes > now_.processes || then.processors > now_.processors;
     }
 
-    std::int64_t as_set(const std::string& name, std::int64_t otherwise) const {
-        for (const SetByOption& set : network_.set)
-            if (set.name == name)
-                return parse_number<std::int64_t>(set.value).value_or(otherwise);
-        return otherwise;
-    }
-
     void add_vals() {
-        std::vector<std::string> paths = network_.included_paths;
-        paths.push_back(network_.source_path);
-        for (const std::string& path : paths)
-            for (auto [name, value] : plain_vals(text_of(path))) {
-                value = as_set(name, value);
-                Overrides more{{name, std::to_string(value + 1)}};
-                if (makes_more(more))
-                    changes_.push_back({Change::Of::number, "one more of " + name + ":",
-                                        fmt::format("{} instead of {}", value + 1, value), more});
-            }
+        constexpr std::size_t most_digits = 9;
+        for (const auto& [name, expression] : stated_vals(network_)) {
+            const auto value = parse_number<std::int64_t>(expression);
+            if (!value || expression.size() > most_digits)
+                continue;
+            Overrides more{{name, std::to_string(*value + 1)}};
+            if (makes_more(more))
+                changes_.push_back({Change::Of::number, "one more of " + name + ":",
+                                    fmt::format("{} instead of {}", *value + 1, *value), more});
+        }
     }
 
     const Network& network_;
     const RunReport& report_;
     const DeclaredWith& declared_;
     const Declared now_;
+    const std::size_t most_alone_ = network_.nodes.size() > most_nodes_in_full ? most_alone_of_many : most_alone;
     std::vector<Change> changes_;
     std::set<std::set<std::size_t>> clocks_known_;
     std::set<const LinkConnection*> links_known_;

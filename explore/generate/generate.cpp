@@ -1,8 +1,10 @@
 #include "explore/generate/generate.hpp"
 
+#include "explore/generate/graph_topology.hpp"
 #include "explore/generate/job.hpp"
 #include "explore/generate/size.hpp"
 #include "explore/generate/statements.hpp"
+#include "explore/generate/task_graph.hpp"
 #include "netlist/read.hpp"
 #include "text/counted.hpp"
 #include "text/nearest.hpp"
@@ -35,7 +37,8 @@ Job job_of_kind(const TopologyRequest& request, const Catalogue& catalogue, cons
     if (!kind)
         throw UserError(
             unknown_name("kind of process", request.job, catalogue.kind_names(),
-                         fmt::format("expected farm, islands, or a name that {} kinds lists", program_name())));
+                         fmt::format("expected farm, islands, a file of tasks (.csv), or a name that {} kinds lists",
+                                     program_name())));
     require_port(*kind, request.output, Direction::output, "--output");
     require_port(*kind, request.input, Direction::input, "--input");
     const bool has_host = kind->port("from_host") != nullptr;
@@ -53,6 +56,8 @@ Job job_of(const TopologyRequest& request, const Catalogue& catalogue, const Top
         return farm(topology, statements);
     if (request.job == "islands")
         return request.topology == "figure-e2" ? islands_with_slaves(statements) : islands(topology, statements);
+    if (lower_case(request.job).ends_with(".csv"))
+        return tasks_of_file(request.job, topology.nodes, topology);
     return job_of_kind(request, catalogue, topology, statements);
 }
 
@@ -80,9 +85,9 @@ std::string host_of(const TopologyRequest& request, const Job& job, const Topolo
 std::string body_of(const TopologyRequest& request, const Job& job, const Topology& topology) {
     std::string host = host_of(request, job, topology);
     return fmt::format("{}\n{}\n/* Hardware */\n"
-                       "T800 (memory = 1M, channelcall = 201) t{};\n{}\n/* Software, and where it runs */\n{}{}",
-                       fmt::join(topology.vals, "\n"), job.vals, topology.array, print_wires(topology), job.statements,
-                       host);
+                       "{} (memory = 1M, channelcall = 201) t{};\n{}{}\n/* Software, and where it runs */\n{}{}",
+                       fmt::join(topology.vals, "\n"), job.vals, topology.type, topology.array, topology.attributes,
+                       print_wires(topology), job.statements, host);
 }
 
 /// Reads the generated netlist. Throws UserError if the printed form of the network, which lists the wires of each
@@ -105,9 +110,10 @@ std::string option(const char* name, const std::optional<std::size_t>& value) {
 }
 
 std::string command_of(const TopologyRequest& request) {
-    std::string text = fmt::format("{} generate {} --size {}{}{}{} --job {}", program_name(), request.topology,
-                                   request.size, option("--branches", request.branches),
-                                   option("--chord", request.chord), option("--degree", request.degree), request.job);
+    std::string text = fmt::format("{} generate {}{}{}{}{}{} --job {}", program_name(), request.topology,
+                                   request.size.empty() ? "" : " --size " + request.size,
+                                   option("--branches", request.branches), option("--chord", request.chord),
+                                   option("--degree", request.degree), request.split ? " --split" : "", request.job);
     TopologyRequest usual;
     for (auto [name, said, unsaid] :
          {std::tuple("--host", &request.host, &usual.host), std::tuple("--output", &request.output, &usual.output),
@@ -128,7 +134,8 @@ std::string heading_of(const TopologyRequest& request, const Job& job, const Top
 } // namespace
 
 Generated generate(const TopologyRequest& request, const Catalogue& catalogue, const RecordedProblem* problem) {
-    Topology topology = topology_of(request);
+    const Topology topology =
+        is_graph_file(request.topology) ? topology_of_graph(request, catalogue) : topology_of(request);
     Job job = job_of(request, catalogue, topology, problem);
     std::string body = body_of(request, job, topology);
     Distances distances = distances_in(read(request, body, catalogue));

@@ -19,6 +19,18 @@ struct Grid {
 /// and at most `most_processors` processors.
 Grid grid_of(const TopologyRequest&, std::size_t least_rows, std::size_t least_columns);
 
+/// The size of a mesh of three dimensions, whose nodes have two processors each: 2, 3 and 4 for --size 2x3x4.
+struct Box {
+    std::size_t planes = 0, rows = 0, columns = 0;
+};
+bool has_three_dimensions(const TopologyRequest&);
+/// REQUIRES: has_three_dimensions(). Throws UserError unless there is at least one of each, and at most
+/// `most_processors` processors.
+Box box_of(const TopologyRequest&);
+
+/// Returns the product of the numbers of the size.
+std::size_t product_of_size(const TopologyRequest&);
+
 /// Throws UserError with the text "size 7: " and the reason.
 [[noreturn]] void refuse_size(const TopologyRequest&, const std::string& why);
 

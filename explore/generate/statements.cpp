@@ -28,7 +28,8 @@ std::string print_wires(const Topology& topology) {
     auto end = [](const WireEnd& each) { return fmt::format("t{}.link[{}]", each.at, each.link); };
     std::string text;
     for (const Wires& wires : topology.wires)
-        text += within(wires.loops, {connection(end(wires.from), end(wires.to))});
+        text += within(wires.loops,
+                       {connection(end(wires.from), end(wires.to) + (wires.name.empty() ? "" : " by " + wires.name))});
     return text;
 }
 

@@ -66,7 +66,36 @@ Topology tree(const TopologyRequest& request) {
             .host = {"", "0", "[0]", "0"}};
 }
 
+/// Makes a mesh of three dimensions. A node needs six links, so it consists of two processors: number 0 has the wires
+/// along the columns and to the previous row, number 1 the wires to the next row and along the planes.
+Topology mesh_of_pairs(const TopologyRequest& request) {
+    const Box box = box_of(request);
+    return {.about = fmt::format("A mesh of {} planes, {} rows and {} columns; each node is two processors", box.planes,
+                                 box.rows, box.columns),
+            .vals = {val("planes", box.planes), val("rows", box.rows), val("columns", box.columns),
+                     "val nodes 2 * planes * rows * columns;"},
+            .array = "[planes][rows][columns][2]",
+            .first = "[0][0][0][0]",
+            .at = "[i / (2 * rows * columns)][i / (2 * columns) % rows][i / 2 % columns][i % 2]",
+            .wires = {{{"rep p = 0 for planes", "rep r = 0 for rows", "rep c = 0 for columns"},
+                       {"[p][r][c][0]", "0", "0"},
+                       {"[p][r][c][1]", "0", "0"}},
+                      {{"rep p = 0 for planes", "rep r = 0 for rows", "rep c = 0 for columns - 1"},
+                       {"[p][r][c][0]", "2", "1 + (c > 0)"},
+                       {"[p][r][c + 1][0]", "1", "1"}},
+                      {{"rep p = 0 for planes", "rep r = 0 for rows - 1", "rep c = 0 for columns"},
+                       {"[p][r][c][1]", "1", "1"},
+                       {"[p][r + 1][c][0]", "3", "1 + (c > 0) + (c + 1 < columns)"}},
+                      {{"rep p = 0 for planes - 1", "rep r = 0 for rows", "rep c = 0 for columns"},
+                       {"[p][r][c][1]", "3", "1 + (r + 1 < rows) + (p > 0)"},
+                       {"[p + 1][r][c][1]", "2", "1 + (r + 1 < rows)"}}},
+            .host = {"", "0", "[0][0][0][0]", "1"},
+            .nodes = 2 * box.planes * box.rows * box.columns};
+}
+
 Topology mesh(const TopologyRequest& request) {
+    if (has_three_dimensions(request))
+        return mesh_of_pairs(request);
     Grid grid = grid_of(request, 1, 1);
     return {.about = fmt::format("A mesh of {} rows and {} columns", grid.rows, grid.columns),
             .vals = {val("rows", grid.rows), val("columns", grid.columns), "val nodes rows * columns;"},
@@ -251,6 +280,10 @@ void require_own_options(const TopologyRequest& request) {
         throw UserError("--branches works only with the topology tree");
     if ((request.chord || request.degree) && request.topology != "chordal-ring")
         throw UserError("--chord and --degree work only with the topology chordal-ring");
+    if (request.split)
+        throw UserError("--split works only with a graph from a file");
+    if (request.size.empty())
+        throw UserError(fmt::format("--size is required for the topology {}", request.topology));
 }
 
 } // namespace
@@ -268,7 +301,10 @@ Topology topology_of(const TopologyRequest& request) {
         throw UserError(unknown_name("topology", request.topology, names_of_topologies(),
                                      fmt::format("expected one of: {}", fmt::join(names_of_topologies(), ", "))));
     require_own_options(request);
-    return found->make(request);
+    Topology topology = found->make(request);
+    if (topology.nodes == 0)
+        topology.nodes = product_of_size(request);
+    return topology;
 }
 
 } // namespace placedpar::generate

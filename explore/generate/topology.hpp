@@ -18,6 +18,7 @@ struct WireEnd {
 struct Wires {
     std::vector<std::string> loops; ///< "rep r = 0 for rows", the outermost first
     WireEnd from, to;
+    std::string name = ""; ///< of the `connection` of a wire that has attributes; "" if none
 };
 
 /// The wires from the workstation to the processors of a topology.
@@ -38,7 +39,10 @@ struct Topology {
     std::string at;                ///< subscripts of processor number i, "[i / columns][i % columns]"
     std::vector<Wires> wires;
     HostWires host;
-    std::string no_host = ""; ///< why no link is left for a wire to the host; "" if a link is left
+    std::string no_host = "";    ///< why no link is left for a wire to the host; "" if a link is left
+    std::size_t nodes = 0;       ///< number of processors
+    std::string type = "T800";   ///< of the processors
+    std::string attributes = ""; ///< statements with attributes of single processors and wires; lines with a newline
 };
 
 std::vector<std::string> names_of_topologies();

@@ -102,11 +102,13 @@ std::vector<double> numbers_outside_of_strings(const std::string& json) {
 
 } // namespace
 
-StudyFigures figures_of(const RunReport& report, const Network& network) {
+StudyFigures figures_of(const RunReport& report, const Network& network, const Prices& prices) {
     StudyFigures figures;
     add_figure(figures, "time", static_cast<double>(report.result.time.count()) / picoseconds_in_ms, "ms");
     add_figure(figures, "processors", static_cast<double>(report.processors.size()));
     add_figure(figures, "links", static_cast<double>(network.count_wires()));
+    if (!prices.empty())
+        add_figure(figures, "price", price_of(network, prices));
     for (const Measurement& each : report.measurements)
         if (const auto* value = std::get_if<double>(&each.value))
             add_figure(figures, each.process + "." + each.name, *value, each.unit);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "explore/study/price.hpp"
+
 #include <boost/json/fwd.hpp>
 
 #include <map>
@@ -22,9 +24,10 @@ struct StudyFigure {
 };
 
 /// Returns all figures of a run: "time" in ms, and the numbers of "processors" and "links" used. Also the measurements
-/// of processes, such as "master[0].T_exe", and the load of each processor in percent, such as "t[0][1].busy".
+/// of processes, such as "master[0].T_exe", and the load of each processor in percent, such as "t[0][1].busy". If parts
+/// have prices, there is the "price" of the machine.
 using StudyFigures = std::map<std::string, StudyFigure>;
-StudyFigures figures_of(const RunReport&, const Network&);
+StudyFigures figures_of(const RunReport&, const Network&, const Prices& = {});
 
 /// Parses JSON and keeps the bytes of its strings, whether they are UTF-8 or not. Throws std::exception.
 boost::json::value read_kept_json(const std::string&);
@@ -68,6 +71,7 @@ std::string there_is_no_measure(const StudyMeasure&, const StudyFigures&);
 class PossibleMeasures {
 public:
     void add(const Network&, const Catalogue&, const ProblemRegistry&);
+    void add(const std::string& measure) { names_.insert(measure); }
     bool has(const StudyMeasure&) const;
     /// Returns a sentence with all possible measures.
     std::string why_unknown(const StudyMeasure&) const;

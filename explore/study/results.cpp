@@ -50,6 +50,8 @@ std::string options_of(const Study& study) {
         programs[program] = kind;
     boost::json::object json{{"faults", boost::json::array(study.read.faults.begin(), study.read.faults.end())},
                              {"programs", programs}};
+    if (!study.prices.empty())
+        json["price"] = boost::json::value_from(study.prices);
     if (study.until != Time::max())
         json["until_ps"] = study.until.count();
     return boost::json::serialize(json);

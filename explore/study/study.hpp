@@ -3,6 +3,7 @@
 #include "explore/study/axis.hpp"
 #include "explore/study/expression.hpp"
 #include "explore/study/measure.hpp"
+#include "explore/study/price.hpp"
 #include "explore/study/table.hpp"
 #include "netlist/read.hpp"
 #include "runtime/time.hpp"
@@ -65,6 +66,7 @@ struct Study {
     std::optional<StudySearch> search = {}; ///< empty: the study is only swept
     std::vector<StudyTable> tables = {};    ///< tables of figures beside known figures
     std::vector<std::string> figures = {};  ///< measures that occur in the tables
+    Prices prices = {};                     ///< empty: runs have no measure "price"
     std::string notes = "";                 ///< text printed below the tables
 
     /// Returns the number of runs, including runs for which the condition does not hold. Throws UserError if this

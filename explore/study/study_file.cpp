@@ -55,6 +55,7 @@ private:
         };
         handlers["fault"] = [&](const toml::node& node) { study_.read.faults = texts(node); };
         handlers["use"] = [&](const toml::node& node) { read_programs(node); };
+        handlers["price"] = [&](const toml::node& node) { study_.prices = numbers(node, "price = {T800 = 300}"); };
         handlers["search"] = [&](const toml::node& node) { read_search(node); };
         handlers["relative_to"] = [&](const toml::node& node) { read_reference(node); };
         handlers["until"] = [&](const toml::node& node) {

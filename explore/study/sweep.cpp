@@ -210,7 +210,7 @@ std::optional<StudyOutcome> StudyWorker::outcome_of(const StudyRun& run, Interru
                             .time = report.result.time,
                             .fingerprint = report.result.fingerprint,
                             .netlist_hash = network_.hash,
-                            .figures = figures_of(report, network_)};
+                            .figures = figures_of(report, network_, study_.prices)};
     } catch (const UserError& refused) {
         return StudyOutcome{.ended = "refused", .refused = unpainted(refused.what())};
     }
@@ -243,7 +243,10 @@ void require_possible(const std::vector<std::string>& measures, const Study& stu
     const ProblemRegistry problems = known_problems(0);
     const Catalogue kinds = known_kinds(problems);
     std::vector<StudyMeasure> missing(measures.begin(), measures.end());
+    require_parts(study.prices, kinds);
     PossibleMeasures possible;
+    if (!study.prices.empty())
+        possible.add("price");
     auto all_found_with = [&](const Network& another) {
         possible.add(another, kinds, problems);
         std::erase_if(missing, [&](const StudyMeasure& each) { return possible.has(each); });

@@ -162,6 +162,20 @@ protected:
         return node.value_or(false);
     }
 
+    /// Returns a table of numbers from 0 to 1e12. `example` is the hint if it is another thing.
+    std::map<std::string, double> numbers(const toml::node& node, const char* example) {
+        std::map<std::string, double> all;
+        const toml::table* table = node.as_table();
+        if (!table)
+            report(node.source().begin, "expected a table of numbers", example);
+        for (const auto& [key, value] : table ? *table : toml::table())
+            if (const auto number = value.value<double>(); number && *number >= 0 && *number <= 1e12)
+                all[std::string(key.str())] = *number;
+            else
+                report(value.source().begin, fmt::format("\"{}\" is not a number from 0 to 1e12", key.str()), example);
+        return all;
+    }
+
     std::uint64_t whole(const toml::node& node, std::int64_t least,
                         std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
         std::int64_t number = node.value_exact<std::int64_t>().value_or(least - 1);

@@ -74,6 +74,8 @@ SEEDS = {
     "names": lambda: [b"localhost:8080", b"[::1]:80", b"127.0.0.1", b"dXNlcjpwYXNzd29yZA==", b"0123456789abcdef0123"],
     "searches": lambda: files("examples/**/*.cfs"),
     "wish": lambda: [b"torus\n4x4\n\n\nislands", b"tree\n7\n3\n\nfarm", b"chordal-ring\n8\n\n3\nislands", b"hypercube\n8\n\n\nga.island"],
+    "graph": lambda: files("tests/explore/generate/graphs/*.graphml", "tests/explore/generate/graphs/*.dot"),
+    "tasks": lambda: files("tests/explore/generate/graphs/*.csv", "examples/explore/task-graph/*.csv"),
     "scenario": lambda: [b"bulk_modulus=4.1e-11 m^3/Pa", b"duration=3 s"] + texts_of("tests/app/record_test.py"),
     "answer": lambda: matches(r'\{"type".*?\}(?=[\n\'"`)])', "docs/guides/monitor.md", "tests/monitor/**/*.cpp"),
     "places": lambda: [b"127.0.0.1", b"::1", b"::ffff:127.0.0.1", b"localhost", b"0.0.0.0", b"monitor.sock", b"fe80::1%lo"],

@@ -8,6 +8,7 @@
 #include "editor/protocol/message_stream.hpp"
 #include "editor/server.hpp"
 #include "explore/generate/generate.hpp"
+#include "explore/generate/graph_topology.hpp"
 #include "explore/problems.hpp"
 #include "explore/study/measure.hpp"
 #include "explore/study/results.hpp"
@@ -279,6 +280,31 @@ void read_searches(const std::string& text) {
     require(result.network.has_value() != has_errors(result.diagnostics), "what is refused is refused with an error");
 }
 
+/// Reads a graph of GraphML or Graphviz as a machine. A graph of many nodes takes too long.
+void read_graph(const std::string& text) {
+    static const ProblemRegistry problems = known_problems(0);
+    static const Catalogue kinds = known_kinds(problems);
+    const char* name = text.find("<graph") == text.npos ? "graph.dot" : "graph.graphml";
+    generate::TopologyRequest wish;
+    wish.topology = file_of(text, name);
+    wish.split = text.size() % 2 == 0;
+    wish.host = "node";
+    generate::topology_of_graph(wish, kinds);
+    if (text.size() < 4000)
+        generate::generate(wish, kinds);
+}
+
+/// Reads a table of tasks, and the netlist that it becomes.
+void read_tasks(const std::string& text) {
+    static const ProblemRegistry problems = known_problems(0);
+    static const Catalogue kinds = known_kinds(problems);
+    generate::TopologyRequest wish;
+    wish.topology = "ring";
+    wish.size = "4";
+    wish.job = file_of(text, "tasks.csv");
+    generate::generate(wish, kinds);
+}
+
 /// The input's lines are a topology, a size and further numbers; each may be missing.
 void read_topology_request(const std::string& text) {
     static const ProblemRegistry problems = known_problems(1);
@@ -368,26 +394,15 @@ void read_arguments(const std::string& text) {
 } // namespace
 
 std::span<const Reader> readers() {
-    static const Reader all[] = {{"study", read_study_text},
-                                 {"results", read_results},
-                                 {"message", read_message},
-                                 {"state", read_state},
-                                 {"arguments", read_arguments},
-                                 {"policies", read_policies},
-                                 {"strings", read_strings},
-                                 {"diagnosis", read_diagnosis},
-                                 {"population", read_population},
-                                 {"names", read_names},
-                                 {"searches", read_searches},
-                                 {"wish", read_topology_request},
-                                 {"scenario", read_scenario_settings},
-                                 {"answer", read_answer},
-                                 {"places", read_place},
-                                 {"request", read_request},
-                                 {"job", read_job},
-                                 {"command", read_words},
-                                 {"editor", serve_an_editor},
-                                 {"words", ask_about_netlist}};
+    static const Reader all[] = {
+        {"study", read_study_text},  {"results", read_results},     {"message", read_message},
+        {"state", read_state},       {"arguments", read_arguments}, {"policies", read_policies},
+        {"strings", read_strings},   {"diagnosis", read_diagnosis}, {"population", read_population},
+        {"names", read_names},       {"searches", read_searches},   {"wish", read_topology_request},
+        {"graph", read_graph},       {"tasks", read_tasks},         {"scenario", read_scenario_settings},
+        {"answer", read_answer},     {"places", read_place},        {"request", read_request},
+        {"job", read_job},           {"command", read_words},       {"editor", serve_an_editor},
+        {"words", ask_about_netlist}};
     return all;
 }
 

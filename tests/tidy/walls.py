@@ -62,6 +62,7 @@ BELOW = {
     "explore/explain": ["explore", "observe/critical_path"],
     "explore/study": ["explore", "ranks", "store"],
     "explore/check": ["explore/study"],
+    "explore/compare": ["explore/study"],
     "explore/optimise": ["explore/explain", "explore/study"],
     "editor/protocol": ["text"],
     "editor/language": ["explore/check"],
@@ -86,7 +87,7 @@ BELOW = {
     "app/options": ["app", "explore/check", "explore/prediction"],
     "app/identify": ["app/options", "identification/report"],
     "app/mpi": ["ranks"],
-    "app/commands": ["app/generation", "app/identify", "app/record", "editor", "experiments/kit", "explore/exercise", "explore/generate", "explore/optimise", "explore/prediction", "monitor/service", "serve"],
+    "app/commands": ["app/generation", "app/identify", "app/record", "editor", "experiments/kit", "explore/compare", "explore/exercise", "explore/generate", "explore/optimise", "explore/prediction", "monitor/service", "serve"],
 }
 ROOMS = sorted({folder.split("/")[0] for folder in BELOW})
 

@@ -1,0 +1,249 @@
+#include "explore/compare/comparison.hpp"
+
+#include "explore/load.hpp"
+#include "explore/problems.hpp"
+#include "explore/runs_at_once.hpp"
+#include "explore/stated_vals.hpp"
+#include "netlist/print/print.hpp"
+#include "text/paint.hpp"
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+namespace placedpar {
+
+namespace {
+
+using Section = StructureDifference::Section;
+
+Network load_silently(const ParsedNetlist& parsed, const Overrides& set) {
+    const ProblemRegistry problems = known_problems(0);
+    return load_network(parsed, set, known_kinds(problems), [](const std::string&) {});
+}
+
+RunReport report_of(const ComparedRun& run, const Network& network, Interruption& interruption) {
+    return run_netlist(network, known_problems(run.seed),
+                       {.seed = run.seed, .until = run.until, .shuffle = run.shuffle, .interruption = &interruption});
+}
+
+/// Returns the sections of a text that print_cfs() wrote, in the order of Section.
+std::array<std::string, 4> sections_of(std::string text) {
+    std::array<std::string, 4> sections;
+    for (std::size_t i = sections.size(); i-- > 1;) {
+        const std::size_t begin = text.find(fmt::format("\n/* {} */\n", name_of(static_cast<Section>(i))));
+        if (begin == text.npos)
+            continue;
+        sections[i] = text.substr(begin);
+        text.resize(begin);
+    }
+    sections[0] = std::move(text);
+    return sections;
+}
+
+/// Returns the placements of processes, without those of channels, whose ports have a dot.
+std::string without_routes(const std::string& mapping) {
+    std::string kept;
+    for (std::size_t begin = 0; begin < mapping.size();) {
+        const std::size_t end = std::min(mapping.find('\n', begin), mapping.size() - 1) + 1;
+        const std::string line = mapping.substr(begin, end - begin);
+        const bool is_route = line.starts_with("place ") && line.find('.') < line.find(" on ");
+        kept += is_route ? "" : line;
+        begin = end;
+    }
+    return kept;
+}
+
+/// Returns A with one section of B. Channels are routed anew if the hardware or the software is another.
+std::string with_section_of(const Network& a, const Network& b, Section section) {
+    auto sections = sections_of(print_cfs(a));
+    const auto index = static_cast<std::size_t>(section);
+    sections.at(index) = sections_of(print_cfs(b)).at(index);
+    if (section == Section::hardware || section == Section::software)
+        sections[2] = without_routes(sections[2]);
+    return fmt::format("{}", fmt::join(sections, ""));
+}
+
+class Comparing {
+public:
+    Comparing(const ComparedRun& a, const ComparedRun& b, const Interruption& interruption,
+              const std::function<void(std::size_t, std::size_t)>& progress)
+        : a_(a), b_(b), interruption_(interruption), progress_(progress) {}
+
+    NetlistComparison compare() && {
+        result_.name_a = a_.name;
+        result_.name_b = b_.name;
+        result_.a = load_compared(a_);
+        result_.b = load_compared(b_);
+        run_both();
+        find_differences();
+        if (result_.both_completed())
+            try_changes();
+        return std::move(result_);
+    }
+
+private:
+    /// A run to be made, and how its network is read.
+    struct Attempt {
+        OneChange* change;
+        std::function<Network()> read;
+        ComparedRun run;
+    };
+
+    void run_both() {
+        run_at_once(
+            2,
+            [&](std::size_t i, Interruption& interruption) {
+                (i == 0 ? result_.report_a : result_.report_b) =
+                    i == 0 ? report_of(a_, result_.a, interruption) : report_of(b_, result_.b, interruption);
+            },
+            interruption_, [](std::size_t) {});
+    }
+
+    void find_differences() {
+        const auto vals_b = stated_vals(result_.b);
+        for (const auto& [name, value] : stated_vals(result_.a))
+            if (auto other = vals_b.find(name); other != vals_b.end() && other->second != value) {
+                result_.settings.push_back({name, value, other->second, {}, {{name, other->second}}});
+                vals_[name] = other->second;
+            }
+        result_.structure = structure_differences(result_.a, result_.b);
+        with_vals_ = read_with_vals();
+        for (SettingDifference& each : setting_differences(*with_vals_, result_.b))
+            result_.settings.push_back(std::move(each));
+        std::set<Section> left;
+        for (const StructureDifference& each : structure_differences(*with_vals_, result_.b))
+            left.insert(each.section);
+        for (const StructureDifference& each : result_.structure)
+            if (!left.contains(each.section))
+                result_.following.insert(each.section);
+    }
+
+    /// Returns A with the vals of B; A itself if it is refused with them.
+    Network read_with_vals() const {
+        try {
+            return load_silently(a_.parsed, with(vals_));
+        } catch (const UserError&) {
+            return result_.a;
+        }
+    }
+
+    Overrides with(Overrides vals) const {
+        vals.merge(Overrides(a_.set));
+        return vals;
+    }
+
+    /// Returns a network with other settings of its elements. The network's own settings are in the text already, so
+    /// none is set twice.
+    static Network with_settings(const Network& network, const Overrides& set) {
+        return load_silently(ParsedNetlist::of_text(print_cfs(network), network.source_path), set);
+    }
+
+    void try_changes() {
+        std::vector<Attempt> attempts;
+        result_.alone.reserve(result_.settings.size() + result_.structure.size() + 3); // attempts point into it
+        for (const SettingDifference& each : result_.settings)
+            add(attempts, what_of(each), each.set, [this, &each] {
+                return each.elements.empty() ? load_silently(a_.parsed, with(each.set))
+                                             : with_settings(result_.a, each.set);
+            });
+        for (const StructureDifference& each : result_.structure)
+            if (!result_.following.contains(each.section))
+                add(attempts, fmt::format("the {} of B", name_of(each.section)), {}, [this, &each] {
+                    return load_silently(ParsedNetlist::of_text(with_section_of(result_.a, result_.b, each.section),
+                                                                result_.a.source_path),
+                                         {});
+                });
+        add_run_settings(attempts);
+        if (result_.settings.size() > 1)
+            add_together(attempts);
+        run(attempts);
+    }
+
+    static std::string what_of(const SettingDifference& each) {
+        return fmt::format("{}{}: {} in A, {} in B", each.name,
+                           each.elements.empty() ? "" : " of " + shown_elements(each.elements), each.a, each.b);
+    }
+
+    static std::string shown_elements(const std::vector<std::string>& elements) {
+        constexpr std::size_t most = 3;
+        const std::size_t shown = std::min(most, elements.size());
+        return fmt::format("{}{}",
+                           fmt::join(elements.begin(), elements.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
+                           elements.size() > most ? fmt::format(" and {} more", elements.size() - most) : "");
+    }
+
+    void add(std::vector<Attempt>& attempts, const std::string& what, const Overrides& set,
+             std::function<Network()> read) {
+        OneChange& change = result_.alone.emplace_back(OneChange{.what = what, .set = set});
+        attempts.push_back({&change, std::move(read), a_});
+    }
+
+    /// Adds the settings of the run that differ: seed, time limit and order of ready processes.
+    void add_run_settings(std::vector<Attempt>& attempts) {
+        auto own = [this] { return result_.a; };
+        if (a_.seed != b_.seed) {
+            add(attempts, fmt::format("seed: {} in A, {} in B", a_.seed, b_.seed), {}, own);
+            attempts.back().run.seed = b_.seed;
+        }
+        if (a_.until != b_.until) {
+            add(attempts, "the time at which the run is stopped", {}, own);
+            attempts.back().run.until = b_.until;
+        }
+        if (a_.shuffle != b_.shuffle) {
+            add(attempts, "the order of ready processes (--shuffle)", {}, own);
+            attempts.back().run.shuffle = b_.shuffle;
+        }
+    }
+
+    void add_together(std::vector<Attempt>& attempts) {
+        Overrides all;
+        for (const SettingDifference& each : result_.settings)
+            if (!each.elements.empty())
+                all.insert(each.set.begin(), each.set.end());
+        result_.together = OneChange{.what = "all settings of B together"};
+        attempts.push_back({&*result_.together, [this, all] { return with_settings(*with_vals_, all); }, a_});
+    }
+
+    void run(std::vector<Attempt>& attempts) {
+        run_at_once(
+            attempts.size(), [&](std::size_t i, Interruption& interruption) { run(attempts[i], interruption); },
+            interruption_, [&](std::size_t done) { progress_(done, attempts.size()); });
+    }
+
+    static void run(Attempt& attempt, Interruption& interruption) {
+        try {
+            const RunReport report = report_of(attempt.run, attempt.read(), interruption);
+            attempt.change->ending = report.result.ending;
+            attempt.change->time = report.result.time;
+        } catch (const UserError& refused) {
+            const std::string text = unpainted(refused.what());
+            attempt.change->refused = text.substr(0, text.find('\n'));
+        }
+    }
+
+    const ComparedRun &a_, &b_;
+    const Interruption& interruption_;
+    const std::function<void(std::size_t, std::size_t)>& progress_;
+    NetlistComparison result_;
+    Overrides vals_;                   ///< vals of B that differ from those of A
+    std::optional<Network> with_vals_; ///< A with these vals
+};
+
+} // namespace
+
+Network load_compared(const ComparedRun& run) { return load_silently(run.parsed, run.set); }
+
+bool NetlistComparison::both_completed() const {
+    return report_a.result.ending == Ending::completed && report_b.result.ending == Ending::completed;
+}
+
+NetlistComparison compare_runs(const ComparedRun& a, const ComparedRun& b, const Interruption& interruption,
+                               const std::function<void(std::size_t, std::size_t)>& progress) {
+    return Comparing(a, b, interruption, progress).compare();
+}
+
+} // namespace placedpar

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "explore/compare/differences.hpp"
+#include "explore/netlist_run.hpp"
+#include "netlist/read.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// A netlist with the settings of its run.
+struct ComparedRun {
+    std::string name; ///< as the user named it
+    ParsedNetlist parsed;
+    Overrides set = {};
+    std::uint64_t seed = 1;
+    Time until = Time::max();
+    std::optional<std::uint64_t> shuffle = {};
+};
+
+/// Reads a run from the report that `placedpar run --json` wrote. Throws UserError if the file is not such a report.
+/// If the netlist has changed since, calls `warn` with a sentence that says so.
+ComparedRun run_of_report(const std::string& path, const std::function<void(const std::string&)>& warn);
+
+/// Reads the network of a run. Throws RefusedInput.
+Network load_compared(const ComparedRun&);
+
+/// Network A with one of the differences from B.
+struct OneChange {
+    std::string what;   ///< "clock of t[0]: 20000000 in A, 10000000 in B"
+    Overrides set = {}; ///< settings that make the change; empty: it is a change of structure or of the run's settings
+    Ending ending = Ending::interrupted;
+    Time time{};
+    std::string refused = ""; ///< first line of the refusal; "" if the netlist was accepted
+
+    bool completed() const { return refused.empty() && ending == Ending::completed; }
+};
+
+struct NetlistComparison {
+    std::string name_a, name_b;
+    Network a, b;
+    RunReport report_a, report_b;
+    std::vector<SettingDifference> settings; ///< vals, and settings that differ although the vals have been made equal
+    std::vector<StructureDifference> structure;
+    std::set<StructureDifference::Section> following; ///< sections that are equal once the vals are equal
+    std::vector<OneChange> alone;                     ///< each difference made alone in A
+    std::optional<OneChange> together;                ///< all settings made in A; empty: there are fewer than two
+
+    bool both_completed() const;
+    Time difference() const { return report_b.result.time - report_a.result.time; }
+};
+
+/// Compares two netlists and their runs. If both complete, makes each difference alone in A, and runs it. Throws
+/// RefusedInput if A or B is refused. `progress` is called with the number of ended runs and of all runs.
+NetlistComparison compare_runs(const ComparedRun& a, const ComparedRun& b, const Interruption&,
+                               const std::function<void(std::size_t, std::size_t)>& progress);
+
+/// Returns the comparison as text for readers.
+std::string print_compared(const NetlistComparison&);
+
+} // namespace placedpar

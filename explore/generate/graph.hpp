@@ -1,0 +1,68 @@
+#pragma once
+
+#include "text/source.hpp"
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace placedpar::generate {
+
+using GraphAttributes = std::map<std::string, std::string>;
+
+struct GraphNode {
+    std::string name;
+    GraphAttributes attributes = {};
+    std::size_t line = 0; ///< of the file, counted from 1
+};
+
+struct GraphEdge {
+    std::size_t from = 0, to = 0; ///< indices of nodes
+    GraphAttributes attributes = {};
+    std::size_t line = 0;
+};
+
+struct Graph {
+    bool directed = false;
+    std::vector<GraphNode> nodes;
+    std::vector<GraphEdge> edges;
+};
+
+/// These limits keep hostile input from costing time; a generated machine is smaller.
+inline constexpr std::size_t most_graph_elements = 100'000; ///< nodes and edges together
+inline constexpr std::size_t deepest_graph = 64;            ///< elements, brackets or subgraphs inside each other
+
+// These functions read a graph. Throw RefusedText, which shows the place of the error.
+
+/// Reads GraphML, as networkx and yEd write it. Data of nodes and edges are attributes. Nodes inside a group count; the
+/// group itself does not.
+Graph read_graphml(const std::shared_ptr<const SourceFile>&);
+/// Reads the language of Graphviz. Ports, and attributes of graphs, have no effect.
+Graph read_dot(const std::shared_ptr<const SourceFile>&);
+
+/// Throws RefusedText.
+[[noreturn]] void refuse_graph(const std::shared_ptr<const SourceFile>&, std::size_t line, const std::string& message,
+                               const std::string& hint = "");
+
+/// Collects the nodes and edges of a graph while it is read.
+class GraphBuilder {
+public:
+    explicit GraphBuilder(std::shared_ptr<const SourceFile> file) : file_(std::move(file)) {}
+
+    /// Returns the node's index; adds the node if it is new.
+    std::size_t node(const std::string& name, std::size_t line);
+    bool has(const std::string& name) const { return numbers_.contains(name); }
+    void add_edge(GraphEdge);
+    Graph& graph() { return graph_; }
+
+private:
+    void require_room(std::size_t line) const;
+
+    std::shared_ptr<const SourceFile> file_;
+    Graph graph_;
+    std::map<std::string, std::size_t> numbers_;
+};
+
+} // namespace placedpar::generate

@@ -1,0 +1,279 @@
+#include "explore/generate/graph_topology.hpp"
+
+#include "explore/generate/graph.hpp"
+#include "netlist/kinds/catalogue.hpp"
+#include "netlist/kinds/device_kind.hpp"
+#include "text/load_source.hpp"
+#include "text/nearest.hpp"
+#include "text/number.hpp"
+#include "text/refused_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace placedpar::generate {
+
+namespace {
+
+std::string ending_of(const std::string& path) { return lower_case(std::filesystem::path(path).extension().string()); }
+
+std::shared_ptr<const SourceFile> load_graph_text(const std::string& path) {
+    LoadedSource loaded = load_input(path);
+    for (Diagnostic& each : loaded.problems)
+        each.location.file = loaded.file;
+    if (has_errors(loaded.problems))
+        throw RefusedText(loaded.problems);
+    return loaded.file;
+}
+
+/// Joins pairs of edges in opposite directions, since a link carries both.
+void join_directions(Graph& graph) {
+    std::multimap<std::pair<std::size_t, std::size_t>, std::size_t> single; // edges that no opposite edge has joined
+    std::vector<GraphEdge> kept;
+    for (GraphEdge& edge : graph.edges) {
+        const auto opposite = single.find({edge.to, edge.from});
+        if (opposite != single.end()) {
+            kept[opposite->second].attributes.merge(edge.attributes);
+            single.erase(opposite);
+        } else {
+            single.emplace(std::pair(edge.from, edge.to), kept.size());
+            kept.push_back(std::move(edge));
+        }
+    }
+    graph.edges = std::move(kept);
+}
+
+std::vector<std::vector<std::size_t>> edges_by_node(const Graph& graph) {
+    std::vector<std::vector<std::size_t>> edges(graph.nodes.size());
+    for (std::size_t i = 0; i < graph.edges.size(); ++i) {
+        edges[graph.edges[i].from].push_back(i);
+        edges[graph.edges[i].to].push_back(i);
+    }
+    return edges;
+}
+
+/// Returns `"hub" (to a, b, c, d, e)`.
+std::string node_with_neighbours(const Graph& graph, std::size_t node, const std::vector<std::size_t>& edges) {
+    std::vector<std::string> names;
+    for (const std::size_t i : edges)
+        names.push_back(graph.nodes[graph.edges[i].from == node ? graph.edges[i].to : graph.edges[i].from].name);
+    constexpr std::size_t most = 8;
+    const bool more = names.size() > most;
+    names.resize(std::min(names.size(), most));
+    return fmt::format("\"{}\" (to {}{})", graph.nodes[node].name, fmt::join(names, ", "), more ? ", ..." : "");
+}
+
+/// Throws RefusedText, which names the nodes, if a node has more than `most` edges.
+void require_edges(const Graph& graph, const std::shared_ptr<const SourceFile>& file, std::size_t most,
+                   const std::string& hint) {
+    const auto edges = edges_by_node(graph);
+    std::vector<std::string> nodes;
+    std::size_t line = 0, count = 0;
+    for (std::size_t node = 0; node < edges.size(); ++node)
+        if (edges[node].size() > most && ++count <= 5) {
+            line = line == 0 ? graph.nodes[node].line : line;
+            nodes.push_back(node_with_neighbours(graph, node, edges[node]));
+        }
+    if (count > 0)
+        refuse_graph(file, line,
+                     fmt::format("{} of more than {} edges: {}{}",
+                                 count == 1 ? "a node" : fmt::format("{} nodes", count), most, fmt::join(nodes, "; "),
+                                 count > nodes.size() ? "; ..." : ""),
+                     hint);
+}
+
+/// Builds each node of more than four edges from two processors, which a wire joins. The second takes all edges after
+/// the third.
+void split_nodes(Graph& graph) {
+    constexpr std::size_t edges_of_first = links_of_a_node - 1;
+    const auto edges = edges_by_node(graph);
+    for (std::size_t node = 0; node < edges.size(); ++node) {
+        if (edges[node].size() <= links_of_a_node)
+            continue;
+        const std::size_t second = graph.nodes.size();
+        GraphNode copy = graph.nodes[node];
+        copy.name += ", second processor";
+        graph.nodes.push_back(std::move(copy));
+        for (std::size_t i = edges_of_first; i < edges[node].size(); ++i) {
+            GraphEdge& edge = graph.edges[edges[node][i]];
+            (edge.from == node ? edge.from : edge.to) = second;
+        }
+        graph.edges.push_back({node, second, {}, graph.nodes[node].line});
+    }
+}
+
+/// Returns an attribute's value in the netlist language: a number, which may end in K or M.
+std::optional<std::string> number_text(const std::string& text) {
+    const bool has_suffix = text.ends_with('K') || text.ends_with('M');
+    if (parse_number<std::uint64_t>(text.substr(0, text.size() - (has_suffix ? 1 : 0))))
+        return text;
+    const auto number = parse_number<double>(text);
+    if (!number || !std::isfinite(*number) || *number < 0 || *number > 1e15)
+        return std::nullopt;
+    return std::floor(*number) == *number ? fmt::format("{:.0f}", *number) : fmt::format("{}", *number);
+}
+
+/// Returns a text that can stand in a comment.
+std::string for_comment(std::string text) {
+    std::ranges::replace_if(
+        text, [](char each) { return each == '*' || each == '/' || static_cast<unsigned char>(each) < ' '; }, '_');
+    return text;
+}
+
+/// Makes a topology from a graph whose nodes have at most four edges.
+class GraphTopology {
+public:
+    GraphTopology(const Graph& graph, std::shared_ptr<const SourceFile> file, const Catalogue& catalogue)
+        : graph_(graph), file_(std::move(file)), catalogue_(catalogue), links_(graph.nodes.size()) {}
+
+    Topology make(const std::string& path) && {
+        const std::string nodes = std::to_string(graph_.nodes.size());
+        made_ = {.about = "The graph of " + for_comment(path),
+                 .vals = {"val nodes " + nodes + ";"},
+                 .array = "[nodes]",
+                 .first = "[0]",
+                 .at = "[i]",
+                 .wires = {},
+                 .host = {}};
+        made_.nodes = graph_.nodes.size();
+        find_type();
+        add_nodes();
+        add_wires();
+        add_host();
+        if (!unused_.empty())
+            made_.about += fmt::format(" (attributes that have no effect: {})", fmt::join(unused_, ", "));
+        return std::move(made_);
+    }
+
+private:
+    /// All processors are elements of one array, so they have one type.
+    void find_type() {
+        std::set<std::string> types;
+        for (const GraphNode& node : graph_.nodes) {
+            const auto type = node.attributes.find("type");
+            const bool known = type != node.attributes.end() && catalogue_.node_types().contains(type->second);
+            types.insert(known ? type->second : made_.type);
+            if (types.size() > 1)
+                refuse_graph(file_, node.line,
+                             fmt::format("the nodes are of different types: {}", fmt::join(types, ", ")),
+                             "give all nodes the same attribute \"type\", or none");
+        }
+        made_.type = *types.begin();
+    }
+
+    std::string entries_of(const GraphAttributes& attributes, const std::map<std::string, std::string>& known,
+                           const std::string& owner, std::size_t line) {
+        std::vector<std::string> entries;
+        for (const auto& [name, value] : attributes) {
+            const auto found = known.find(name);
+            if (found == known.end()) {
+                if (name != "type" && unused_.size() < 20)
+                    unused_.insert(for_comment(name));
+                continue;
+            }
+            const auto number = number_text(value);
+            if (!number)
+                refuse_graph(file_, line, fmt::format("{} of {}: \"{}\" is not a number", name, owner, value),
+                             "a number such as 20000000 or 20M");
+            entries.push_back(found->second + " = " + *number);
+        }
+        return entries.empty() ? "" : fmt::format(" ({})", fmt::join(entries, ", "));
+    }
+
+    void add_nodes() {
+        std::map<std::string, std::string> known;
+        for (const AttributeDescription& each : catalogue_.node_types().at(made_.type).preset.kind->attributes)
+            known[each.value.name] = each.value.name;
+        for (std::size_t i = 0; i < graph_.nodes.size(); ++i) {
+            const GraphNode& node = graph_.nodes[i];
+            const std::string entries = entries_of(node.attributes, known, node.name, node.line);
+            const auto label = node.attributes.find("label");
+            const bool labelled =
+                label != node.attributes.end() && label->second != node.name && label->second != "\\N";
+            made_.attributes +=
+                fmt::format("{} /* {}{} */\n",
+                            entries.empty() ? fmt::format("/* t[{}] */", i) : fmt::format("t[{}]{};", i, entries),
+                            for_comment(node.name), labelled ? ": " + for_comment(label->second) : "");
+        }
+    }
+
+    void add_wires() {
+        const std::map<std::string, std::string> known{
+            {"linkspeed", "linkspeed"}, {"speed", "linkspeed"}, {"length", "length"}};
+        std::string statements;
+        std::size_t named = 0;
+        for (const GraphEdge& edge : graph_.edges) {
+            const std::string owner =
+                fmt::format("the edge from {} to {}", graph_.nodes[edge.from].name, graph_.nodes[edge.to].name);
+            Wires wire{.loops = {}, .from = end_at(edge.from), .to = end_at(edge.to)};
+            if (const std::string entries = entries_of(edge.attributes, known, owner, edge.line); !entries.empty()) {
+                wire.name = fmt::format("wire[{}]", named++);
+                statements += wire.name + entries + ";\n";
+            }
+            made_.wires.push_back(std::move(wire));
+        }
+        if (named > 0)
+            made_.attributes += fmt::format("connection wire[{}];\n{}", named, statements);
+    }
+
+    /// Uses the next link of a node, and its next port.
+    WireEnd end_at(std::size_t node) {
+        const std::size_t link = links_[node]++;
+        return {fmt::format("[{}]", node), std::to_string(link), std::to_string(link)};
+    }
+
+    void add_host() {
+        const auto free = std::ranges::find_if(links_, [](std::size_t used) { return used < links_of_a_node; });
+        if (free == links_.end())
+            made_.no_host = "every processor has four neighbours and four links";
+        else
+            made_.host = {"", "0", fmt::format("[{}]", free - links_.begin()), std::to_string(*free)};
+    }
+
+    const Graph& graph_;
+    std::shared_ptr<const SourceFile> file_;
+    const Catalogue& catalogue_;
+    std::vector<std::size_t> links_; ///< number of used links of each node
+    std::set<std::string> unused_;
+    Topology made_;
+};
+
+} // namespace
+
+bool is_graph_file(const std::string& topology) {
+    const std::string ending = ending_of(topology);
+    return ending == ".graphml" || ending == ".dot" || ending == ".gv";
+}
+
+Topology topology_of_graph(const TopologyRequest& request, const Catalogue& catalogue) {
+    if (!request.size.empty() || request.branches || request.chord || request.degree)
+        throw UserError(fmt::format("{}: the file states the size and the wires; leave out --size, --branches, --chord "
+                                    "and --degree",
+                                    request.topology));
+    const auto file = load_graph_text(request.topology);
+    Graph graph = ending_of(request.topology) == ".graphml" ? read_graphml(file) : read_dot(file);
+    if (graph.nodes.empty())
+        refuse_graph(file, 0, "the graph has no nodes", "each node becomes a processor");
+    if (graph.directed)
+        join_directions(graph);
+    if (request.split) {
+        require_edges(graph, file, 2 * (links_of_a_node - 1),
+                      "two processors have six links beside the wire between them");
+        split_nodes(graph);
+    }
+    require_edges(graph, file, links_of_a_node,
+                  "a transputer has four links; --split builds such nodes from two processors each");
+    if (graph.nodes.size() > most_processors)
+        refuse_graph(file, 0, fmt::format("the graph has {} nodes", graph.nodes.size()),
+                     fmt::format("a generated machine has at most {} processors", most_processors));
+    return GraphTopology(graph, file, catalogue).make(request.topology);
+}
+
+} // namespace placedpar::generate

@@ -1,0 +1,156 @@
+#include "explore/generate/graph.hpp"
+#include "explore/generate/xml.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace placedpar::generate {
+
+namespace {
+
+std::string trimmed_text(const std::string& text) {
+    constexpr const char* blank = " \t\r\n";
+    const std::size_t first = text.find_first_not_of(blank);
+    return first == text.npos ? "" : text.substr(first, text.find_last_not_of(blank) + 1 - first);
+}
+
+class GraphmlReader {
+public:
+    explicit GraphmlReader(const std::shared_ptr<const SourceFile>& file) : file_(file), xml_(file), builder_(file) {}
+
+    Graph read() {
+        for (XmlPiece piece = xml_.next(); piece.kind != XmlPiece::Kind::nothing_more; piece = xml_.next())
+            take(piece);
+        if (!has_graph_)
+            refuse_graph(file_, 0, "the file has no element <graph>", "GraphML as networkx or yEd writes it");
+        for (Element& edge : edges_)
+            add_edge(edge);
+        for (GraphNode& node : builder_.graph().nodes)
+            add_defaults(node.attributes, "node");
+        return std::move(builder_.graph());
+    }
+
+private:
+    /// An element <node> or <edge>.
+    struct Element {
+        std::map<std::string, std::string> stated; ///< in its tag
+        std::size_t line = 0;
+        GraphAttributes attributes = {};
+        bool is_group = false; ///< a node with a graph inside
+    };
+    struct Key {
+        std::string of, name, by_default;
+    };
+
+    void take(const XmlPiece& piece) {
+        if (piece.kind == XmlPiece::Kind::begin)
+            begin(piece);
+        else if (piece.kind == XmlPiece::Kind::end)
+            end(piece);
+        else if (!inside_.empty())
+            text_ += piece.text;
+    }
+
+    /// Takes the text of a label, which may have elements behind the text.
+    void note_label() {
+        if (!inside_.empty() && inside_.back() == "NodeLabel" && !open_.empty() && !trimmed_text(text_).empty())
+            open_.back().attributes["label"] = trimmed_text(text_);
+        text_.clear();
+    }
+
+    void begin(const XmlPiece& piece) {
+        note_label();
+        inside_.push_back(piece.name);
+        if (piece.name == "key")
+            begin_key(piece);
+        else if (piece.name == "graph")
+            begin_graph(piece);
+        else if (piece.name == "hyperedge")
+            refuse_graph(file_, piece.line, "the graph has a <hyperedge>", "a wire joins two processors");
+        else if (piece.name == "node" || piece.name == "edge")
+            open_.push_back({piece.attributes, piece.line});
+        else if (piece.name == "data")
+            data_key_ = stated(piece, "key");
+    }
+
+    void begin_key(const XmlPiece& piece) {
+        key_ = &keys_[stated(piece, "id")];
+        *key_ = {stated(piece, "for"), stated(piece, "attr.name"), ""};
+    }
+
+    void begin_graph(const XmlPiece& piece) {
+        if (!std::exchange(has_graph_, true))
+            builder_.graph().directed = stated(piece, "edgedefault") == "directed";
+        if (!open_.empty())
+            open_.back().is_group = true;
+    }
+
+    static std::string stated(const XmlPiece& piece, const std::string& name) {
+        const auto found = piece.attributes.find(name);
+        return found == piece.attributes.end() ? "" : found->second;
+    }
+
+    void end(const XmlPiece& piece) {
+        if (piece.name == "default" && key_)
+            key_->by_default = trimmed_text(text_);
+        else if (piece.name == "data" && !open_.empty())
+            add_data();
+        else if (piece.name == "node" || piece.name == "edge")
+            end_element(piece.name);
+        note_label();
+        inside_.pop_back();
+    }
+
+    void add_data() {
+        const auto key = keys_.find(data_key_);
+        if (key != keys_.end() && !key->second.name.empty() && !trimmed_text(text_).empty())
+            open_.back().attributes[key->second.name] = trimmed_text(text_);
+    }
+
+    void end_element(const std::string& name) {
+        Element element = std::move(open_.back());
+        open_.pop_back();
+        if (name == "edge") {
+            edges_.push_back(std::move(element));
+        } else if (!element.is_group) {
+            const std::string id = element.stated["id"];
+            if (id.empty() || builder_.has(id))
+                refuse_graph(file_, element.line,
+                             id.empty() ? "a node has no id" : fmt::format("the node \"{}\" is listed twice", id));
+            builder_.graph().nodes.at(builder_.node(id, element.line)).attributes = std::move(element.attributes);
+        }
+    }
+
+    void add_edge(Element& edge) {
+        add_defaults(edge.attributes, "edge");
+        for (const char* end : {"source", "target"})
+            if (!builder_.has(edge.stated[end]))
+                refuse_graph(file_, edge.line,
+                             fmt::format("the edge's {} \"{}\" is not a node", end, edge.stated[end]));
+        builder_.add_edge({builder_.node(edge.stated["source"], edge.line),
+                           builder_.node(edge.stated["target"], edge.line), std::move(edge.attributes), edge.line});
+    }
+
+    void add_defaults(GraphAttributes& attributes, const std::string& of) const {
+        for (const auto& [id, key] : keys_)
+            if (!key.by_default.empty() && !key.name.empty() && (key.of == of || key.of == "all"))
+                attributes.emplace(key.name, key.by_default);
+    }
+
+    std::shared_ptr<const SourceFile> file_;
+    XmlReader xml_;
+    GraphBuilder builder_;
+    std::map<std::string, Key> keys_;
+    Key* key_ = nullptr; ///< the latest
+    std::vector<std::string> inside_;
+    std::vector<Element> open_, edges_;
+    std::string text_, data_key_;
+    bool has_graph_ = false;
+};
+
+} // namespace
+
+Graph read_graphml(const std::shared_ptr<const SourceFile>& file) { return GraphmlReader(file).read(); }
+
+} // namespace placedpar::generate
