@@ -37,7 +37,8 @@ double distance_after_20200_evaluations() {
         const FrontResult found = search_front(*problem, 100, settings, RandomStream(seed, Problem::name));
         REQUIRE(found.evaluations == 20200);
         for (const FrontIndividual& each : found.front)
-            sum += (Problem::distance(std::span(each.parameters).subspan(1)) - 1) / static_cast<double>(found.front.size());
+            sum += (Problem::distance(std::span(each.parameters).subspan(1)) - 1) /
+                   static_cast<double>(found.front.size());
     }
     return sum / 10;
 }
