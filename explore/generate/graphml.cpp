@@ -1,152 +1,169 @@
 #include "explore/generate/graph.hpp"
-#include "explore/generate/xml.hpp"
 
+#include <boost/property_tree/xml_parser.hpp>
 #include <fmt/format.h>
 
+#include <sstream>
 #include <utility>
 
 namespace placedpar::generate {
 
 namespace {
 
-std::string trimmed_text(const std::string& text) {
-    constexpr const char* blank = " \t\r\n";
-    const std::size_t first = text.find_first_not_of(blank);
-    return first == text.npos ? "" : text.substr(first, text.find_last_not_of(blank) + 1 - first);
+using Tree = boost::property_tree::ptree;
+
+/// Moves `at` behind `end`; to the end of the text if it is not there.
+void skip_to(std::string_view text, std::size_t& at, std::string_view end) {
+    const std::size_t found = text.find(end, at);
+    at = found == text.npos ? text.size() : found + end.size();
+}
+
+/// Moves `at` behind a tag, which may have ">" in quotes. Returns whether the tag also ends its element.
+bool skip_tag(std::string_view text, std::size_t& at) {
+    char quote = '\0';
+    for (; at < text.size() && (quote != '\0' || text[at] != '>'); ++at)
+        if (text[at] == '"' || text[at] == '\'')
+            quote = quote == '\0' ? text[at] : quote == text[at] ? '\0' : quote;
+    return text[at - 1] == '/';
+}
+
+/// Refuses a text that would make the parser, which calls itself for each element, run out of stack.
+void require_harmless(const std::shared_ptr<const SourceFile>& file) {
+    const std::string_view text = file->text();
+    std::size_t depth = 0;
+    for (std::size_t at = text.find('<'); at < text.size(); at = text.find('<', at)) {
+        const std::string_view left = text.substr(at);
+        if (left.starts_with("<!DOCTYPE") && left.substr(0, left.find('>')).find('[') != left.npos)
+            refuse_graph(file, 0, "the document type declares entities or elements",
+                         "a graph in GraphML needs no declarations");
+        if (left.starts_with("<!--"))
+            skip_to(text, at, "-->");
+        else if (left.starts_with("<![CDATA["))
+            skip_to(text, at, "]]>");
+        else if (left.starts_with("<?"))
+            skip_to(text, at, "?>");
+        else if (left.starts_with("<!") || left.starts_with("</"))
+            skip_to(text, at, ">");
+        else
+            depth += skip_tag(text, ++at) ? 0U : 1U;
+        if (left.starts_with("</") && depth > 0)
+            --depth;
+        if (depth > deepest_graph)
+            refuse_graph(file, 0, fmt::format("the elements are nested deeper than {} levels", deepest_graph));
+    }
+}
+
+Tree tree_of(const std::shared_ptr<const SourceFile>& file) {
+    require_harmless(file);
+    Tree tree;
+    std::istringstream in(file->text());
+    try {
+        read_xml(in, tree, boost::property_tree::xml_parser::trim_whitespace);
+    } catch (const boost::property_tree::xml_parser_error& error) {
+        refuse_graph(file, error.line(), "the file is not XML: " + error.message(),
+                     "GraphML as networkx or yEd writes it");
+    }
+    return tree;
+}
+
+/// Returns an attribute in the tag of an element; "" if it is not there.
+std::string stated(const Tree& element, const std::string& name) {
+    const auto attributes = element.find("<xmlattr>");
+    if (attributes == element.not_found())
+        return "";
+    const auto found = attributes->second.find(name);
+    return found == attributes->second.not_found() ? "" : found->second.data();
+}
+
+/// Returns the text of the first label that yEd draws at a node; "" if there is none.
+std::string label_in(const Tree& element) {
+    for (const auto& [name, child] : element) {
+        const std::string label = name.ends_with(":NodeLabel") ? child.data() : label_in(child);
+        if (!label.empty())
+            return label;
+    }
+    return "";
 }
 
 class GraphmlReader {
 public:
-    explicit GraphmlReader(const std::shared_ptr<const SourceFile>& file) : file_(file), xml_(file), builder_(file) {}
+    explicit GraphmlReader(const std::shared_ptr<const SourceFile>& file) : file_(file), builder_(file) {}
 
     Graph read() {
-        for (XmlPiece piece = xml_.next(); piece.kind != XmlPiece::Kind::nothing_more; piece = xml_.next())
-            take(piece);
-        if (!has_graph_)
+        const Tree document = tree_of(file_), none;
+        const Tree& top = document.get_child("graphml", none);
+        for (const auto& [name, child] : top)
+            if (name == "key")
+                keys_[stated(child, "id")] = {stated(child, "for"), stated(child, "attr.name"),
+                                              child.get("default", "")};
+        if (top.count("graph") == 0)
             refuse_graph(file_, 0, "the file has no element <graph>", "GraphML as networkx or yEd writes it");
-        for (Element& edge : edges_)
-            add_edge(edge);
-        for (GraphNode& node : builder_.graph().nodes)
-            add_defaults(node.attributes, "node");
+        const Tree& graph = top.get_child("graph");
+        builder_.graph().directed = stated(graph, "edgedefault") == "directed";
+        read_nodes(graph);
+        read_edges(graph);
         return std::move(builder_.graph());
     }
 
 private:
-    /// An element <node> or <edge>.
-    struct Element {
-        std::map<std::string, std::string> stated; ///< in its tag
-        std::size_t line = 0;
-        GraphAttributes attributes = {};
-        bool is_group = false; ///< a node with a graph inside
-    };
     struct Key {
         std::string of, name, by_default;
     };
 
-    void take(const XmlPiece& piece) {
-        if (piece.kind == XmlPiece::Kind::begin)
-            begin(piece);
-        else if (piece.kind == XmlPiece::Kind::end)
-            end(piece);
-        else if (!inside_.empty())
-            text_ += piece.text;
-    }
-
-    /// Takes the text of a label, which may have elements behind the text.
-    void note_label() {
-        if (!inside_.empty() && inside_.back() == "NodeLabel" && !open_.empty() && !trimmed_text(text_).empty())
-            open_.back().attributes["label"] = trimmed_text(text_);
-        text_.clear();
-    }
-
-    void begin(const XmlPiece& piece) {
-        note_label();
-        inside_.push_back(piece.name);
-        if (piece.name == "key")
-            begin_key(piece);
-        else if (piece.name == "graph")
-            begin_graph(piece);
-        else if (piece.name == "hyperedge")
-            refuse_graph(file_, piece.line, "the graph has a <hyperedge>", "a wire joins two processors");
-        else if (piece.name == "node" || piece.name == "edge")
-            open_.push_back({piece.attributes, piece.line});
-        else if (piece.name == "data")
-            data_key_ = stated(piece, "key");
-    }
-
-    void begin_key(const XmlPiece& piece) {
-        key_ = &keys_[stated(piece, "id")];
-        *key_ = {stated(piece, "for"), stated(piece, "attr.name"), ""};
-    }
-
-    void begin_graph(const XmlPiece& piece) {
-        if (!std::exchange(has_graph_, true))
-            builder_.graph().directed = stated(piece, "edgedefault") == "directed";
-        if (!open_.empty())
-            open_.back().is_group = true;
-    }
-
-    static std::string stated(const XmlPiece& piece, const std::string& name) {
-        const auto found = piece.attributes.find(name);
-        return found == piece.attributes.end() ? "" : found->second;
-    }
-
-    void end(const XmlPiece& piece) {
-        if (piece.name == "default" && key_)
-            key_->by_default = trimmed_text(text_);
-        else if (piece.name == "data" && !open_.empty())
-            add_data();
-        else if (piece.name == "node" || piece.name == "edge")
-            end_element(piece.name);
-        note_label();
-        inside_.pop_back();
-    }
-
-    void add_data() {
-        const auto key = keys_.find(data_key_);
-        if (key != keys_.end() && !key->second.name.empty() && !trimmed_text(text_).empty())
-            open_.back().attributes[key->second.name] = trimmed_text(text_);
-    }
-
-    void end_element(const std::string& name) {
-        Element element = std::move(open_.back());
-        open_.pop_back();
-        if (name == "edge") {
-            edges_.push_back(std::move(element));
-        } else if (!element.is_group) {
-            const std::string id = element.stated["id"];
+    /// Reads nodes; in place of a group, reads the nodes inside it.
+    void read_nodes(const Tree& graph) {
+        for (const auto& [name, child] : graph) {
+            if (name == "hyperedge")
+                refuse_graph(file_, 0, "the graph has a <hyperedge>", "a wire joins two processors");
+            if (name != "node")
+                continue;
+            if (child.count("graph") > 0) {
+                read_nodes(child.get_child("graph"));
+                continue;
+            }
+            const std::string id = stated(child, "id");
             if (id.empty() || builder_.has(id))
-                refuse_graph(file_, element.line,
+                refuse_graph(file_, 0,
                              id.empty() ? "a node has no id" : fmt::format("the node \"{}\" is listed twice", id));
-            builder_.graph().nodes.at(builder_.node(id, element.line)).attributes = std::move(element.attributes);
+            GraphAttributes attributes = data_of(child, "node");
+            if (std::string label = label_in(child); !label.empty())
+                attributes["label"] = std::move(label);
+            builder_.graph().nodes.at(builder_.node(id, 0)).attributes = std::move(attributes);
         }
     }
 
-    void add_edge(Element& edge) {
-        add_defaults(edge.attributes, "edge");
-        for (const char* end : {"source", "target"})
-            if (!builder_.has(edge.stated[end]))
-                refuse_graph(file_, edge.line,
-                             fmt::format("the edge's {} \"{}\" is not a node", end, edge.stated[end]));
-        builder_.add_edge({builder_.node(edge.stated["source"], edge.line),
-                           builder_.node(edge.stated["target"], edge.line), std::move(edge.attributes), edge.line});
+    void read_edges(const Tree& graph) {
+        for (const auto& [name, child] : graph)
+            if (name == "edge")
+                builder_.add_edge({end_of(child, "source"), end_of(child, "target"), data_of(child, "edge")});
+            else if (name == "node" && child.count("graph") > 0)
+                read_edges(child.get_child("graph"));
     }
 
-    void add_defaults(GraphAttributes& attributes, const std::string& of) const {
+    std::size_t end_of(const Tree& edge, const char* end) {
+        const std::string node = stated(edge, end);
+        if (!builder_.has(node))
+            refuse_graph(file_, 0, fmt::format("the edge's {} \"{}\" is not a node", end, node));
+        return builder_.node(node, 0);
+    }
+
+    /// Returns the data of a node or an edge, with defaults.
+    GraphAttributes data_of(const Tree& element, const std::string& of) const {
+        GraphAttributes attributes;
+        for (const auto& [name, child] : element)
+            if (const auto key = keys_.find(stated(child, "key"));
+                name == "data" && key != keys_.end() && !child.data().empty())
+                attributes[key->second.name] = child.data();
         for (const auto& [id, key] : keys_)
-            if (!key.by_default.empty() && !key.name.empty() && (key.of == of || key.of == "all"))
+            if (!key.by_default.empty() && (key.of == of || key.of == "all"))
                 attributes.emplace(key.name, key.by_default);
+        attributes.erase(""); // data that only yEd uses
+        return attributes;
     }
 
     std::shared_ptr<const SourceFile> file_;
-    XmlReader xml_;
     GraphBuilder builder_;
     std::map<std::string, Key> keys_;
-    Key* key_ = nullptr; ///< the latest
-    std::vector<std::string> inside_;
-    std::vector<Element> open_, edges_;
-    std::string text_, data_key_;
-    bool has_graph_ = false;
 };
 
 } // namespace

@@ -138,11 +138,18 @@ TEST_CASE("hostile graphs are refused in words") {
     for (int i = 0; i < 100'000; ++i)
         nested += "<a>";
     CHECK(refuses(graphml_of, nested, "nested deeper than 64"));
+    nested = "<graphml>";
+    for (int i = 0; i < 100'000; ++i)
+        nested += "<a><!-- </a> --><![CDATA[</a>]]><? </a> ?>";
+    CHECK(refuses(graphml_of, nested, "nested deeper than 64"));
+    nested = "<graphml>";
+    for (int i = 0; i < 100'000; ++i)
+        nested += "<a b='/></a>' c=\"</a>\">";
+    CHECK(refuses(graphml_of, nested, "nested deeper than 64"));
     CHECK(refuses(graphml_of, "<!DOCTYPE g [<!ENTITY a \"&b;&b;\">]><graphml><graph/></graphml>", "declares entities"));
-    CHECK(refuses(graphml_of, "<graphml><graph><node id=\"&a;\"/></graph></graphml>", "entity \"&a;\" is not known"));
-    CHECK(refuses(graphml_of, "<graphml><graph><node id='&#x110000;'/></graph></graphml>", "is not known"));
-    CHECK(refuses(graphml_of, "<graphml><graph></graphml>", "</graphml> closes an element that is not open"));
-    CHECK(refuses(graphml_of, "<graphml><graph>", "<graph> is not closed"));
+    CHECK(refuses(graphml_of, "<graphml><graph><node id='&#x110000;'/></graph></graphml>", "the file is not XML"));
+    CHECK(refuses(graphml_of, "<graphml><graph>", "the file is not XML"));
+    CHECK(refuses(graphml_of, "<graphml><graph><node id=a/></graph></graphml>", "the file is not XML"));
     CHECK(
         refuses(graphml_of, "<graphml><graph><edge source='a' target='b'/></graph></graphml>", "\"a\" is not a node"));
     CHECK(refuses(graphml_of, "<graphml><graph><hyperedge/></graph></graphml>", "<hyperedge>"));
