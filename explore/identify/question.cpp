@@ -1,4 +1,4 @@
-#include "app/identify/question.hpp"
+#include "explore/identify/question.hpp"
 
 #include "identification/compliance_search.hpp"
 #include "identification/offset_calibration.hpp"
@@ -18,13 +18,31 @@ namespace placedpar {
 using namespace hydraulics;
 using namespace identification;
 
-std::optional<AreasFrom> areas_asked(const IdentifyOptions& options) {
-    if (options.areas.empty())
-        return std::nullopt;
-    return options.areas == "spool" ? AreasFrom::spool : options.areas == "servo" ? AreasFrom::servo : AreasFrom::areas;
+LinkSet links_of(const std::string& text) {
+    LinkSet links;
+    for (std::size_t start = 0, end = 0; end != std::string::npos; start = end + 1) {
+        end = text.find(',', start);
+        std::string name = text.substr(start, end - start);
+        auto link = link_named(name);
+        if (!link)
+            throw UserError(
+                fmt::format("--link {}: unknown link \"{}\"; the links are bucket, boom, stick and swing", text, name));
+        if (links.contains(*link))
+            throw UserError(fmt::format("--link {}: {} is named twice", text, name_of(*link)));
+        links.insert(*link);
+    }
+    return links;
 }
 
-Side side_asked(const IdentifyOptions& options) { return options.side == "outlet" ? Side::outlet : Side::inlet; }
+std::optional<AreasFrom> areas_asked(const IdentifySettings& settings) {
+    if (settings.areas.empty())
+        return std::nullopt;
+    return settings.areas == "spool"   ? AreasFrom::spool
+           : settings.areas == "servo" ? AreasFrom::servo
+                                       : AreasFrom::areas;
+}
+
+Side side_asked(const IdentifySettings& settings) { return settings.side == "outlet" ? Side::outlet : Side::inlet; }
 
 double offset_asked(const std::string& text) {
     std::optional<double> inches = parse_number<double>(text);
@@ -34,8 +52,8 @@ double offset_asked(const std::string& text) {
     return *inches;
 }
 
-RecordNeeds needs_of(const IdentifyOptions& options, std::function<LinkSet(const ChannelSet&)> links) {
-    auto needed = [asked = areas_asked(options), side = side_asked(options),
+RecordNeeds needs_of(const IdentifySettings& settings, std::function<LinkSet(const ChannelSet&)> links) {
+    auto needed = [asked = areas_asked(settings), side = side_asked(settings),
                    links = std::move(links)](const ChannelSet& there) {
         ChannelSet needed;
         for (Link link : links_of(links(there)))
@@ -45,7 +63,7 @@ RecordNeeds needs_of(const IdentifyOptions& options, std::function<LinkSet(const
                     needed.insert(link, sensor);
         return needed;
     };
-    return {needed, options.missing == "skip"};
+    return {needed, settings.missing == "skip"};
 }
 
 boost::json::object sampling_json(const Sampling& sampling) {
