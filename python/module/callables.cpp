@@ -1,5 +1,6 @@
 #include "python/module/callables.hpp"
 
+#include "python/module/given.hpp"
 #include "text/user_error.hpp"
 
 #include <pybind11/numpy.h>
@@ -166,7 +167,7 @@ Own own_policy(const std::string& step, const py::object& function, const Policy
     policy.failure = failure;
     policy.step = step;
     if (number && py::hasattr(function, attribute))
-        policy.*number = function.attr(attribute).cast<std::size_t>();
+        policy.*number = given<std::size_t>(function.attr(attribute), attribute);
     return Own(policy);
 }
 
@@ -184,9 +185,11 @@ Step step_of(const std::string& step, const py::object& policy, const PolicyFail
 void add_policies(py::module_& module) {
     py::class_<LentRandom, std::shared_ptr<LentRandom>>(module, "LentRandom")
         .def("uniform", [](const LentRandom& random) { return random.stream().uniform(); })
-        .def("below", [](const LentRandom& random, std::uint32_t n) { return random.stream().below(n); })
+        .def("below", [](const LentRandom& random, Given<std::uint32_t, "n"> n) { return random.stream().below(n); })
         .def("normal", [](const LentRandom& random) { return random.stream().normal(); })
-        .def("chance", [](const LentRandom& random, double chance) { return random.stream().chance(chance); });
+        .def("chance", [](const LentRandom& random, Given<double, "probability"> probability) {
+            return random.stream().chance(probability);
+        });
 }
 
 void set_policy(IslandsSettings& settings, const std::string& step, const py::object& policy,
@@ -209,11 +212,8 @@ void set_policy(IslandsSettings& settings, const std::string& step, const py::ob
     else if (step == "emigration")
         settings.emigration =
             step_of<Emigration, OwnEmigration>(step, policy, failure, &CallableEmigration::count, "count");
-    else if (step == "acceptance")
-        settings.acceptance = step_of<Acceptance, OwnAcceptance, CallableAcceptance>(step, policy, failure);
     else
-        throw UserError("a search has no policy \"" + step +
-                        "\": expected reproduction, crossover, mutation, topology, schedule, emigration or acceptance");
+        settings.acceptance = step_of<Acceptance, OwnAcceptance, CallableAcceptance>(step, policy, failure);
 }
 
 } // namespace placedpar::python

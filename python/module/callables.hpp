@@ -12,7 +12,7 @@ using PolicyFailure = std::shared_ptr<SharedObject>;
 void add_policies(pybind11::module_&);
 
 /// Sets a policy of the settings from its name in a netlist, such as "tournament(3)", or from a function in Python.
-/// REQUIRES: the caller holds the lock whenever the policy is used. Throws UserError for an unknown step.
+/// REQUIRES: the step is one of placedpar.search(); the caller holds the lock whenever the policy is used.
 void set_policy(IslandsSettings&, const std::string& step, const pybind11::object& policy, const PolicyFailure&);
 
 } // namespace placedpar::python

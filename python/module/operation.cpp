@@ -1,6 +1,7 @@
 #include "python/module/operation.hpp"
 
 #include "netlist/kinds/packet.hpp"
+#include "python/module/given.hpp"
 #include "runtime/kernel.hpp"
 #include "runtime/random.hpp"
 #include "runtime/timer.hpp"
@@ -39,16 +40,22 @@ void add_clock(pybind11::module_& module) {
     module.def("now_ps", [] { return Kernel::here().now().count(); });
     module.def("clock", [] { return (Kernel::here(), Timer().read()); });
     pybind11::class_<RandomStream>(module, "RandomStream")
-        .def(pybind11::init<std::uint64_t, std::string_view>())
+        .def(pybind11::init([](Given<std::uint64_t, "seed"> seed, const Given<std::string, "name">& name) {
+            return RandomStream(seed, name.value);
+        }))
         .def("uniform", &RandomStream::uniform, "A number uniform in [0, 1).")
-        .def("below", &RandomStream::below, "A whole number uniform in 0 ... n - 1.")
+        .def(
+            "below", [](RandomStream& random, Given<std::uint32_t, "n"> n) { return random.below(n); },
+            "A whole number uniform in 0 ... n - 1.")
         .def("normal", &RandomStream::normal, "A number from the standard normal distribution.")
-        .def("chance", &RandomStream::chance, "True with this probability.");
+        .def(
+            "chance", [](RandomStream& random, Given<double, "probability"> p) { return random.chance(p); },
+            "True with this probability.");
 }
 
 void add_messages(pybind11::module_& module) {
     pybind11::class_<Packet>(module, "Packet")
-        .def(pybind11::init([](std::int64_t number, std::uint32_t bytes) {
+        .def(pybind11::init([](Given<std::int64_t, "number"> number, Given<std::uint32_t, "bytes"> bytes) {
                  return Packet{number, bytes};
              }),
              pybind11::arg("number") = 0, pybind11::arg("bytes") = 4)
@@ -78,11 +85,12 @@ void add_operations(pybind11::module_& module) {
     add_messages(module);
     add_clock(module);
     pybind11::class_<Operation>(module, "Operation");
-    module.def("compute",
-               [](std::int64_t cycles, std::int64_t words) { return with_number(Kind::compute, cycles, words); });
+    module.def("compute", [](Given<std::int64_t, "cycles"> cycles, Given<std::int64_t, "words_outside"> words) {
+        return with_number(Kind::compute, cycles, words);
+    });
     module.def("wait", [](std::int64_t ps) { return with_number(Kind::wait, ps); });
     module.def("until", [](std::int64_t ps) { return with_number(Kind::until, ps); });
-    module.def("after", [](std::int32_t ticks) { return with_number(Kind::after, ticks); });
+    module.def("after", [](Given<std::int32_t, "ticks"> ticks) { return with_number(Kind::after, ticks); });
     module.def("stop", [] { return with_number(Kind::stop, 0); });
     module.def("skip", [] { return with_number(Kind::skip, 0); });
     module.def("never", [] { return with_number(Kind::never, 0); });

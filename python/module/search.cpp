@@ -6,6 +6,7 @@
 #include "gaprocs/objective_problem.hpp"
 #include "gaprocs/usual_settings.hpp"
 #include "python/module/callables.hpp"
+#include "python/module/given.hpp"
 #include "python/module/signals.hpp"
 #include "report/search_log.hpp"
 #include "text/user_error.hpp"
@@ -128,12 +129,25 @@ py::dict dict_of(const SearchProblem& problem, const SearchResult& found) {
     return described;
 }
 
+struct SearchOptions {
+    std::size_t islands, generations;
+    std::uint64_t seed;
+    std::string coding;
+    py::dict numbers, policies;
+    py::object progress;
+};
+
 /// Keeps the log, and lets Ctrl-C, the end of Python and other threads come between two generations.
 class HeedfulLog final : public SearchObserver {
 public:
-    explicit HeedfulLog(std::size_t islands) : log(island_names(islands)) {}
+    /// `progress` is None, or is called with the numbers of generations that all islands have made and will make.
+    explicit HeedfulLog(const SearchOptions& options)
+        : log(island_names(options.islands)), progress_(options.progress), all_(options.islands * options.generations) {
+    }
     void observe(const ObservedGeneration& event) override {
         log.observe(event);
+        if (!progress_.is_none())
+            progress_(++made_, all_);
         { const py::gil_scoped_release turn_of_other_threads; }
         if (PyErr_CheckSignals() != 0)
             throw py::error_already_set();
@@ -146,6 +160,8 @@ public:
     GenerationLog log;
 
 private:
+    py::object progress_;
+    std::size_t made_ = 0, all_;
     InterruptedByKeyboard interruption_{false};
 };
 
@@ -158,25 +174,17 @@ IslandsResult run(const SearchProblem& problem, const RecordedProblem* recorded,
     return run_islands(problem, generations, settings, std::move(streams), &observer);
 }
 
-struct SearchOptions {
-    std::size_t islands, generations;
-    std::uint64_t seed;
-    std::string coding;
-    py::dict numbers, policies;
-};
-
 IslandsSettings settings_of(const SearchProblem& problem, const SearchOptions& options, const PolicyFailure& failure) {
     SearchSettings island = usual_settings(problem);
     for (const auto& [name, number] : options.numbers) {
         const auto key = name.cast<std::string>();
         if (key == "population")
-            island.population = number.cast<std::size_t>();
+            island.population = given<std::size_t>(number, "population");
         else if (key == "elite")
-            island.elite = number.cast<std::size_t>();
-        else if (key == "crossover_probability")
-            island.crossover_probability = number.cast<double>();
-        else if (key == "mutation_probability")
-            island.mutation_probability = number.cast<double>();
+            island.elite = given<std::size_t>(number, "elite");
+        else
+            (key == "crossover_probability" ? island.crossover_probability : island.mutation_probability) =
+                given<double>(number, key.c_str());
     }
     IslandsSettings settings;
     settings.islands.assign(options.islands, island);
@@ -189,7 +197,7 @@ py::dict search(const SearchProblem& coded, const RecordedProblem* recorded, con
     const auto problem = coded.coded(Coding::named(options.coding));
     const auto failure = std::make_shared<SharedObject>();
     const IslandsSettings settings = settings_of(*problem, options, failure);
-    HeedfulLog observer(options.islands);
+    HeedfulLog observer(options);
     try {
         const IslandsResult result = run(*problem, recorded, options.generations, settings, options.seed, observer);
         py::list islands;
@@ -211,19 +219,17 @@ py::dict search(const SearchProblem& coded, const RecordedProblem* recorded, con
 
 void add_searches(py::module_& module) {
     add_policies(module);
-    module.def("search_function",
-               [](const py::object& function, const Bounds& bounds, const std::vector<std::size_t>& bits,
-                  bool maximises, std::size_t islands, std::size_t generations, std::uint64_t seed, std::string coding,
-                  py::dict numbers, py::dict policies) {
-                   return search(*problem_of(function, bounds, bits, maximises), nullptr,
-                                 {islands, generations, seed, std::move(coding), numbers, policies});
-               });
-    module.def("search_problem", [](const std::string& name, std::size_t islands, std::size_t generations,
-                                    std::uint64_t seed, std::string coding, py::dict numbers, py::dict policies) {
+    module.def("search", [](const py::object& problem, const Bounds& bounds, const std::vector<std::size_t>& bits,
+                            bool maximises, Given<std::size_t, "islands"> islands,
+                            Given<std::size_t, "generations"> generations, std::uint64_t seed,
+                            Given<std::string, "coding"> coding, py::dict numbers, py::dict policies,
+                            py::object progress) {
+        const SearchOptions options{islands, generations, seed, coding, numbers, policies, std::move(progress)};
+        if (!py::isinstance<py::str>(problem))
+            return search(*problem_of(problem, bounds, bits, maximises), nullptr, options);
         const ProblemRegistry problems = known_problems(seed);
-        const RecordedProblem& recorded = problems.find(name);
-        return search(*recorded.problem(), &recorded,
-                      {islands, generations, seed, std::move(coding), numbers, policies});
+        const RecordedProblem& recorded = problems.find(problem.cast<std::string>());
+        return search(*recorded.problem(), &recorded, options);
     });
 }
 

@@ -123,6 +123,11 @@ class Searches(unittest.TestCase):
         self.assertEqual(list(least.x), list(most.x))
         self.assertEqual(least.value, -most.value)
 
+    def test_progress_counts_the_generations_of_all_islands(self):
+        told = []
+        pp.search(sphere, BOX, islands=2, generations=5, population=10, progress=lambda *made: told.append(made))
+        self.assertEqual(told, [(i + 1, 10) for i in range(10)])
+
     def test_errors_say_what_would_be_right(self):
         for message, arguments in (
                 ("did you mean \"tournament\"", {"reproduction": "tournamnet"}),
@@ -144,6 +149,10 @@ class Searches(unittest.TestCase):
         self.assertIn("value nan", repr(pp.search(lambda rows: numpy.full(len(rows), numpy.nan), BOX, generations=2)))
         with self.assertRaisesRegex(TypeError, "needs bounds"):
             pp.search(sphere)
+        for message, wrong in (("islands is 'x', expected a whole number", {"islands": "x"}),
+                               ("population is 1.5", {"population": 1.5}), ("coding is 5", {"coding": 5})):
+            with self.assertRaisesRegex(TypeError, message):
+                pp.search(sphere, BOX, **wrong)
 
 
 if __name__ == "__main__":
