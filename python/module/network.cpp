@@ -170,6 +170,25 @@ void set_places(RunReport& report, const std::map<std::string, std::string>& pla
                 process.where = found->second;
 }
 
+void add_runs(py::module_& module) {
+    py::class_<RunClock, std::shared_ptr<RunClock>>(module, "Clock")
+        .def(py::init<>())
+        .def_property_readonly("picoseconds", [](const RunClock& clock) { return clock.picoseconds.load(); });
+    py::class_<FinishedRun>(module, "Run")
+        .def_property_readonly("fingerprint", [](const FinishedRun& run) { return run.report.result.fingerprint; })
+        .def_property_readonly("outcome",
+                               [](const FinishedRun& run) { return std::string(name_of(run.report.result.ending)); })
+        .def_property_readonly("time_ps", [](const FinishedRun& run) { return run.report.result.time.count(); })
+        .def_property_readonly("events", [](const FinishedRun& run) { return run.report.result.events; })
+        .def("log_csv",
+             [](const FinishedRun& run) {
+                 return log_csv(std::vector<SeededLog>{{run.options.seed, run.log}});
+             })
+        .def("deadlock_text", [](const FinishedRun& run) {
+            return run.report.result.deadlock ? run.report.result.deadlock->text() : "";
+        });
+}
+
 } // namespace
 
 py::list as_dicts(const std::vector<Diagnostic>& diagnostics) {
@@ -258,22 +277,7 @@ RunReport LoadedNetwork::run_unlocked(const RunSettings& settings, const RunOpti
 }
 
 void add_networks(py::module_& module) {
-    py::class_<RunClock, std::shared_ptr<RunClock>>(module, "Clock")
-        .def(py::init<>())
-        .def_property_readonly("picoseconds", [](const RunClock& clock) { return clock.picoseconds.load(); });
-    py::class_<FinishedRun>(module, "Run")
-        .def_property_readonly("fingerprint", [](const FinishedRun& run) { return run.report.result.fingerprint; })
-        .def_property_readonly("outcome",
-                               [](const FinishedRun& run) { return std::string(name_of(run.report.result.ending)); })
-        .def_property_readonly("time_ps", [](const FinishedRun& run) { return run.report.result.time.count(); })
-        .def_property_readonly("events", [](const FinishedRun& run) { return run.report.result.events; })
-        .def("log_csv",
-             [](const FinishedRun& run) {
-                 return log_csv(std::vector<SeededLog>{{run.options.seed, run.log}});
-             })
-        .def("deadlock_text", [](const FinishedRun& run) {
-            return run.report.result.deadlock ? run.report.result.deadlock->text() : "";
-        });
+    add_runs(module);
     py::class_<LoadedNetwork, std::shared_ptr<LoadedNetwork>>(module, "Network")
         .def(py::init([](std::string file, std::string text, bool is_file, Overrides set,
                          std::vector<std::string> include, std::vector<std::string> faults, ProgramKinds use,

@@ -1,5 +1,6 @@
 """Networks that are built in Python, without a netlist's text: each call adds a statement of a netlist."""
 
+import keyword
 import re
 from typing import Any, Optional, Union
 
@@ -40,7 +41,7 @@ class Port:
 
 
 class Part:
-    """A node or a process of a network that is built. Its attributes are its ports, whatever their names."""
+    """A node or a process of a network that is built. Its attributes are its ports; the port `in` is `in_`."""
 
     def __init__(self, name: str, on: "Optional[Part]" = None) -> None:
         self._name = name
@@ -49,7 +50,8 @@ class Part:
     def __getattr__(self, port: str) -> Port:
         if port.startswith("_"):
             raise AttributeError(port)
-        return Port(self, f"{self._name}.{port}")
+        is_keyword = port.endswith("_") and keyword.iskeyword(port[:-1])
+        return Port(self, f"{self._name}.{port[:-1] if is_keyword else port}")
 
     def __repr__(self) -> str:
         return f"<placedpar.Part {self._name}>"

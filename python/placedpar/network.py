@@ -57,34 +57,34 @@ def setting(value: Any) -> str:
     return value if isinstance(value, str) else str(value)
 
 
-class Drawing:
-    """A drawing in SVG, which a notebook shows. `text` is the SVG."""
+class _Shown:
+    """What a notebook shows. `text` is its text."""
 
     def __init__(self, text: str) -> None:
         self.text = text
 
-    def _repr_svg_(self) -> str:
-        return self.text
-
     def save(self, path: FilePath) -> None:
-        """Writes the drawing to a file."""
+        """Writes the text to a file, which a browser opens without the internet."""
         Path(path).write_text(self.text, encoding="utf-8")
 
 
-class Page:
+class Drawing(_Shown):
+    """A drawing in SVG, which a notebook shows. `text` is the SVG."""
+
+    def _repr_svg_(self) -> str:
+        return self.text
+
+
+class Page(_Shown):
     """The page of a run in HTML, which a notebook shows in a frame. `text` is the HTML."""
 
     def __init__(self, text: str, height: int) -> None:
-        self.text = text
+        super().__init__(text)
         self.height = height
 
     def _repr_html_(self) -> str:
         return (f'<iframe srcdoc="{html.escape(self.text)}" width="100%" height="{self.height}" '
                 'style="border: 1px solid #ccc"></iframe>')
-
-    def save(self, path: FilePath) -> None:
-        """Writes the page to a file, which a browser opens without the internet."""
-        Path(path).write_text(self.text, encoding="utf-8")
 
 
 class Run:
@@ -220,14 +220,18 @@ class Network(Statements):
         seed: of all random numbers. until: latest end, in seconds or as "20ms". shuffle: a seed with which ready
         processes run in a random order. progress: a function that is called with the virtual time and the latest end in
         seconds (None if there is none), on another thread; False: no line of progress on a terminal or in a notebook.
-        The virtual time is that of the latest generation of a search, or step of a process in Python. Raises Deadlock, ProcessError, and Error for a run that
+        The time is that of the latest generation of a search, or step of a process in Python; a run without them tells
+        only its end. Raises Deadlock, ProcessError, and Error for a run that
         cannot be made.
         """
         order = None if shuffle is None else seed_of(shuffle, "shuffle")
-        end, clock = limit(until), _core.Clock()
+        end_ps, clock = limit(until), _core.Clock()
+        end = None if end_ps is None else end_ps / 1e12
         with progress_of(progress, "{} of {} s of virtual time") as tell:
-            with watched(tell, lambda: clock.picoseconds / 1e12, None if end is None else end / 1e12):
-                core = self._core.run(seed_of(seed), end, order, is_main_thread(), clock if tell else None)
+            with watched(tell, lambda: clock.picoseconds / 1e12, end):
+                core = self._core.run(seed_of(seed), end_ps, order, is_main_thread(), clock if tell else None)
+            if tell:
+                tell(core.time_ps / 1e12, end)
         run = Run(self._core, core)
         if core.outcome == "deadlock":
             raise Deadlock(core.deadlock_text(), run)

@@ -66,7 +66,7 @@ def progress_of(option: ProgressOption, what: str) -> Iterator[Optional[Told]]:
 
 @contextlib.contextmanager
 def watched(tell: Optional[Told], done: Callable[[], float], of: Optional[float]) -> Iterator[None]:
-    """Tells how much is done in each fifth of a second, from a thread of its own, and at the end."""
+    """Tells how much is done in each fifth of a second, from a thread of its own."""
     if tell is None:
         yield
         return
@@ -74,7 +74,8 @@ def watched(tell: Optional[Told], done: Callable[[], float], of: Optional[float]
 
     def watch(told: Told) -> None:
         while not over.wait(0.2):
-            told(done(), of)
+            if done() > 0:
+                told(done(), of)
     thread = threading.Thread(target=watch, args=(tell,), daemon=True)
     thread.start()
     try:
@@ -82,4 +83,3 @@ def watched(tell: Optional[Told], done: Callable[[], float], of: Optional[float]
     finally:
         over.set()
         thread.join()
-    tell(done(), of)

@@ -389,7 +389,7 @@ class Errors(unittest.TestCase):
                 yield pp.compute(1000)
         net = pp.load('T800 (memory = 1M) t; process p; use "Long" for p; place p on t;',
                       kinds=[type("Long", (pp.Process,), {"body": computes})])
-        run = net.run(until="1h", progress=lambda time, end: told.append((time, end, threading.current_thread())))
+        run = net.run(until="3600s", progress=lambda time, end: told.append((time, end, threading.current_thread())))
         times = [time for time, _, _ in told]
         self.assertEqual(times, sorted(times))
         self.assertEqual((times[-1], told[-1][1]), (run.time, 3600))
