@@ -1,6 +1,7 @@
 #include "python/module/callables.hpp"
 
 #include "python/module/given.hpp"
+#include "python/module/random.hpp"
 #include "text/user_error.hpp"
 
 #include <pybind11/numpy.h>
@@ -41,34 +42,6 @@ struct Callable {
 py::array_t<double> array_of(std::span<const double> values) {
     return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
 }
-
-/// The random stream of the library as a policy in Python gets it. It may be kept for longer than the stream exists.
-class LentRandom {
-public:
-    explicit LentRandom(RandomStream& random) : random_(&random) {}
-    RandomStream& stream() const {
-        if (!random_)
-            throw UserError("random exists only during the call of the policy");
-        return *random_;
-    }
-    void end() { random_ = nullptr; }
-
-private:
-    RandomStream* random_;
-};
-
-/// Lends a random stream while this object exists.
-class Loan {
-public:
-    explicit Loan(RandomStream& random) : lent_(std::make_shared<LentRandom>(random)) {}
-    ~Loan() { lent_->end(); }
-    Loan(const Loan&) = delete;
-    Loan& operator=(const Loan&) = delete;
-    py::object object() const { return py::cast(lent_); }
-
-private:
-    std::shared_ptr<LentRandom> lent_;
-};
 
 /// Returns what a string codes: real numbers, bits, or the order of a permutation.
 py::array_t<double> values_of(const Genome& genome, const Representation& representation) {
@@ -181,16 +154,6 @@ Step step_of(const std::string& step, const py::object& policy, const PolicyFail
 }
 
 } // namespace
-
-void add_policies(py::module_& module) {
-    py::class_<LentRandom, std::shared_ptr<LentRandom>>(module, "LentRandom")
-        .def("uniform", [](const LentRandom& random) { return random.stream().uniform(); })
-        .def("below", [](const LentRandom& random, Given<std::uint32_t, "n"> n) { return random.stream().below(n); })
-        .def("normal", [](const LentRandom& random) { return random.stream().normal(); })
-        .def("chance", [](const LentRandom& random, Given<double, "probability"> probability) {
-            return random.stream().chance(probability);
-        });
-}
 
 void set_policy(IslandsSettings& settings, const std::string& step, const py::object& policy,
                 const PolicyFailure& failure) {

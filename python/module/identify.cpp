@@ -51,9 +51,11 @@ public:
             keep_warnings(reader_.finish(), warnings_);
             return std::nullopt;
         }
+        // As the command line cuts a file, so that readings between two pieces are interpolated in the same way.
         constexpr std::size_t piece_bytes = 1 << 20;
-        const std::size_t end = text_.find('\n', std::min(bytes_ + piece_bytes, text_.size() - 1));
-        const std::string_view lines = text_.substr(bytes_, end - bytes_ + 1);
+        const std::size_t most = ++pieces_ * piece_bytes;
+        const std::size_t end = most < text_.size() ? text_.rfind('\n', most - 1) + 1 : text_.size();
+        const std::string_view lines = text_.substr(bytes_, end - bytes_);
         bytes_ += lines.size();
         hydraulics::ReadRecord read = reader_.read(lines);
         keep_warnings(read.faults, warnings_);
@@ -68,7 +70,7 @@ private:
     hydraulics::RecordReader reader_;
     const Interruption& interruption_;
     std::vector<Diagnostic>& warnings_;
-    std::size_t bytes_ = 0;
+    std::size_t bytes_ = 0, pieces_ = 0;
 };
 
 RecordInput input_of(std::string_view text, const Interruption& interruption, std::vector<Diagnostic>& warnings) {

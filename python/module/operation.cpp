@@ -2,8 +2,8 @@
 
 #include "netlist/kinds/packet.hpp"
 #include "python/module/given.hpp"
+#include "python/module/random.hpp"
 #include "runtime/kernel.hpp"
-#include "runtime/random.hpp"
 #include "runtime/timer.hpp"
 
 #include <utility>
@@ -39,18 +39,6 @@ Operation of_end(Kind kind, std::shared_ptr<ChannelEnd> end, pybind11::object me
 void add_clock(pybind11::module_& module) {
     module.def("now_ps", [] { return Kernel::here().now().count(); });
     module.def("clock", [] { return (Kernel::here(), Timer().read()); });
-    pybind11::class_<RandomStream>(module, "RandomStream")
-        .def(pybind11::init([](Given<std::uint64_t, "seed"> seed, const Given<std::string, "name">& name) {
-            return RandomStream(seed, name.value);
-        }))
-        .def("uniform", &RandomStream::uniform, "A number uniform in [0, 1).")
-        .def(
-            "below", [](RandomStream& random, Given<std::uint32_t, "n"> n) { return random.below(n); },
-            "A whole number uniform in 0 ... n - 1.")
-        .def("normal", &RandomStream::normal, "A number from the standard normal distribution.")
-        .def(
-            "chance", [](RandomStream& random, Given<double, "probability"> p) { return random.chance(p); },
-            "True with this probability.");
 }
 
 void add_messages(pybind11::module_& module) {
@@ -84,6 +72,7 @@ void add_messages(pybind11::module_& module) {
 void add_operations(pybind11::module_& module) {
     add_messages(module);
     add_clock(module);
+    add_random(module);
     pybind11::class_<Operation>(module, "Operation");
     module.def("compute", [](Given<std::int64_t, "cycles"> cycles, Given<std::int64_t, "words_outside"> words) {
         return with_number(Kind::compute, cycles, words);

@@ -218,7 +218,6 @@ py::dict search(const SearchProblem& coded, const RecordedProblem* recorded, con
 } // namespace
 
 void add_searches(py::module_& module) {
-    add_policies(module);
     module.def("search", [](const py::object& problem, const Bounds& bounds, const std::vector<std::size_t>& bits,
                             bool maximises, Given<std::size_t, "islands"> islands,
                             Given<std::size_t, "generations"> generations, std::uint64_t seed,
