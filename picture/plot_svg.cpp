@@ -3,12 +3,14 @@
 #include "picture/curve_style.hpp"
 #include "picture/cut_off.hpp"
 #include "picture/gnuplot.hpp"
+#include "picture/plot_over_dates.hpp"
 #include "picture/plot_room.hpp"
 #include "text/utf8.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -20,6 +22,8 @@ namespace {
 // Sizes are in pixels.
 constexpr int plot_width = 960, title_height = 44, panel_height = 390, left_margin = 104, top_margin = 40,
               bottom_margin = 66;
+enum class XAxes { numbers, dates };
+
 constexpr int legend_sample = 70, legend_letter = 9; // for the widest font that a viewer may use
 
 /// Returns a gnuplot string in single quotes. Only the quote itself is special in such a string.
@@ -185,10 +189,27 @@ std::string trial_commands(const Panel& asked, std::size_t number) {
            room_commands(panel, number);
 }
 
-std::string panel_commands(const Panel& panel, std::size_t number) {
+/// Places dates at the axis that are whole hours or days apart.
+std::string date_commands(const Axis& axis) {
+    constexpr double hour = 3600, day = 24 * hour, most = 7;
+    constexpr std::array<double, 14> steps{hour,    2 * hour, 6 * hour, 12 * hour, day,       2 * day,   4 * day,
+                                           7 * day, 14 * day, 28 * day, 91 * day,  182 * day, 365 * day, 3650 * day};
+    const auto* found =
+        std::ranges::find_if(steps, [&](double step) { return (*axis.to - *axis.from) / step <= most; });
+    const double step = found == steps.end() ? (*axis.to - *axis.from) / most : *found;
+    std::vector<std::string> places;
+    for (double at = std::ceil(*axis.from / step) * step; at <= *axis.to; at += step)
+        places.push_back(fmt::format("{:.0f}", at));
+    return fmt::format("set format x '{}' timedate\nset xtics ({})\n", step < day ? "%d %b %H:%M" : "%Y-%m-%d",
+                       fmt::join(places, ", "));
+}
+
+std::string panel_commands(const Panel& panel, std::size_t number, XAxes x_axes) {
     std::string out = "set title " + quoted(panel.title) + " offset 0,-0.4\nunset arrow\nunset label\n";
     out += label_commands("x", panel.x, plot_width - left_margin) +
            label_commands("y", panel.y, panel_height - top_margin - bottom_margin);
+    if (x_axes == XAxes::dates)
+        out += date_commands(panel.x);
     out += range_commands("x", panel.x) + range_commands("y", panel.y);
     out += fmt::format("set xrange [Xfrom{0}:Xto{0}]\nset yrange [Yfrom{0}:Yto{0}]\n", number);
     for (std::size_t i = 0; i < panel.series.size(); ++i)
@@ -217,7 +238,7 @@ void check(const Plot& plot) {
     }
 }
 
-std::string script_of(const Plot& plot) {
+std::string script_of(const Plot& plot, XAxes x_axes) {
     int height = title_height + panel_height * static_cast<int>(plot.panels.size());
     std::string out = "set encoding utf8\nset samples 2\nset terminal unknown\n";
     for (std::size_t i = 0; i < plot.panels.size(); ++i)
@@ -229,7 +250,7 @@ std::string script_of(const Plot& plot) {
                     plot_width, height, quoted(plot.title), letter_size(plot.title, 18, plot_width));
     int legend = legend_width(plot);
     for (std::size_t i = 0; i < plot.panels.size(); ++i)
-        out += place_commands(i, legend, height) + panel_commands(plot.panels[i], i);
+        out += place_commands(i, legend, height) + panel_commands(plot.panels[i], i, x_axes);
     return out + "unset multiplot\n";
 }
 
@@ -237,7 +258,12 @@ std::string script_of(const Plot& plot) {
 
 std::string draw_svg(const Plot& plot) {
     check(plot);
-    return run_gnuplot(script_of(plot));
+    return run_gnuplot(script_of(plot, XAxes::numbers));
+}
+
+std::string draw_svg_over_dates(const Plot& plot) {
+    check(plot);
+    return run_gnuplot(script_of(plot, XAxes::dates));
 }
 
 } // namespace placedpar

@@ -163,7 +163,7 @@ ExitCode identify_trend(const IdentifyOptions& options, boost::json::object& jso
     if (reader.stopped())
         return ExitCode::interrupted;
     if (!options.trend.empty())
-        write_whole(options.trend, draw_svg(trend_plot(trend)));
+        write_whole(options.trend, trend_svg(trend));
     for (auto& [key, value] : trend_json(trend))
         json[key] = value;
     return options.strict && !trend.changes().empty() ? ExitCode::missed_tolerance : ExitCode::success;

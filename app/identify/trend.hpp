@@ -2,7 +2,6 @@
 
 #include "hydraulics/data/link.hpp"
 #include "identification/change_test.hpp"
-#include "picture/plot.hpp"
 
 #include <boost/json/fwd.hpp>
 
@@ -70,7 +69,7 @@ private:
 
 std::string print_trend(const Trend& trend);
 boost::json::object trend_json(const Trend& trend);
-/// Draws each link's compliance over the dates, and each leak and offset that changed.
-Plot trend_plot(const Trend& trend);
+/// Draws each link's compliance over the dates, and each leak and offset that changed. Throws UserError, as draw_svg().
+std::string trend_svg(const Trend& trend);
 
 } // namespace placedpar

@@ -1,6 +1,8 @@
 #include "app/identify/trend.hpp"
 #include "hydraulics/data/clock_time.hpp"
 #include "identification/on_line/population_sets.hpp"
+#include "picture/plot.hpp"
+#include "picture/plot_over_dates.hpp"
 
 #include <fmt/format.h>
 
@@ -46,7 +48,7 @@ std::vector<Series> means_of(const Trend& trend, Link link, TrendValue value, co
     std::vector<Series> means;
     std::size_t first = 0;
     auto add = [&](std::size_t end, double mean) {
-        means.push_back({means.empty() ? "mean" : "",
+        means.push_back({means.empty() ? "mean between changes" : "",
                          {{axis.at(records[first]), mean}, {axis.at(records[end - 1]), mean}},
                          Stroke::plain,
                          1});
@@ -98,7 +100,7 @@ Panel trend_panel(const Trend& trend, Link link, TrendValue value) {
     Panel panel{.title = title_of(trend, link, value),
                 .x = axis.axis(),
                 .y = {.label = fmt::format("{} [{}]", name_of(value), plain_unit(value))}};
-    Series points{"record, 95 %", {}, Stroke::points, 0};
+    Series points{"record, interval of 95 %", {}, Stroke::points, 0};
     for (std::size_t record : trend.records_of(link, value)) {
         const auto [found, error] = *trend.answers()[record].of(link, value);
         points.points.push_back({axis.at(record), found});
@@ -111,7 +113,7 @@ Panel trend_panel(const Trend& trend, Link link, TrendValue value) {
 
 } // namespace
 
-Plot trend_plot(const Trend& trend) {
+std::string trend_svg(const Trend& trend) {
     Plot plot{fmt::format("Trend over {} records", trend.answers().size()), {}};
     for (Link link : links_of(trend.links()))
         for (TrendValue value : all_trend_values) {
@@ -120,7 +122,7 @@ Plot trend_plot(const Trend& trend) {
             if (changed || value == TrendValue::compliance)
                 plot.panels.push_back(trend_panel(trend, link, value));
         }
-    return plot;
+    return trend.dated() ? draw_svg_over_dates(plot) : draw_svg(plot);
 }
 
 } // namespace placedpar

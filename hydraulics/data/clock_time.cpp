@@ -124,9 +124,9 @@ std::string date_text(double since_1970_s) {
     const sys_days date = floor<days>(sys_seconds(minutes(minutes_since)));
     const year_month_day parts(date);
     const std::int64_t minute = minutes_since - 1440 * date.time_since_epoch().count();
-    return fmt::format("{:04}-{:02}-{:02} {:02}:{:02}", static_cast<int>(parts.year()),
-                       static_cast<unsigned>(parts.month()), static_cast<unsigned>(parts.day()), minute / 60,
-                       minute % 60);
+    const std::string day = fmt::format("{:04}-{:02}-{:02}", static_cast<int>(parts.year()),
+                                        static_cast<unsigned>(parts.month()), static_cast<unsigned>(parts.day()));
+    return minute == 0 ? day : fmt::format("{} {:02}:{:02}", day, minute / 60, minute % 60);
 }
 
 } // namespace placedpar::hydraulics

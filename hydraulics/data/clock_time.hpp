@@ -22,7 +22,7 @@ std::optional<ClockTime> clock_time(std::string_view text);
 /// "2024-03-05T14-30-00.csv". Returns the s since 1970; a date without a time is midnight.
 std::optional<double> date_in_name(std::string_view file_name);
 
-/// Returns "2024-03-05 14:30".
+/// Returns "2024-03-05 14:30", or "2024-03-05" for midnight.
 std::string date_text(double since_1970_s);
 
 } // namespace placedpar::hydraulics

@@ -39,7 +39,7 @@ class Trends(unittest.TestCase):
         days += [self.record(f"day-2024-03-{day:02}.csv", 7000 + day, "boom.inlet_compliance=0.0120") for day in range(6, 9)]
         picture = self.folder / "trend.svg"
         result, run = self.trend(reversed(days), "--trend", picture)
-        self.assertEqual([each["date"] for each in result["records"]], [f"2024-03-{day:02} 00:00" for day in range(1, 9)])
+        self.assertEqual([each["date"] for each in result["records"]], [f"2024-03-{day:02}" for day in range(1, 9)])
         (change,) = [each for each in result["changes"] if each["what"] == "compliance"]
         self.assertEqual((change["after"], change["until"]), ("day-2024-03-05.csv", "day-2024-03-06.csv"))
         self.assertAlmostEqual(change["before"], TRUTH, delta=0.1 * TRUTH)

@@ -67,5 +67,6 @@ TEST_CASE("a date is found in a file's name, and printed") {
     CHECK(date_in_name("2024-03-05T14-30-00.csv") == 1709649000);
     CHECK(date_in_name("2024-03-05_14-30.csv") == 1709649000);
     CHECK(date_text(1709649000) == "2024-03-05 14:30");
+    CHECK(date_text(1709596800) == "2024-03-05");
     CHECK(date_text(-1) == "1969-12-31 23:59");
 }
