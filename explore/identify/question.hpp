@@ -26,8 +26,8 @@ hydraulics::Side side_asked(const IdentifySettings& settings);
 /// Reads a number of inches. Throws UserError for anything else.
 double offset_asked(const std::string& text);
 /// Returns the channels that each link needs: the pressure of the chosen side, the angle, and the source of the areas.
-/// Columns have the names that `columns` and `columns_from` of the settings give. `links` receives the channels that are
-/// present and returns the links to identify.
+/// Columns have the names that `columns` and `columns_from` of the settings give. `links` receives the channels that
+/// are present and returns the links to identify.
 hydraulics::RecordNeeds needs_of(const IdentifySettings& settings,
                                  std::function<hydraulics::LinkSet(const hydraulics::ChannelSet&)> links);
 

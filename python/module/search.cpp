@@ -273,8 +273,8 @@ void add_searches(py::module_& module) {
                             Given<std::size_t, "generations"> generations, std::uint64_t seed,
                             Given<std::string, "coding"> coding, py::dict numbers, py::dict policies,
                             std::string checkpoint, py::object progress) {
-        const SearchOptions options{islands, generations, seed, coding, numbers, policies, std::move(checkpoint),
-                                    std::move(progress)};
+        const SearchOptions options{
+            islands, generations, seed, coding, numbers, policies, std::move(checkpoint), std::move(progress)};
         if (!py::isinstance<py::str>(problem))
             return search(*problem_of(problem, bounds, bits, maximises), nullptr, options);
         const ProblemRegistry problems = known_problems(seed);
