@@ -102,8 +102,8 @@ void require_command(const DeclaredCommand& program, std::span<char*> words) {
     if (std::string meant = meant_by(program, words); !meant.empty())
         throw UserError(fmt::format("unknown command \"{}\"; did you mean {} {}?", name, program_name(), meant));
     throw UserError(
-        unknown_name(option ? "option" : "command", name, known,
-                     fmt::format("{} --help lists the {}s", program_name(), option ? "option" : "command")));
+        unknown_meaning(option ? "option" : "command", name, known,
+                        fmt::format("{} --help lists the {}s", program_name(), option ? "option" : "command")));
 }
 
 bool takes_option(const DeclaredCommand& command, const std::string& name) { return command.option(name) != nullptr; }
@@ -122,19 +122,19 @@ std::string how_to_set(const DeclaredCommand& command, const std::string& settin
 [[noreturn]] void refuse_option(const DeclaredCommand& command, const std::string& typed, const std::string& whose) {
     const std::string option = typed.substr(0, typed.find('='));
     if (option == "--set" && takes_settings_as_arguments(command))
-        throw UserError(fmt::format("{} has no option --set; leave it out: settings are arguments, such as slaves=0..7",
-                                    whose));
+        throw UserError(
+            fmt::format("{} has no option --set; leave it out: settings are arguments, such as slaves=0..7", whose));
     std::string otherwise = how_to_set(command, option.substr(option.find_first_not_of('-')) + "=VALUE");
     if (otherwise.empty())
         otherwise = fmt::format("{} --help lists the options", whose);
-    throw UserError(unknown_name("option", option, meanings_of_options(command), otherwise));
+    throw UserError(unknown_meaning("option", option, meanings_of_options(command), otherwise));
 }
 
 [[noreturn]] void refuse_argument(const DeclaredCommand& command, const std::string& argument,
                                   const std::string& whose) {
     const std::string hint = argument.find('=') == std::string::npos ? "" : how_to_set(command, argument);
-    throw UserError(fmt::format("{} takes no further argument: \"{}\"{}{}", whose, argument, hint.empty() ? "" : "; ",
-                                hint));
+    throw UserError(
+        fmt::format("{} takes no further argument: \"{}\"{}{}", whose, argument, hint.empty() ? "" : "; ", hint));
 }
 
 /// Throws UserError for arguments that no option takes.

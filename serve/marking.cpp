@@ -79,8 +79,9 @@ public:
         };
         try {
             const std::string job = job_text(folder, submission, task);
-            runs_.add(submission.string(), "", false, [job] { return job; },
-                      [keep, submission](const std::string& answer) { keep(mark_of(submission, answer)); });
+            runs_.add(
+                submission.string(), "", false, [job] { return job; },
+                [keep, submission](const std::string& answer) { keep(mark_of(submission, answer)); });
         } catch (const UserError& refused) {
             keep({submission.string(), "refused", {}, refused.what()});
         }

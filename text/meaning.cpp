@@ -74,8 +74,8 @@ std::vector<std::string> names_by_meaning(std::string_view wanted, const std::ve
     return names;
 }
 
-std::string unknown_name(std::string_view what, std::string_view wanted, const std::vector<NamedMeaning>& candidates,
-                         std::string_view otherwise) {
+std::string unknown_meaning(std::string_view what, std::string_view wanted, const std::vector<NamedMeaning>& candidates,
+                            std::string_view otherwise) {
     const std::vector<std::string> meant = names_by_meaning(wanted, candidates);
     if (meant.empty() || meant.size() > most_suggestions)
         return unknown_name(what, wanted, names_of(candidates), otherwise);

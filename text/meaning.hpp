@@ -19,7 +19,7 @@ std::vector<std::string> names_by_meaning(std::string_view wanted, const std::ve
 
 /// Returns `unknown WHAT "wanted"; did you mean "name"?`. The name fits by its meaning, or else by its spelling. Up to
 /// three names that fit by meaning are listed; if more or none fit, the text after the semicolon is `otherwise`.
-std::string unknown_name(std::string_view what, std::string_view wanted, const std::vector<NamedMeaning>& candidates,
-                         std::string_view otherwise);
+std::string unknown_meaning(std::string_view what, std::string_view wanted, const std::vector<NamedMeaning>& candidates,
+                            std::string_view otherwise);
 
 } // namespace placedpar

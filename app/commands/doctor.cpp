@@ -40,7 +40,8 @@ std::optional<std::string> first_line_of(const char* command) {
     if (!output || !std::fgets(line.data(), line.size(), output.get()))
         return std::nullopt;
     std::string text = line.data();
-    while (std::fgets(line.data(), line.size(), output.get())) {} // a program whose reader goes would complain
+    while (std::fgets(line.data(), line.size(), output.get())) {
+    } // a program whose reader goes would complain
     return text.substr(0, text.find_last_not_of(" \n") + 1);
 }
 
@@ -91,9 +92,9 @@ std::string print_part(const RuntimePart& part) {
 }
 
 ExitCode doctor() {
-    std::string out = fmt::format("placedpar {}\nbuilt with {}\n{} processor cores\n\n{:<20} {:<43} {}\n",
-                                  version_text(), built_with, std::thread::hardware_concurrency(), "part",
-                                  "needed by", "found");
+    std::string out =
+        fmt::format("placedpar {}\nbuilt with {}\n{} processor cores\n\n{:<20} {:<43} {}\n", version_text(), built_with,
+                    std::thread::hardware_concurrency(), "part", "needed by", "found");
     for (const RuntimePart& part : runtime_parts)
         out += print_part(part);
     print_out(out);

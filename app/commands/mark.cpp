@@ -28,8 +28,9 @@ struct MarkOptions {
 
 serve::MarkedTask task_of(const MarkOptions& options) {
     if (options.exercise.empty() == options.expected.empty())
-        throw UserError("the task is missing: name an exercise of the course with --exercise 3.2, or a file with what a "
-                        "solution prints with --expected FILE; not both");
+        throw UserError(
+            "the task is missing: name an exercise of the course with --exercise 3.2, or a file with what a "
+            "solution prints with --expected FILE; not both");
     if (!options.expected.empty()) {
         const LoadedSource expected = load_source(options.expected);
         if (!expected.problems.empty())

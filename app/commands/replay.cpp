@@ -65,7 +65,8 @@ std::vector<NamedMeaning> meanings_of_experiments() {
 const Experiment& find_experiment(const std::string& name) {
     auto found = std::ranges::find(experiments(), name, &Experiment::name);
     if (found == experiments().end())
-        throw UserError(unknown_name("experiment", name, meanings_of_experiments(), "there are:\n" + list_experiments()));
+        throw UserError(
+            unknown_meaning("experiment", name, meanings_of_experiments(), "there are:\n" + list_experiments()));
     return *found;
 }
 

@@ -38,14 +38,14 @@ TEST_CASE("all words must be there, in any inflection") {
 }
 
 TEST_CASE("meaning comes before spelling, and several names are offered") {
-    CHECK(unknown_name("experiment", "figure-4-6", experiments_to_find, "") ==
+    CHECK(unknown_meaning("experiment", "figure-4-6", experiments_to_find, "") ==
           "unknown experiment \"figure-4-6\"; did you mean \"figures-4-6-4-7\"?");
-    CHECK(unknown_name("experiment", "speedup", experiments_to_find, "") ==
+    CHECK(unknown_meaning("experiment", "speedup", experiments_to_find, "") ==
           "unknown experiment \"speedup\"; did you mean \"figures-4-6-4-7\", or \"table-e2\"?");
-    CHECK(unknown_name("experiment", "tabel-e2", experiments_to_find, "") ==
+    CHECK(unknown_meaning("experiment", "tabel-e2", experiments_to_find, "") ==
           "unknown experiment \"tabel-e2\"; did you mean \"table-e2\"?");
-    CHECK(unknown_name("experiment", "xyz", experiments_to_find, "none") == "unknown experiment \"xyz\"; none");
+    CHECK(unknown_meaning("experiment", "xyz", experiments_to_find, "none") == "unknown experiment \"xyz\"; none");
     const std::vector<NamedMeaning> many(4, {"a", "speedup"});
-    CHECK(unknown_name("experiment", "speedups", many, "there are four") ==
+    CHECK(unknown_meaning("experiment", "speedups", many, "there are four") ==
           "unknown experiment \"speedups\"; there are four");
 }
