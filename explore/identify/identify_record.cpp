@@ -19,9 +19,27 @@ void require_lacking(const std::array<std::pair<const char*, bool>, n>& settings
             throw UserError(fmt::format("{} works only with --way thesis{}", name, why));
 }
 
+void require_in_range(const IdentifySettings& settings) {
+    using Given = IdentifySettings;
+    struct Limits {
+        const char* name;
+        std::optional<std::size_t> given;
+        std::size_t least, most;
+    };
+    for (const Limits& each : {Limits{"--bits", settings.bits, Given::least_bits, Given::most_bits},
+                               {"--elite", settings.elite, 0, Given::a_million},
+                               {"--population", settings.population, 2, Given::a_million},
+                               {"--trials", settings.trials, 1, Given::a_million},
+                               {"--window", settings.window, 1, Given::most_window},
+                               {"--samples", settings.samples, 1, Given::a_million}})
+        if (each.given && (*each.given < each.least || *each.given > each.most))
+            throw UserError(fmt::format("{} {}: expected {} to {}", each.name, *each.given, each.least, each.most));
+}
+
 } // namespace
 
 void settle_way(IdentifySettings& settings) {
+    require_in_range(settings);
     if (settings.side == "outlet" && settings.way == "service")
         throw UserError("--side outlet works only with --way thesis or whole; --way service identifies inlet sides");
     if (settings.way.empty())

@@ -4,7 +4,7 @@
 
 namespace placedpar {
 
-/// Chooses the way if none was given. Throws UserError for settings that the way lacks.
+/// Chooses the way if none was given. Throws UserError for numbers out of range and for settings that the way lacks.
 void settle_way(IdentifySettings&);
 
 /// Evaluates a record by the way of the settings. Throws RefusedInput, UserError or UnfitRecord. REQUIRES: settle_way()

@@ -18,6 +18,8 @@ struct IdentifySettings {
     std::optional<std::size_t> bits, population, trials, window, elite; ///< empty: the default of the way
     double bias = 400;
 
+    static constexpr std::size_t least_bits = 6, most_bits = 52, most_window = 1024, a_million = 1'000'000;
+
     // The way "service" does not use these members.
     std::string coding, side = "inlet";
     std::optional<std::size_t> samples;

@@ -143,6 +143,8 @@ class Identify(unittest.TestCase):
                                   ("samples works only with way thesis", {"samples": 5}),
                                   ("way = 'best', expected one of service, thesis, whole", {"way": "best"}),
                                   ("bits = 'many', expected a whole number", {"bits": "many"}),
+                                  ("bits 53: expected 6 to 52", {"bits": 53}), ("window 0: expected 1 to", {"window": 0}),
+                                  ("expected a whole number", {"population": -1}),
                                   ("no link has all readings|inlet_pressure", {"links": "stick"})):
             with self.subTest(message), self.assertRaisesRegex(pp.Error, message):
                 pp.identify(self.frame, **settings)
