@@ -33,7 +33,7 @@ public:
     /// and for one of another seed or of searches with other names, problems, codings or numbers of individuals. Other
     /// parameters may have changed: the searches go on with the new ones.
     CheckpointFile(std::filesystem::path, const Network&, std::uint64_t seed, std::uint64_t every);
-    /// Keeps searches of the library, such as run_islands(). Throws as above.
+    /// Does the same for searches of the library, such as run_islands().
     CheckpointFile(std::filesystem::path, std::vector<KeptSearch>, std::uint64_t seed, std::uint64_t every);
 
     /// Returns the generation from which the searches go on; 0 if they begin anew.

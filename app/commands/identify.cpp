@@ -1,7 +1,12 @@
 #include "app/command.hpp"
-#include "app/identify/ways.hpp"
+#include "app/identify/many_records.hpp"
+#include "app/identify/on_machine.hpp"
+#include "app/identify/record_pieces.hpp"
 #include "app/options/identify_options.hpp"
-#include "hydraulics/data/record.hpp"
+#include "app/signals.hpp"
+#include "app/standard_error.hpp"
+#include "explore/identify/identify_record.hpp"
+#include "explore/process_search.hpp"
 #include "report/manifest.hpp"
 #include "text/output_file.hpp"
 #include "text/standard_streams.hpp"
@@ -11,7 +16,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -22,32 +26,12 @@ namespace placedpar {
 
 namespace {
 
-/// Throws UserError for options that a search over the whole movement lacks.
-void require_whole_way(const IdentifyOptions& options) {
-    const std::array<std::pair<const char*, bool>, 3> of_thesis{
-        {{"--rising", options.rising}, {"--on", !options.netlist.empty()}, {"--window", options.window.has_value()}}};
-    for (const auto& [option, typed] : of_thesis)
-        if (typed)
-            throw UserError(
-                fmt::format("{} works only with --way thesis; --way whole uses all samples at once", option));
-}
-
-/// Throws UserError for options that the way lacks.
-void require_one_way(const IdentifyOptions& options) {
-    if (options.way == "thesis")
-        return;
-    if (options.way == "whole")
-        return require_whole_way(options);
-    const std::array<std::pair<const char*, bool>, 5> of_thesis{{{"--samples", options.samples.has_value()},
-                                                                 {"--rising", options.rising},
-                                                                 {"--coding", !options.coding.empty()},
-                                                                 {"--on", !options.netlist.empty()},
-                                                                 {"--offset auto", options.offset == "auto"}}};
-    for (const auto& [option, typed] : of_thesis)
-        if (typed)
-            throw UserError(fmt::format("{} works only with --way thesis, which searches the first transient; "
-                                        "--way service uses all movements in order",
-                                        option));
+/// Throws UserError if a netlist is given with a way that runs none.
+void require_way_of_netlist(const IdentifyOptions& options) {
+    if (!options.netlist.empty() && options.way != "thesis")
+        throw UserError(fmt::format("--on works only with --way thesis, whose search a netlist can run; --way {} runs "
+                                    "on this computer",
+                                    options.way));
 }
 
 void require_files(const IdentifyOptions& options) {
@@ -75,22 +59,63 @@ void require_number_of_records(const IdentifyOptions& options) {
             "--trend needs at least two records; expected placedpar identify FIRST SECOND ... --trend FILE");
 }
 
-ExitCode identify_record(IdentifyOptions options, const std::string& command_line) try {
-    if (options.side == "outlet" && options.way == "service")
-        throw UserError("--side outlet works only with --way thesis or whole; --way service identifies inlet sides");
-    if (options.way.empty())
-        options.way = options.side == "outlet" ? "whole" : "service";
-    if (options.way != "service" && options.configuration.empty())
-        options.configuration = "a";
+/// Identifies by the way "thesis", and by the processes of the netlist.
+ExitCode identify_on_machine(const IdentifyOptions& options, const RecordInput& input, const IdentifyOutput& output) {
+    const ThesisAnswer answer = identify_by_thesis(options, input, output);
+    const ProcessSearch processes =
+        search_by_processes({options.netlist, overrides_of(options.set),
+                             ParsedNetlist(options.netlist, read_options_of(options.read)), options.json},
+                            answer.prepared, answer.way, print_warnings);
+    output.print(answer.text);
+    const ExitCode ended = run_on_machine(processes, answer.identified, answer.prepared, options.seed, output.json);
+    const bool doubted = options.strict && answer.identified.flagged();
+    return ended == ExitCode::success && doubted ? ExitCode::missed_tolerance : ended;
+}
+
+/// Returns the record's file as input. The progress line is cleared before each warning.
+RecordInput input_of(const IdentifyOptions& options, ProgressLine& line, const Interruption& interruption) {
+    const auto warn = [&line](const std::string& warnings) {
+        line.clear();
+        print_warnings(warnings);
+    };
+    return {[&options, warn](const hydraulics::RecordNeeds& needs) { return load_record(options.record, needs, warn); },
+            [&options, warn, &interruption](hydraulics::RecordNeeds needs) {
+                return std::make_unique<RecordPieces>(options.record, std::move(needs), warn,
+                                                      [&interruption] { return interruption.requested(); });
+            }};
+}
+
+ExitCode exit_code_of(IdentifyEnd end, bool strict) {
+    if (end == IdentifyEnd::interrupted)
+        return ExitCode::interrupted;
+    return strict && end == IdentifyEnd::doubtful ? ExitCode::missed_tolerance : ExitCode::success;
+}
+
+ExitCode identify(const IdentifyOptions& options, boost::json::object& json) {
+    ProgressLine line;
+    const auto print = [&line](const std::string& text) {
+        line.clear();
+        print_out(text);
+    };
+    const IdentifyOutput output{json, !options.json.empty(), print, print_warnings,
+                                [&line](const std::string& what) { line.show(what); }};
+    Interruption ignored;
+    if (!options.netlist.empty())
+        return identify_on_machine(options, input_of(options, line, ignored), output);
+    if (options.way != "service")
+        return exit_code_of(identify_record(options, input_of(options, line, ignored), output), options.strict);
+    InterruptedBySignals interruption;
+    return exit_code_of(identify_record(options, input_of(options, line, interruption), output), options.strict);
+}
+
+ExitCode identify_file(IdentifyOptions options, const std::string& command_line) try {
+    settle_way(options);
+    require_way_of_netlist(options);
     require_files(options);
-    require_one_way(options);
     require_number_of_records(options);
     boost::json::object json{
         {"version", version}, {"commit", commit}, {"command", command_line}, {"seed", options.seed}};
-    ExitCode code = options.records.size() > 1 ? identify_trend(options, json)
-                    : options.way == "service" ? identify_as_service(options, json)
-                    : options.way == "whole"   ? identify_over_whole(options, json)
-                                               : identify_by_thesis(options, json);
+    const ExitCode code = options.records.size() > 1 ? identify_trend(options, json) : identify(options, json);
     if (!options.json.empty())
         write_whole(options.json, print_pretty(json));
     return code;
@@ -103,7 +128,7 @@ Action declare_identify(Options& command, const std::string& typed) {
     declare_identify_options(command, *options);
     return [options, typed] {
         options->record = options->records.front();
-        return identify_record(*options, typed);
+        return identify_file(*options, typed);
     };
 }
 

@@ -5,6 +5,7 @@
 #include "app/record/dig_job_file.hpp"
 #include "app/record/scenario_record.hpp"
 #include "app/standard_error.hpp"
+#include "explore/identify/question.hpp"
 #include "explore/load.hpp"
 #include "hydraulics/data/record_table.hpp"
 #include "text/output_file.hpp"

@@ -1,10 +1,10 @@
-#include "app/identify/identifying.hpp"
+#include "app/identify/many_records.hpp"
+
 #include "app/identify/record_pieces.hpp"
 #include "app/identify/trend.hpp"
-#include "app/identify/ways.hpp"
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
-#include "explore/load.hpp"
+#include "explore/identify/identifying.hpp"
 #include "hydraulics/data/clock_time.hpp"
 #include "identification/on_line/moving_identification.hpp"
 #include "identification/verdict/mean_deviation.hpp"
@@ -103,7 +103,7 @@ public:
 
 private:
     void follow(Record first, RecordPieces& pieces, RecordAnswer& answer) {
-        Identifying identifying(fixed_, first);
+        Identifying identifying(fixed_, first, print_warnings);
         MovementsOfRecord movements(identifying.diagnosis());
         for (std::optional<Record> piece = std::move(first); piece; piece = pieces.next()) {
             movements.take(identifying.take(*piece));
@@ -133,7 +133,7 @@ private:
     }
 
     const IdentifyOptions& options_;
-    IdentifyOptions fixed_ = options_; ///< with a configuration
+    IdentifySettings fixed_ = options_; ///< with a configuration
     InterruptedBySignals interruption_;
     ProgressLine progress_;
     std::size_t number_ = 0; ///< of the present record, from 1

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "explore/load.hpp"
+#include "explore/identify/ways.hpp"
 #include "hydraulics/data/record_table.hpp"
 #include "text/repeated_faults.hpp"
 
@@ -18,7 +18,7 @@ namespace placedpar {
 /// Reads a record of any length piece by piece from a file, a pipe or standard input ("-"). At most two pieces of the
 /// text are in memory. Errors are reported as by load_record. Only the first 20 warnings are shown. A warning that
 /// occurs again in a later piece is counted, and the counts are shown at the end.
-class RecordPieces {
+class RecordPieces final : public RecordStream {
 public:
     static constexpr std::size_t piece_bytes = 1 << 20; ///< approximate length of a piece, which ends at the end of a
                                                         ///< line
@@ -27,19 +27,19 @@ public:
     /// the record ends when `stop` returns true.
     RecordPieces(const std::filesystem::path& path, hydraulics::RecordNeeds needs, WarningSink warn,
                  std::function<bool()> stop = {});
-    ~RecordPieces();
+    ~RecordPieces() override;
     RecordPieces(const RecordPieces&) = delete;
     RecordPieces& operator=(const RecordPieces&) = delete;
 
-    /// Returns the next piece, or nullopt when the record is over. Throws RefusedInput.
-    std::optional<hydraulics::Record> next();
+    /// Throws RefusedInput.
+    std::optional<hydraulics::Record> next() override;
 
-    std::uint64_t bytes() const { return bytes_; } ///< number of bytes read so far
+    std::uint64_t bytes() const override { return bytes_; }
     /// Returns the date of the time 0, in s since 1970, if the file has dates and a piece was read.
     std::optional<double> begun_s() const { return reader_.begun_s(); }
-    bool stopped() const { return stopped_; }
+    bool stopped() const override { return stopped_; }
     /// Returns the warnings that were shown.
-    const std::vector<Diagnostic>& warnings() const { return warnings_; }
+    const std::vector<Diagnostic>& warnings() const override { return warnings_; }
 
 private:
     using File = std::shared_ptr<const SourceFile>;

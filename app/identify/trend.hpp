@@ -14,7 +14,7 @@
 
 namespace placedpar {
 
-/// The trend of a machine over many records (app/identify/ways.hpp: identify_trend).
+/// The trend of a machine over many records (app/identify/many_records.hpp).
 
 /// What is estimated for each link, in in^3/psi, in^3/(s psi) and in.
 enum class TrendValue : unsigned char { compliance, leak, offset };

@@ -9,7 +9,7 @@ using namespace hydraulics;
 
 namespace {
 
-constexpr std::uint64_t a_million = 1'000'000;
+constexpr std::uint64_t a_million = IdentifySettings::a_million;
 
 void declare_question(Options& command, IdentifyOptions& options) {
     command
@@ -53,7 +53,7 @@ void declare_way(Options& command, IdentifyOptions& options) {
              "which divides each link's flow error by its scatter; default: service, with --side outlet whole")
         .one_of({"service", "thesis", "whole"});
     // With fewer bits, about one step of the code separates the compliance of a sound machine from the lower bound.
-    add_number(command, "--bits", options.bits, 6, 52,
+    add_number(command, "--bits", options.bits, IdentifySettings::least_bits, IdentifySettings::most_bits,
                "number of bits that code a compliance; default: 10, with --way whole 12");
     add_number(command, "--elite", options.elite, 0, a_million,
                "number of best individuals that survive unchanged; default: depends on --way");
@@ -61,7 +61,7 @@ void declare_way(Options& command, IdentifyOptions& options) {
                "number of individuals; default: 120, with --way whole 120 to 600");
     add_number(command, "--trials", options.trials, 1, a_million,
                "generations for each new sample, default: 5; with --way whole for each round, default: 20 to 80");
-    add_number(command, "--window", options.window, 1, 1024,
+    add_number(command, "--window", options.window, 1, IdentifySettings::most_window,
                "number of samples that the fitness sums over; default: 10, with --way whole all");
     command.add("--bias", options.bias, "bias B of the fitness (equation 3.9 of the thesis), in (in^3/s)^2")
         .type("NUMBER")

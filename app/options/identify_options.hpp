@@ -1,33 +1,22 @@
 #pragma once
 
 #include "app/options/netlist_options.hpp"
+#include "explore/identify/identify_settings.hpp"
 
-#include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace placedpar {
 
-/// The options of `placedpar identify`. An option that only one --way uses is empty if it was not typed.
-struct IdentifyOptions {
+/// The options of `placedpar identify`.
+struct IdentifyOptions : IdentifySettings {
     std::vector<std::string> records; ///< all that were typed
     std::string record;               ///< the one that is being read
-    std::vector<std::string> columns;
-    std::string columns_from, trend;
-    std::string links, configuration, way, offset, areas, missing = "refuse", machine, json;
-    std::uint64_t seed = 1;
-    std::optional<std::size_t> bits, population, trials, window, elite; ///< empty: the default of the way
-    double bias = 400;
+    std::string trend, json;
     bool strict = false;
-
-    // --way service does not use these members.
-    std::string coding, netlist, side = "inlet";
+    std::string netlist; ///< only with --way thesis, as the two that follow
     std::vector<std::string> set;
     ReadOptionsTyped read; ///< for the netlist
-    std::optional<std::size_t> samples;
-    bool rising = false;
 };
 
 void declare_identify_options(Options& command, IdentifyOptions& options);

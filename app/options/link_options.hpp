@@ -1,8 +1,6 @@
 #pragma once
 
 #include "app/options.hpp"
-#include "hydraulics/circuit/circuit.hpp"
-#include "hydraulics/data/link.hpp"
 
 #include <string>
 
@@ -13,8 +11,5 @@ Option add_links(Options&, std::string& links, const std::string& about);
 
 /// Declares --configuration, a to e, of the main valve.
 Option add_configuration(Options&, std::string& configuration, const std::string& about);
-
-/// Parses the value of --link. Throws UserError for an unknown link, and for a link that is named twice.
-hydraulics::LinkSet links_of(const std::string& links);
 
 } // namespace placedpar

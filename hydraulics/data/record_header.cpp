@@ -37,19 +37,19 @@ NameAndUnit name_and_unit(const std::string& text) {
     return {trimmed_text(std::string_view(text).substr(0, open)), std::move(unit)};
 }
 
-std::optional<Channel> channel_named(const std::string& name) {
+std::optional<RecordChannel> channel_named(const std::string& name) {
     if (lower_case(name) == "time")
-        return Channel{};
+        return RecordChannel{};
     std::size_t dot = name.find('.');
     auto link = link_named(name.substr(0, dot));
     auto sensor = dot == std::string::npos ? std::nullopt : sensor_named(std::string_view(name).substr(dot + 1));
     if (!link || !sensor)
         return std::nullopt;
-    return Channel{*link, sensor};
+    return RecordChannel{*link, sensor};
 }
 
 /// Returns the channel that a user names; "pressure" is the pressure at the boom's inlet.
-std::optional<Channel> channel_typed(const std::string& name) {
+std::optional<RecordChannel> channel_typed(const std::string& name) {
     const std::size_t dot = name.find('.');
     std::string sensor = dot == name.npos ? name : name.substr(dot + 1);
     if (sensor == "pressure")
@@ -67,7 +67,7 @@ const ColumnName* typed_name(const std::vector<ColumnName>& names, const std::st
     return found == names.end() ? nullptr : &*found;
 }
 
-std::optional<Channel> channel_of(const std::vector<ColumnName>& names, const std::string& cell) {
+std::optional<RecordChannel> channel_of(const std::vector<ColumnName>& names, const std::string& cell) {
     if (const ColumnName* typed = typed_name(names, cell))
         return typed->channel;
     auto found = channel_named(name_and_unit(cell).name);
@@ -211,7 +211,8 @@ void RecordReader::take_units_row() {
 }
 
 /// Returns the column's unit, or null after a fault.
-const Unit* RecordReader::unit_of(std::size_t index, const Channel& channel, std::vector<Diagnostic>& faults) const {
+const Unit* RecordReader::unit_of(std::size_t index, const RecordChannel& channel,
+                                  std::vector<Diagnostic>& faults) const {
     const TextCell& cell = table_.header.cells[index];
     if (!channel.sensor && !table_.rows.empty() && clock_time(table_.rows.front().cells[index].text))
         return unit_named("s");
@@ -249,7 +250,7 @@ void RecordReader::read_column(std::size_t index, std::vector<std::string>& unus
     const Unit* unit = unit_of(index, *channel, faults);
     if (!unit)
         return;
-    auto same = [&](const Column& column) { return Channel{column.link, column.sensor} == *channel; };
+    auto same = [&](const Column& column) { return RecordChannel{column.link, column.sensor} == *channel; };
     if (auto before = std::ranges::find_if(columns_, same); before != columns_.end())
         faults.push_back(error_at(table_.header.line, cell.column, fmt::format("column \"{}\" occurs twice", name),
                                   fmt::format("the first is column {} of the table", before->index + 1)));

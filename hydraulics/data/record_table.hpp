@@ -23,18 +23,18 @@ struct ReadRecord {
 };
 
 /// A quantity that a record has at each instant.
-struct Channel {
+struct RecordChannel {
     Link link{};
     std::optional<Sensor> sensor = std::nullopt; ///< nullopt: the time
 
     Quantity quantity() const { return sensor ? quantity_of(*sensor) : Quantity::time; }
-    friend bool operator==(const Channel&, const Channel&) = default;
+    friend bool operator==(const RecordChannel&, const RecordChannel&) = default;
 };
 
 /// A column whose name in the file is not the name of its channel.
 struct ColumnName {
     std::string in_file; ///< with its unit or without
-    Channel channel;
+    RecordChannel channel;
     std::string unit; ///< replaces the unit in the file; "": the unit in the file
 };
 
@@ -107,7 +107,7 @@ private:
     Record read_piece(std::vector<Diagnostic>& faults);
     std::string find_table(std::string_view text);
     void take_units_row();
-    const Unit* unit_of(std::size_t index, const Channel& channel, std::vector<Diagnostic>& faults) const;
+    const Unit* unit_of(std::size_t index, const RecordChannel& channel, std::vector<Diagnostic>& faults) const;
     void read_column(std::size_t index, std::vector<std::string>& unused, std::vector<Diagnostic>& faults);
     void note_unused(const std::vector<std::string>& unused, std::vector<Diagnostic>& faults) const;
     void require_names(std::vector<Diagnostic>& faults) const;

@@ -1,6 +1,7 @@
 #include "python/module/body.hpp"
 
 #include "python/module/generator_run.hpp"
+#include "python/module/given.hpp"
 #include "text/user_error.hpp"
 
 #include <memory>
@@ -78,13 +79,14 @@ py::object instance_of(py::handle process_class, const ProcessKind& kind, Proces
         instance.attr(parameter.name.c_str()) = value_of(environment, parameter);
     instance.attr("name") = environment.process();
     instance.attr("seed") = environment.seed();
-    instance.attr("_measure_number") =
-        py::cpp_function([measured = body.measured](std::string name, double value, std::string unit) {
+    instance.attr("_measure_number") = py::cpp_function(
+        [measured = body.measured](Given<std::string, "name"> name, double value, Given<std::string, "unit"> unit) {
             environment_of(measured).measure(name, value, unit);
         });
-    instance.attr("_measure_text") = py::cpp_function([measured = body.measured](std::string name, std::string value) {
-        environment_of(measured).measure(name, value);
-    });
+    instance.attr("_measure_text") =
+        py::cpp_function([measured = body.measured](Given<std::string, "name"> name, std::string value) {
+            environment_of(measured).measure(name, value);
+        });
     instance.attr("__init__")();
     return instance;
 }

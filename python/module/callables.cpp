@@ -1,5 +1,7 @@
 #include "python/module/callables.hpp"
 
+#include "python/module/given.hpp"
+#include "python/module/random.hpp"
 #include "text/user_error.hpp"
 
 #include <pybind11/numpy.h>
@@ -40,34 +42,6 @@ struct Callable {
 py::array_t<double> array_of(std::span<const double> values) {
     return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
 }
-
-/// The random stream of the library as a policy in Python gets it. It may be kept for longer than the stream exists.
-class LentRandom {
-public:
-    explicit LentRandom(RandomStream& random) : random_(&random) {}
-    RandomStream& stream() const {
-        if (!random_)
-            throw UserError("random exists only during the call of the policy");
-        return *random_;
-    }
-    void end() { random_ = nullptr; }
-
-private:
-    RandomStream* random_;
-};
-
-/// Lends a random stream while this object exists.
-class Loan {
-public:
-    explicit Loan(RandomStream& random) : lent_(std::make_shared<LentRandom>(random)) {}
-    ~Loan() { lent_->end(); }
-    Loan(const Loan&) = delete;
-    Loan& operator=(const Loan&) = delete;
-    py::object object() const { return py::cast(lent_); }
-
-private:
-    std::shared_ptr<LentRandom> lent_;
-};
 
 /// Returns what a string codes: real numbers, bits, or the order of a permutation.
 py::array_t<double> values_of(const Genome& genome, const Representation& representation) {
@@ -166,7 +140,7 @@ Own own_policy(const std::string& step, const py::object& function, const Policy
     policy.failure = failure;
     policy.step = step;
     if (number && py::hasattr(function, attribute))
-        policy.*number = function.attr(attribute).cast<std::size_t>();
+        policy.*number = given<std::size_t>(function.attr(attribute), attribute);
     return Own(policy);
 }
 
@@ -180,14 +154,6 @@ Step step_of(const std::string& step, const py::object& policy, const PolicyFail
 }
 
 } // namespace
-
-void add_policies(py::module_& module) {
-    py::class_<LentRandom, std::shared_ptr<LentRandom>>(module, "LentRandom")
-        .def("uniform", [](const LentRandom& random) { return random.stream().uniform(); })
-        .def("below", [](const LentRandom& random, std::uint32_t n) { return random.stream().below(n); })
-        .def("normal", [](const LentRandom& random) { return random.stream().normal(); })
-        .def("chance", [](const LentRandom& random, double chance) { return random.stream().chance(chance); });
-}
 
 void set_policy(IslandsSettings& settings, const std::string& step, const py::object& policy,
                 const PolicyFailure& failure) {
@@ -209,11 +175,8 @@ void set_policy(IslandsSettings& settings, const std::string& step, const py::ob
     else if (step == "emigration")
         settings.emigration =
             step_of<Emigration, OwnEmigration>(step, policy, failure, &CallableEmigration::count, "count");
-    else if (step == "acceptance")
-        settings.acceptance = step_of<Acceptance, OwnAcceptance, CallableAcceptance>(step, policy, failure);
     else
-        throw UserError("a search has no policy \"" + step +
-                        "\": expected reproduction, crossover, mutation, topology, schedule, emigration or acceptance");
+        settings.acceptance = step_of<Acceptance, OwnAcceptance, CallableAcceptance>(step, policy, failure);
 }
 
 } // namespace placedpar::python

@@ -230,6 +230,8 @@ void GeneratorRun::run_components() {
 
 /// Passes the operation's result, or its error, to the generator.
 void GeneratorRun::answer() {
+    if (python_.clock)
+        python_.clock->picoseconds = now().count();
     if (!generator_) {
         if (!refused_.empty())
             throw std::runtime_error(refused_);

@@ -3,6 +3,8 @@
 #include <boost/context/fiber.hpp>
 #include <pybind11/pybind11.h>
 
+#include <atomic>
+#include <cstdint>
 #include <exception>
 #include <map>
 #include <memory>
@@ -38,6 +40,11 @@ private:
     std::shared_ptr<PyObject> object_;
 };
 
+/// The virtual time that a run has reached, as far as the run has noted it. Other threads may read it.
+struct RunClock {
+    std::atomic<std::int64_t> picoseconds{0};
+};
+
 /// Calls Python for the processes of one run. The run itself does not hold the lock. The calls have a stack of their
 /// own, since Python needs more than the stack of a process.
 ///
@@ -63,6 +70,7 @@ public:
 
     /// For each process that was ended in a wait, the place in its program: "relay.py:12".
     std::map<std::string, std::string> places;
+    RunClock* clock = nullptr; ///< null: no clock is kept
 
 private:
     struct Call {

@@ -1,3 +1,4 @@
+#include "python/module/identify.hpp"
 #include "python/module/network.hpp"
 #include "python/module/operation.hpp"
 #include "python/module/search.hpp"
@@ -21,5 +22,6 @@ PYBIND11_MODULE(_core, module) {
     add_networks(module);
     add_searches(module);
     add_studies(module);
+    add_identifications(module);
     pybind11::module_::import("atexit").attr("register")(pybind11::cpp_function(end_all_runs));
 }

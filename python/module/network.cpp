@@ -1,6 +1,7 @@
 #include "python/module/network.hpp"
 
 #include "explore/problems.hpp"
+#include "explore/study/measure.hpp"
 #include "explore/time_text.hpp"
 #include "netlist/print/print.hpp"
 #include "observe/page/run_page.hpp"
@@ -37,25 +38,14 @@ py::dict as_dict(const Diagnostic& diagnostic) {
     return described;
 }
 
-py::list as_dicts(const std::vector<Diagnostic>& diagnostics) {
-    py::list all;
-    for (const Diagnostic& each : diagnostics)
-        all.append(as_dict(each));
-    return all;
-}
-
 py::object errors_of(const char* name) { return py::module_::import("placedpar.errors").attr(name); }
 
-/// Warns with the line of the user's program that called the package.
+/// Warns with the line of the program that reads an attribute of the package.
 void warn(const std::string& text) {
     py::module_::import("warnings").attr("warn")(text, errors_of("NetlistWarning"), 3);
 }
 
-[[noreturn]] void refuse(const ReadResult& read) {
-    const py::object error = errors_of("NetlistError")(render(read), as_dicts(read.diagnostics));
-    PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.ptr())), error.ptr());
-    throw py::error_already_set();
-}
+[[noreturn]] void refuse(const ReadResult& read) { raise("NetlistError", render(read), as_dicts(read.diagnostics)); }
 
 ParsedNetlist parse(const LoadSettings& settings) {
     return settings.is_file ? ParsedNetlist(settings.file, settings.read)
@@ -109,6 +99,20 @@ private:
     std::vector<Slice> slices_;
 };
 
+/// Returns the measures of a run, None for those that it does not have. Throws UserError for those of no such run.
+py::list figures_in(const LoadedNetwork& network, const FinishedRun& run, const std::vector<std::string>& measures) {
+    const StudyFigures figures = figures_of(run.report, network.network());
+    py::list found;
+    for (const std::string& text : measures) {
+        const StudyMeasure measure(text);
+        const auto figure = measure.of(figures);
+        if (!figure && run.report.result.ending == Ending::completed)
+            throw UserError(there_is_no_measure(measure, figures));
+        found.append(figure ? py::cast(figure->value) : py::none());
+    }
+    return found;
+}
+
 /// Makes the run again, now recorded. Throws UserError if it is another one.
 FinishedRun repeated(const LoadedNetwork& network, const FinishedRun& run, TraceSink& sink) {
     FinishedRun again = network.run(run.options, &sink);
@@ -141,6 +145,23 @@ std::string json_of(const LoadedNetwork& network, const FinishedRun& run) {
     return boost::json::serialize(report_json(run.report, network.network(), run.manifest, run.log));
 }
 
+/// Keeps the log of a run, and notes the time of its generations for other threads.
+class ClockedLog final : public SearchObserver {
+public:
+    ClockedLog(GenerationLog& log, RunClock* clock) : log_(log), clock_(clock) {}
+    void observe(const ObservedGeneration& event) override {
+        log_.observe(event);
+        if (clock_ && event.time)
+            clock_->picoseconds = event.time->count();
+    }
+    void observe(const ObservedMigration& event) override { log_.observe(event); }
+    void observe(const ObservedAnswer& event) override { log_.observe(event); }
+
+private:
+    GenerationLog& log_;
+    RunClock* clock_; ///< null: nothing is noted
+};
+
 /// Replaces the places of processes in Python, which are in the module, by those in their bodies.
 void set_places(RunReport& report, const std::map<std::string, std::string>& places) {
     if (report.result.deadlock)
@@ -149,7 +170,39 @@ void set_places(RunReport& report, const std::map<std::string, std::string>& pla
                 process.where = found->second;
 }
 
+void add_runs(py::module_& module) {
+    py::class_<RunClock, std::shared_ptr<RunClock>>(module, "Clock")
+        .def(py::init<>())
+        .def_property_readonly("picoseconds", [](const RunClock& clock) { return clock.picoseconds.load(); });
+    py::class_<FinishedRun>(module, "Run")
+        .def_property_readonly("fingerprint", [](const FinishedRun& run) { return run.report.result.fingerprint; })
+        .def_property_readonly("outcome",
+                               [](const FinishedRun& run) { return std::string(name_of(run.report.result.ending)); })
+        .def_property_readonly("time_ps", [](const FinishedRun& run) { return run.report.result.time.count(); })
+        .def_property_readonly("events", [](const FinishedRun& run) { return run.report.result.events; })
+        .def("log_csv",
+             [](const FinishedRun& run) {
+                 return log_csv(std::vector<SeededLog>{{run.options.seed, run.log}});
+             })
+        .def("deadlock_text", [](const FinishedRun& run) {
+            return run.report.result.deadlock ? run.report.result.deadlock->text() : "";
+        });
+}
+
 } // namespace
+
+py::list as_dicts(const std::vector<Diagnostic>& diagnostics) {
+    py::list all;
+    for (const Diagnostic& each : diagnostics)
+        all.append(as_dict(each));
+    return all;
+}
+
+void raise(const char* error_class, const std::string& text, const py::list& diagnostics) {
+    const py::object error = errors_of(error_class)(text, diagnostics);
+    PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.ptr())), error.ptr());
+    throw py::error_already_set();
+}
 
 LoadedNetwork::LoadedNetwork(const LoadSettings& settings)
     : settings_(settings), parsed_(parse(settings_)), kinds_(kinds_of(settings_.kinds)) {
@@ -157,8 +210,7 @@ LoadedNetwork::LoadedNetwork(const LoadSettings& settings)
     ReadResult read = parsed_.read(kinds(problems), settings_.set);
     if (!read.network)
         refuse(read);
-    if (!read.diagnostics.empty())
-        warn(render(read));
+    warnings_ = read.diagnostics;
     if (read.network->processes.empty() && read.network->nodes.empty())
         throw UserError(settings_.file + ": the netlist is empty: it declares no processors and no processes");
     network_ = std::move(*read.network);
@@ -186,10 +238,14 @@ Catalogue LoadedNetwork::kinds(const ProblemRegistry& problems, SearchObserver* 
 
 FinishedRun LoadedNetwork::run(const RunOptions& options, TraceSink* trace) const {
     GenerationLog log = log_of(network_);
+    ClockedLog observer(log, options.clock.get());
     const std::string command =
         "placedpar.load(\"" + settings_.file + "\").run(seed=" + std::to_string(options.seed) + ")";
-    RunSettings settings{
-        .seed = options.seed, .until = options.until, .shuffle = options.shuffle, .trace = trace, .observer = &log};
+    RunSettings settings{.seed = options.seed,
+                         .until = options.until,
+                         .shuffle = options.shuffle,
+                         .trace = trace,
+                         .observer = &observer};
     RunReport report = run_unlocked(settings, options);
     if (PyErr_CheckSignals() != 0)
         throw py::error_already_set();
@@ -203,6 +259,7 @@ FinishedRun LoadedNetwork::run(const RunOptions& options, TraceSink* trace) cons
 
 RunReport LoadedNetwork::run_unlocked(const RunSettings& settings, const RunOptions& options) const {
     Interpreter interpreter;
+    interpreter.clock = options.clock.get();
     InterruptedByKeyboard interruption(options.heeds_signals);
     RunSettings interruptible = settings;
     interruptible.interruption = &interruption;
@@ -220,19 +277,7 @@ RunReport LoadedNetwork::run_unlocked(const RunSettings& settings, const RunOpti
 }
 
 void add_networks(py::module_& module) {
-    py::class_<FinishedRun>(module, "Run")
-        .def_property_readonly("fingerprint", [](const FinishedRun& run) { return run.report.result.fingerprint; })
-        .def_property_readonly("outcome",
-                               [](const FinishedRun& run) { return std::string(name_of(run.report.result.ending)); })
-        .def_property_readonly("time_ps", [](const FinishedRun& run) { return run.report.result.time.count(); })
-        .def_property_readonly("events", [](const FinishedRun& run) { return run.report.result.events; })
-        .def("log_csv",
-             [](const FinishedRun& run) {
-                 return log_csv(std::vector<SeededLog>{{run.options.seed, run.log}});
-             })
-        .def("deadlock_text", [](const FinishedRun& run) {
-            return run.report.result.deadlock ? run.report.result.deadlock->text() : "";
-        });
+    add_runs(module);
     py::class_<LoadedNetwork, std::shared_ptr<LoadedNetwork>>(module, "Network")
         .def(py::init([](std::string file, std::string text, bool is_file, Overrides set,
                          std::vector<std::string> include, std::vector<std::string> faults, ProgramKinds use,
@@ -247,8 +292,8 @@ void add_networks(py::module_& module) {
         }))
         .def("run",
              [](const LoadedNetwork& network, std::uint64_t seed, std::optional<std::int64_t> until_ps,
-                std::optional<std::uint64_t> shuffle, bool heeds_signals) {
-                 return network.run({seed, limit_of_run(until_ps), shuffle, heeds_signals});
+                std::optional<std::uint64_t> shuffle, bool heeds_signals, std::shared_ptr<RunClock> clock) {
+                 return network.run({seed, limit_of_run(until_ps), shuffle, heeds_signals, std::move(clock)});
              })
         .def("report_json", json_of)
         .def("report_text", [](const LoadedNetwork& network,
@@ -258,6 +303,8 @@ void add_networks(py::module_& module) {
         .def("svg", [](const LoadedNetwork& network) { return print_svg(network.network()); })
         .def("software_svg", [](const LoadedNetwork& network) { return print_software_svg(network.network()); })
         .def("cfs", [](const LoadedNetwork& network) { return print_cfs(network.network()); })
+        .def_property_readonly("warnings", [](const LoadedNetwork& network) { return as_dicts(network.warnings()); })
+        .def("figures", figures_in)
         .def_property_readonly("path", [](const LoadedNetwork& network) { return network.network().source_path; })
         .def_property_readonly("counts", [](const LoadedNetwork& network) {
             const Network& its = network.network();

@@ -30,7 +30,8 @@ struct RunOptions {
     std::uint64_t seed = 1;
     Time until = Time::max();
     std::optional<std::uint64_t> shuffle = {};
-    bool heeds_signals = false; ///< the caller is Python's main thread
+    bool heeds_signals = false;           ///< the caller is Python's main thread
+    std::shared_ptr<RunClock> clock = {}; ///< null: nothing reads the time during the run
 };
 
 /// Returns the latest end of a run, from picoseconds; nothing stands for none.
@@ -53,6 +54,8 @@ public:
     const Network& network() const { return network_; }
     const ParsedNetlist& parsed() const { return parsed_; }
     const LoadSettings& settings() const { return settings_; }
+    /// Returns the warnings about the netlist.
+    const std::vector<Diagnostic>& warnings() const { return warnings_; }
     bool has_own_kinds() const { return !kinds_.empty(); }
     /// Returns the network with other settings, silently. Throws RefusedInput.
     Network with(const Overrides&) const;
@@ -67,8 +70,14 @@ private:
     LoadSettings settings_;
     ParsedNetlist parsed_;
     std::vector<ProcessKind> kinds_;
+    std::vector<Diagnostic> warnings_;
     Network network_;
 };
+
+/// Returns a dictionary for each error and warning. REQUIRES: the caller holds the lock, as for the next function.
+pybind11::list as_dicts(const std::vector<Diagnostic>&);
+/// Raises an exception of this class in placedpar.errors, which has these errors.
+[[noreturn]] void raise(const char* error_class, const std::string& text, const pybind11::list& diagnostics);
 
 void add_networks(pybind11::module_&);
 

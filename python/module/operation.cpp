@@ -1,8 +1,9 @@
 #include "python/module/operation.hpp"
 
 #include "netlist/kinds/packet.hpp"
+#include "python/module/given.hpp"
+#include "python/module/random.hpp"
 #include "runtime/kernel.hpp"
-#include "runtime/random.hpp"
 #include "runtime/timer.hpp"
 
 #include <utility>
@@ -38,17 +39,11 @@ Operation of_end(Kind kind, std::shared_ptr<ChannelEnd> end, pybind11::object me
 void add_clock(pybind11::module_& module) {
     module.def("now_ps", [] { return Kernel::here().now().count(); });
     module.def("clock", [] { return (Kernel::here(), Timer().read()); });
-    pybind11::class_<RandomStream>(module, "RandomStream")
-        .def(pybind11::init<std::uint64_t, std::string_view>())
-        .def("uniform", &RandomStream::uniform, "A number uniform in [0, 1).")
-        .def("below", &RandomStream::below, "A whole number uniform in 0 ... n - 1.")
-        .def("normal", &RandomStream::normal, "A number from the standard normal distribution.")
-        .def("chance", &RandomStream::chance, "True with this probability.");
 }
 
 void add_messages(pybind11::module_& module) {
     pybind11::class_<Packet>(module, "Packet")
-        .def(pybind11::init([](std::int64_t number, std::uint32_t bytes) {
+        .def(pybind11::init([](Given<std::int64_t, "number"> number, Given<std::uint32_t, "bytes"> bytes) {
                  return Packet{number, bytes};
              }),
              pybind11::arg("number") = 0, pybind11::arg("bytes") = 4)
@@ -77,12 +72,14 @@ void add_messages(pybind11::module_& module) {
 void add_operations(pybind11::module_& module) {
     add_messages(module);
     add_clock(module);
+    add_random(module);
     pybind11::class_<Operation>(module, "Operation");
-    module.def("compute",
-               [](std::int64_t cycles, std::int64_t words) { return with_number(Kind::compute, cycles, words); });
+    module.def("compute", [](Given<std::int64_t, "cycles"> cycles, Given<std::int64_t, "words_outside"> words) {
+        return with_number(Kind::compute, cycles, words);
+    });
     module.def("wait", [](std::int64_t ps) { return with_number(Kind::wait, ps); });
     module.def("until", [](std::int64_t ps) { return with_number(Kind::until, ps); });
-    module.def("after", [](std::int32_t ticks) { return with_number(Kind::after, ticks); });
+    module.def("after", [](Given<std::int32_t, "ticks"> ticks) { return with_number(Kind::after, ticks); });
     module.def("stop", [] { return with_number(Kind::stop, 0); });
     module.def("skip", [] { return with_number(Kind::skip, 0); });
     module.def("never", [] { return with_number(Kind::never, 0); });

@@ -8,6 +8,7 @@
 #include "gaprocs/objective_problem.hpp"
 #include "gaprocs/usual_settings.hpp"
 #include "python/module/callables.hpp"
+#include "python/module/given.hpp"
 #include "python/module/signals.hpp"
 #include "report/search_log.hpp"
 #include "text/user_error.hpp"
@@ -15,9 +16,13 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <cstdint>
+#include <map>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace placedpar::python {
 
@@ -131,12 +136,28 @@ py::dict dict_of(const SearchProblem& problem, const SearchResult& found) {
     return described;
 }
 
+struct SearchOptions {
+    std::size_t islands, generations;
+    std::uint64_t seed;
+    std::string coding;
+    py::dict numbers, policies;
+    std::string checkpoint; ///< a file; "" for none
+    py::object progress;
+};
+
 /// Keeps the log, and lets Ctrl-C, the end of Python and other threads come between two generations.
 class HeedfulLog final : public SearchObserver {
 public:
-    explicit HeedfulLog(std::size_t islands) : log(island_names(islands)) {}
+    /// `progress` is None, or is called with the numbers of generations that all islands have made and will make.
+    explicit HeedfulLog(const SearchOptions& options)
+        : log(island_names(options.islands)), progress_(options.progress), all_(options.islands * options.generations) {
+    }
     void observe(const ObservedGeneration& event) override {
         log.observe(event);
+        std::uint64_t& last = last_[std::string(event.search)];
+        made_ += event.number - std::exchange(last, event.number); // a checkpoint's generations count, too
+        if (!progress_.is_none())
+            progress_(made_, all_);
         { const py::gil_scoped_release turn_of_other_threads; }
         if (PyErr_CheckSignals() != 0)
             throw py::error_already_set();
@@ -149,6 +170,9 @@ public:
     GenerationLog log;
 
 private:
+    py::object progress_;
+    std::map<std::string, std::uint64_t> last_; ///< the newest generation of each island
+    std::uint64_t made_ = 0, all_;
     InterruptedByKeyboard interruption_{false};
 };
 
@@ -161,14 +185,6 @@ IslandsResult run(const SearchProblem& problem, const RecordedProblem* recorded,
         return run_islands(problem, recorded->record(), settings, std::move(streams), &observer, checkpoints);
     return run_islands(problem, generations, settings, std::move(streams), &observer, checkpoints);
 }
-
-struct SearchOptions {
-    std::size_t islands, generations;
-    std::uint64_t seed;
-    std::string coding;
-    py::dict numbers, policies;
-    std::string checkpoint; ///< a file; "" for none
-};
 
 /// Returns the file that keeps the search; nothing if none is asked for.
 std::unique_ptr<CheckpointFile> checkpoint_of(const SearchOptions& options, const SearchProblem& problem,
@@ -190,13 +206,12 @@ IslandsSettings settings_of(const SearchProblem& problem, const SearchOptions& o
     for (const auto& [name, number] : options.numbers) {
         const auto key = name.cast<std::string>();
         if (key == "population")
-            island.population = number.cast<std::size_t>();
+            island.population = given<std::size_t>(number, "population");
         else if (key == "elite")
-            island.elite = number.cast<std::size_t>();
-        else if (key == "crossover_probability")
-            island.crossover_probability = number.cast<double>();
-        else if (key == "mutation_probability")
-            island.mutation_probability = number.cast<double>();
+            island.elite = given<std::size_t>(number, "elite");
+        else
+            (key == "crossover_probability" ? island.crossover_probability : island.mutation_probability) =
+                given<double>(number, key.c_str());
     }
     IslandsSettings settings;
     settings.islands.assign(options.islands, island);
@@ -209,7 +224,7 @@ py::dict search(const SearchProblem& coded, const RecordedProblem* recorded, con
     const auto problem = coded.coded(Coding::named(options.coding));
     const auto failure = std::make_shared<SharedObject>();
     const IslandsSettings settings = settings_of(*problem, options, failure);
-    HeedfulLog observer(options.islands);
+    HeedfulLog observer(options);
     const auto checkpoint = checkpoint_of(options, *problem, settings);
     try {
         const IslandsResult result =
@@ -253,23 +268,20 @@ py::dict search_front_of(const std::string& name, std::size_t generations, std::
 } // namespace
 
 void add_searches(py::module_& module) {
-    add_policies(module);
-    module.def("search_function", [](const py::object& function, const Bounds& bounds,
-                                     const std::vector<std::size_t>& bits, bool maximises, std::size_t islands,
-                                     std::size_t generations, std::uint64_t seed, std::string coding, py::dict numbers,
-                                     py::dict policies, std::string checkpoint) {
-        return search(*problem_of(function, bounds, bits, maximises), nullptr,
-                      {islands, generations, seed, std::move(coding), numbers, policies, std::move(checkpoint)});
+    module.def("search", [](const py::object& problem, const Bounds& bounds, const std::vector<std::size_t>& bits,
+                            bool maximises, Given<std::size_t, "islands"> islands,
+                            Given<std::size_t, "generations"> generations, std::uint64_t seed,
+                            Given<std::string, "coding"> coding, py::dict numbers, py::dict policies,
+                            std::string checkpoint, py::object progress) {
+        const SearchOptions options{
+            islands, generations, seed, coding, numbers, policies, std::move(checkpoint), std::move(progress)};
+        if (!py::isinstance<py::str>(problem))
+            return search(*problem_of(problem, bounds, bits, maximises), nullptr, options);
+        const ProblemRegistry problems = known_problems(seed);
+        const RecordedProblem& recorded = problems.find(problem.cast<std::string>());
+        return search(*recorded.problem(), &recorded, options);
     });
     module.def("search_front", &search_front_of);
-    module.def("search_problem", [](const std::string& name, std::size_t islands, std::size_t generations,
-                                    std::uint64_t seed, std::string coding, py::dict numbers, py::dict policies,
-                                    std::string checkpoint) {
-        const ProblemRegistry problems = known_problems(seed);
-        const RecordedProblem& recorded = problems.find(name);
-        return search(*recorded.problem(), &recorded,
-                      {islands, generations, seed, std::move(coding), numbers, policies, std::move(checkpoint)});
-    });
 }
 
 } // namespace placedpar::python

@@ -3,6 +3,7 @@
 #include "explore/explain/answers.hpp"
 #include "explore/study/sweep.hpp"
 #include "explore/workers.hpp"
+#include "python/module/given.hpp"
 #include "python/module/network.hpp"
 #include "python/module/signals.hpp"
 #include "text/user_error.hpp"
@@ -31,13 +32,11 @@ struct SweepOptions {
     py::object progress; ///< a function of the number of runs made and missing, or None
 };
 
-/// Refuses what runs on several threads, or without the network of this program.
-void require_file_and_kinds(const LoadedNetwork& network, const char* what) {
-    if (network.has_own_kinds())
-        throw UserError(std::string(what) + " makes runs on several threads, but the processes of this network are in "
-                                            "Python, which runs one at a time: call run() for each setting");
-    if (!network.settings().is_file)
-        throw UserError(std::string(what) + " reads the netlist again: load it from a file");
+/// Calls a function of the numbers of runs that have ended and of all runs, unless it is None.
+void tell(const py::object& progress, std::size_t ended, std::size_t all) {
+    const py::gil_scoped_acquire locked;
+    if (!progress.is_none())
+        progress(ended, all);
 }
 
 StudyAxis axis_of(const std::string& name, const std::vector<std::string>& values) {
@@ -74,14 +73,10 @@ void make_runs(const Study& study, StudyResults& results, const SweepOptions& op
     sweep.try_measures(interruption);
     const std::uint64_t missing = sweep.missing().runs;
     const std::size_t jobs = options.jobs > 0 ? options.jobs : count_cores();
-    const auto tell = [&](std::uint64_t ended) {
-        const py::gil_scoped_acquire locked;
-        if (!options.progress.is_none())
-            options.progress(ended, missing);
-    };
-    sweep.run(std::min<std::uint64_t>(jobs, std::max<std::uint64_t>(missing, 1)), interruption, tell);
+    const auto show = [&](std::uint64_t ended) { tell(options.progress, ended, missing); };
+    sweep.run(std::min<std::uint64_t>(jobs, std::max<std::uint64_t>(missing, 1)), interruption, show);
     if (!interruption.requested())
-        tell(missing);
+        show(missing);
 }
 
 py::dict row_of(const StudyRun& run, const StudyOutcome& outcome, const std::vector<StudyMeasure>& measures) {
@@ -108,8 +103,8 @@ py::list rows_of(const Study& study, StudyResults& results) {
     return rows;
 }
 
+/// REQUIRES: the network is a file, and has no kinds in Python.
 py::list sweep(const LoadedNetwork& network, const SweepOptions& options) {
-    require_file_and_kinds(network, "sweep");
     const Study study = study_of(network, options);
     for (const std::string& measure : study.measures)
         StudyMeasure{measure};
@@ -126,8 +121,11 @@ py::list sweep(const LoadedNetwork& network, const SweepOptions& options) {
 
 /// Runs the network, tries changes out, and returns the explanation as JSON and as text.
 py::tuple explain(const LoadedNetwork& network, std::uint64_t seed, std::optional<std::int64_t> until_ps,
-                  bool heeds_signals) {
-    require_file_and_kinds(network, "explain");
+                  bool heeds_signals, const py::object& progress) {
+    if (network.has_own_kinds())
+        throw UserError("explain makes changed runs on several threads, but the processes of this network are in "
+                        "Python, which runs one at a time: compare the times of runs with changed settings, such as "
+                        "net.changed({\"clock\": \"40M\"}).run(), or sweep(net, clock=[\"20M\", \"40M\"])");
     const Time until = limit_of_run(until_ps);
     CriticalPath path;
     FinishedRun run = network.run({seed, until, {}, heeds_signals}, &path);
@@ -136,7 +134,8 @@ py::tuple explain(const LoadedNetwork& network, std::uint64_t seed, std::optiona
         InterruptedByKeyboard interruption(heeds_signals);
         const py::gil_scoped_release unlocked;
         add_answers(explanation, network.network(),
-                    {network.parsed(), network.settings().set, seed, until, [](std::size_t, std::size_t) {}},
+                    {network.parsed(), network.settings().set, seed, until,
+                     [&progress](std::size_t ended, std::size_t all) { tell(progress, ended, all); }},
                     interruption);
     }
     if (PyErr_CheckSignals() != 0)
@@ -152,8 +151,8 @@ void add_studies(py::module_& module) {
     module.def("sweep",
                [](const LoadedNetwork& network, std::vector<std::pair<std::string, std::vector<std::string>>> axes,
                   std::vector<std::string> measures, std::uint64_t seed, std::uint64_t seeds,
-                  std::optional<std::int64_t> until_ps, std::string store, std::size_t jobs, bool heeds_signals,
-                  py::object progress) {
+                  std::optional<std::int64_t> until_ps, std::string store, Given<std::size_t, "jobs"> jobs,
+                  bool heeds_signals, py::object progress) {
                    return sweep(network, {std::move(axes), std::move(measures), seed, seeds, limit_of_run(until_ps),
                                           std::move(store), jobs, heeds_signals, std::move(progress)});
                });

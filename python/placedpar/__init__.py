@@ -8,7 +8,8 @@ pandas and NumPy are used where they are installed: without pandas, tables are l
 """
 
 from ._core import version as __version__
-from .errors import Deadlock, Error, NetlistError, NetlistWarning, ProcessError
+from .errors import Deadlock, Error, NetlistError, NetlistWarning, ProcessError, RecordError, RecordWarning
+from .identification import Identification, identify
 from .monitor import Monitor
 from .network import Drawing, Network, Page, Run, load
 from .process import *

@@ -1,6 +1,16 @@
 """The exceptions of PlacedPar."""
 
+import sys
+from types import FrameType
 from typing import Any, Sequence
+
+
+def caller() -> tuple[FrameType, int]:
+    """Returns the frame of the program that called the package, and its level for warnings.warn()."""
+    frame, level = sys._getframe(1), 1
+    while frame.f_back and frame.f_globals.get("__name__", "").startswith("placedpar."):
+        frame, level = frame.f_back, level + 1
+    return frame, level
 
 
 class Error(Exception):
@@ -26,6 +36,25 @@ class NetlistError(Error):
 
 class NetlistWarning(UserWarning):
     """A warning about a netlist, such as a process that is connected to nothing."""
+
+
+class RecordError(Error):
+    """The readings in a DataFrame were refused.
+
+    `diagnostics` has the errors as dictionaries with the keys severity, row (its label in the index), column (its
+    name), message and hint. `row` and `column` are those of the first error; None stands for all rows or columns.
+    """
+
+    def __init__(self, text: str, diagnostics: Sequence[dict[str, Any]] = ()) -> None:
+        self.diagnostics = list(diagnostics)
+        said = [each["message"] + f"\nhint: {each['hint']}" * bool(each["hint"]) for each in self.diagnostics]
+        super().__init__(text or "\n".join(said))
+        first: dict[str, Any] = next(iter(self.diagnostics), {})
+        self.row, self.column = first.get("row"), first.get("column")
+
+
+class RecordWarning(UserWarning):
+    """A warning about the readings in a DataFrame, such as a pressure below vacuum."""
 
 
 class ProcessError(Error):

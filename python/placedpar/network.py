@@ -1,16 +1,20 @@
 """Networks and their runs."""
 
+import copy
 import html
 import json
 import numbers
 import os
 import threading
+import warnings
 from datetime import timedelta
 from pathlib import Path
 from typing import Any, Mapping, Optional, Sequence, Union
 
 from . import _core
-from .errors import Deadlock, Error
+from .build import Statements
+from .errors import Deadlock, Error, NetlistError, NetlistWarning, caller
+from .progress import ProgressOption, progress_of, watched
 from .tables import table, table_of_columns, table_of_csv
 
 
@@ -41,6 +45,11 @@ def seed_of(seed: int, what: str = "seed") -> int:
     return int(seed)
 
 
+def is_main_thread() -> bool:
+    """Returns whether Ctrl-C ends what this thread does."""
+    return threading.current_thread() is threading.main_thread()
+
+
 def setting(value: Any) -> str:
     """Returns the value of a setting as `placedpar run --set` takes it."""
     if isinstance(value, bool):
@@ -48,34 +57,34 @@ def setting(value: Any) -> str:
     return value if isinstance(value, str) else str(value)
 
 
-class Drawing:
-    """A drawing in SVG, which a notebook shows. `text` is the SVG."""
+class _Shown:
+    """What a notebook shows. `text` is its text."""
 
     def __init__(self, text: str) -> None:
         self.text = text
 
-    def _repr_svg_(self) -> str:
-        return self.text
-
     def save(self, path: FilePath) -> None:
-        """Writes the drawing to a file."""
+        """Writes the text to a file, which a browser opens without the internet."""
         Path(path).write_text(self.text, encoding="utf-8")
 
 
-class Page:
+class Drawing(_Shown):
+    """A drawing in SVG, which a notebook shows. `text` is the SVG."""
+
+    def _repr_svg_(self) -> str:
+        return self.text
+
+
+class Page(_Shown):
     """The page of a run in HTML, which a notebook shows in a frame. `text` is the HTML."""
 
     def __init__(self, text: str, height: int) -> None:
-        self.text = text
+        super().__init__(text)
         self.height = height
 
     def _repr_html_(self) -> str:
         return (f'<iframe srcdoc="{html.escape(self.text)}" width="100%" height="{self.height}" '
                 'style="border: 1px solid #ccc"></iframe>')
-
-    def save(self, path: FilePath) -> None:
-        """Writes the page to a file, which a browser opens without the internet."""
-        Path(path).write_text(self.text, encoding="utf-8")
 
 
 class Run:
@@ -160,21 +169,69 @@ class Run:
         return f"<placedpar.Run {self.outcome} at {self.time:.9g} s, fingerprint {self.fingerprint}>"
 
 
-class Network:
-    """A netlist that has been read and checked. `load` makes it."""
+class Network(Statements):
+    """A network of processors and processes: `load` reads one from a netlist, and Network() is built by calls.
 
-    def __init__(self, core: _core.Network) -> None:
-        self._core = core
+        net = pp.Network()
+        a = net.processor("T800", clock="20M")
+        b = net.processor("T800")
+        net.connect(a.link[1], b.link[0])
+        ends = net.process("ends", Ends, on=a)
+        relay = net.process("relay", Relay, on=b, cycles=1000)
+        net.connect(ends.out, relay.inp)
+        net.connect(relay.out, ends.inp)
+        net.run()
 
-    def run(self, seed: int = 1, until: Optional[Time] = None, shuffle: Optional[int] = None) -> Run:
+    A network that was built is checked at its first use, which raises NetlistError with the line of the program.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._file = ""  # "": the statements are the netlist
+        self._settings: dict[str, str] = {}
+        self._more: tuple[list[str], list[str], dict[str, str]] = ([], [], {})  # include, faults, use
+        self._checked: Optional[tuple[int, _core.Network]] = None  # with the number of statements that were checked
+
+    @property
+    def _core(self) -> _core.Network:
+        if self._checked is None or self._checked[0] != len(self._lines):
+            try:
+                core = _core.Network(self._file or "netlist", "\n".join(self._lines), bool(self._file), self._settings,
+                                     *self._more, self._kinds)
+            except NetlistError as wrong:
+                raise self._placed(wrong) if self._places else wrong from None
+            if core.warnings:
+                warnings.warn(str(self._placed(NetlistError("", core.warnings))), NetlistWarning, caller()[1])
+            self._checked = (len(self._lines), core)
+        return self._checked[1]
+
+    def changed(self, settings: Mapping[str, Any]) -> "Network":
+        """Returns the network with other settings, as `load` takes them."""
+        other = Network()
+        other.__dict__.update({name: copy.copy(value) for name, value in self.__dict__.items()})
+        other._settings = {**self._settings, **{name: setting(value) for name, value in settings.items()}}
+        other._checked = None
+        return other
+
+    def run(self, seed: int = 1, until: Optional[Time] = None, shuffle: Optional[int] = None,
+            progress: ProgressOption = None) -> Run:
         """Runs the network in virtual time and returns a Run. Other Python threads go on meanwhile; Ctrl-C ends the run.
 
         seed: of all random numbers. until: latest end, in seconds or as "20ms". shuffle: a seed with which ready
-        processes run in a random order. Raises Deadlock, ProcessError, and Error for a run that cannot be made.
+        processes run in a random order. progress: a function that is called with the virtual time and the latest end in
+        seconds (None if there is none), on another thread; False: no line of progress on a terminal or in a notebook.
+        The time is that of the latest generation of a search, or step of a process in Python; a run without them tells
+        only its end. Raises Deadlock, ProcessError, and Error for a run that
+        cannot be made.
         """
-        is_main = threading.current_thread() is threading.main_thread()
         order = None if shuffle is None else seed_of(shuffle, "shuffle")
-        core = self._core.run(seed_of(seed), limit(until), order, is_main)
+        end_ps, clock = limit(until), _core.Clock()
+        end = None if end_ps is None else end_ps / 1e12
+        with progress_of(progress, "{} of {} s of virtual time") as tell:
+            with watched(tell, lambda: clock.picoseconds / 1e12, end):
+                core = self._core.run(seed_of(seed), end_ps, order, is_main_thread(), clock if tell else None)
+            if tell:
+                tell(core.time_ps / 1e12, end)
         run = Run(self._core, core)
         if core.outcome == "deadlock":
             raise Deadlock(core.deadlock_text(), run)
@@ -213,8 +270,14 @@ def load(netlist: FilePath, kinds: Sequence[type] = (), settings: Optional[Mappi
         if not hasattr(kind, "_ports"):
             raise TypeError(f"kinds are classes derived from placedpar.Process, not {kind!r}")
     text = os.fspath(netlist)
-    is_text = ";" in text or "\n" in text
-    values = {name: setting(value) for name, value in {**(settings or {}), **more_settings}.items()}
-    core = _core.Network("netlist" if is_text else text, text if is_text else "", not is_text, values,
-                         [os.fspath(folder) for folder in include], list(faults), dict(use or {}), list(kinds))
-    return Network(core)
+    network = Network()
+    if ";" in text or "\n" in text:
+        network._lines = text.split("\n")
+    else:
+        network._file = text
+    network._kinds = list(kinds)
+    network._more = ([os.fspath(folder) for folder in include], list(faults), dict(use or {}))
+    network._is_loaded = True
+    network = network.changed({**(settings or {}), **more_settings})
+    network._core  # raises the errors
+    return network

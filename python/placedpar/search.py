@@ -7,6 +7,7 @@ from typing import Any, Callable, Optional, Sequence, Union
 from . import _core
 from .errors import Error
 from .network import seed_of
+from .progress import ProgressOption, progress_of
 from .tables import table, table_of_csv
 
 
@@ -79,7 +80,8 @@ def search(problem: Any, bounds: Optional[Sequence[tuple[float, float]]] = None,
            crossover_probability: Optional[float] = None, mutation_probability: Optional[float] = None,
            reproduction: Optional[Policy] = None, crossover: Optional[Policy] = None, mutation: Optional[Policy] = None,
            topology: Optional[Policy] = None, schedule: Optional[Policy] = None, emigration: Optional[Policy] = None,
-           acceptance: Optional[Policy] = None, checkpoint: Union[str, "os.PathLike[str]", None] = None) -> Found:
+           acceptance: Optional[Policy] = None, checkpoint: Union[str, "os.PathLike[str]", None] = None,
+           progress: ProgressOption = None) -> Found:
     """Searches for the least value of an objective and returns what was Found.
 
     problem: a function of a population, an array of shape (n, d), that returns n values, shape (n,) or (n, 1); or a
@@ -97,7 +99,10 @@ def search(problem: Any, bounds: Optional[Sequence[tuple[float, float]]] = None,
     emigration(fitness, random) -> indices; its attribute `count` is their number;
     acceptance(fitness, immigrants, random) -> for each immigrant the index of the individual that it replaces, or
     None.
-    Strings are arrays of bits, real numbers, or places of a permutation. Raises Error for settings that do not fit.
+    Strings are arrays of bits, real numbers, or places of a permutation.
+
+    progress: a function that is called with the numbers of generations made, on all islands together, and wanted;
+    False: no line of progress on a terminal or in a notebook. Raises Error for settings that do not fit.
     """
     if islands == 1 and topology is None:
         topology = "none"
@@ -105,18 +110,18 @@ def search(problem: Any, bounds: Optional[Sequence[tuple[float, float]]] = None,
                      mutation_probability=mutation_probability)
     policies = _given(reproduction=reproduction, crossover=crossover, mutation=mutation, topology=topology,
                       schedule=schedule, emigration=emigration, acceptance=acceptance)
-    settings = (islands, generations, seed_of(seed), coding, numbers, policies, os.fspath(checkpoint or ""))
-    if isinstance(problem, str):
-        return Found(_core.search_problem(problem, *settings))
-    if not callable(problem) or hasattr(problem, "_evaluate"):
-        problem, bounds = _columns(problem)
-    if bounds is None:
-        raise TypeError("a function needs bounds: a pair (least, greatest) for each parameter")
-    bounds = [(float(low), float(high)) for low, high in bounds]
-    fields = [bits] * len(bounds) if isinstance(bits, int) else list(bits)
-    if len(fields) != len(bounds):
-        raise TypeError(f"{len(bounds)} bounds need as many numbers of bits, not {len(fields)}")
-    return Found(_core.search_function(problem, bounds, fields, maximise, *settings))
+    if not isinstance(problem, str):
+        if not callable(problem) or hasattr(problem, "_evaluate"):
+            problem, bounds = _columns(problem)
+        if bounds is None:
+            raise TypeError("a function needs bounds: a pair (least, greatest) for each parameter")
+    ranges = [(float(low), float(high)) for low, high in bounds or ()]
+    fields = [bits] * len(ranges) if isinstance(bits, int) else list(bits)
+    if len(fields) != len(ranges):
+        raise TypeError(f"{len(ranges)} bounds need as many numbers of bits, not {len(fields)}")
+    with progress_of(progress, "{} of {} generations") as tell:
+        return Found(_core.search(problem, ranges, fields, maximise, islands, generations, seed_of(seed), coding,
+                                  numbers, policies, os.fspath(checkpoint or ""), tell))
 
 
 class Front:

@@ -1,39 +1,74 @@
 """Many runs of a network, and what would make it faster."""
 
+import itertools
 import json
 import os
-import threading
-from typing import Any, Callable, Mapping, Optional, Sequence, Union
+from typing import Any, Mapping, Optional, Sequence, Union
 
 from . import _core
-from .network import Network, FilePath, Time, limit, seed_of, setting
+from .errors import Deadlock, Error, NetlistError
+from .network import FilePath, Network, Time, is_main_thread, limit, seed_of, setting
+from .progress import ProgressOption, Told, progress_of
 from .tables import table
 
 
 def sweep(network: Network, settings: Optional[Mapping[str, Any]] = None, seeds: int = 1, seed: int = 1,
           measure: Union[str, Sequence[str]] = "time", until: Optional[Time] = None, store: Optional[FilePath] = None,
-          jobs: int = 0, progress: Optional[Callable[[int, int], Any]] = None, **more_settings: Any) -> Any:
+          jobs: int = 0, progress: ProgressOption = None, **more_settings: Any) -> Any:
     """Runs a network with all combinations of settings and seeds, on all cores, and returns a table.
 
     settings, and further keyword arguments: for each name a value or several values, such as slaves=range(8),
     linkspeed=["5M", "20M"]. seeds: number of seeds, from `seed` on. measure: one or several measures as in `placedpar
     sweep`, such as "master.T_exe" or "max(slave.T_c)"; "time" is in milliseconds. store: a file that keeps the runs,
     with which a later sweep goes on. jobs: number of threads; 0: one for each core. progress: a function that is called
-    with the numbers of runs made and of missing runs, at the end also if nothing was missing.
+    with the numbers of runs made and of missing runs, at the end also if nothing was missing; False: no line of progress
+    on a terminal or in a notebook.
 
     The table has a row for each run: the settings, seed, outcome, and the measures (None if the run has no such figure).
-    Raises Error if the network was loaded from a text, or has processes in Python.
+    A network that has processes in Python or is not a netlist's file is run on one core, and without a store.
     """
     axes = []
     for name, values in {**(settings or {}), **more_settings}.items():
         is_one = isinstance(values, str) or not hasattr(values, "__iter__")
         axes.append((name, [setting(value) for value in ([values] if is_one else values)]))
     measures = [measure] if isinstance(measure, str) else list(measure)
-    is_main = threading.current_thread() is threading.main_thread()
-    rows = _core.sweep(network._core, axes, measures, seed_of(seed), seed_of(seeds, "seeds"), limit(until),
-                       "" if store is None else os.fspath(store), jobs, is_main, progress)
+    seeds = seed_of(seeds, "seeds")
+    with progress_of(progress, "{} of {} runs") as tell:
+        if network._file and not network._kinds:
+            rows = _core.sweep(network._core, axes, measures, seed_of(seed), seeds, limit(until),
+                               "" if store is None else os.fspath(store), jobs, is_main_thread(), tell)
+        elif store is None and seeds > 0:
+            rows = _runs_here(network, axes, measures, range(seed_of(seed), seed + seeds), until, tell)
+        else:
+            raise Error("store: the runs of a network with processes in Python, or without a netlist's file, cannot be "
+                        "kept, since a later sweep could not tell whether the program is still the same: keep the "
+                        "returned table" if store is not None else "0 seeds, expected at least 1")
     columns = [name for name, _ in axes] + ["seed", "outcome"] + measures
     return table([{name: _number(value) for name, value in row.items()} for row in rows], columns)
+
+
+def _runs_here(network: Network, axes: Sequence[tuple[str, Sequence[str]]], measures: Sequence[str],
+               seeds: Sequence[int], until: Optional[Time], tell: Optional[Told]) -> list[dict[str, Any]]:
+    """Makes the runs one after the other, since Python runs the processes of one network at a time."""
+    rows: list[dict[str, Any]] = []
+    combinations = list(itertools.product(*(values for _, values in axes)))
+    for combination in combinations:
+        settings = dict(zip((name for name, _ in axes), combination))
+        for seed in seeds:
+            rows.append({**settings, "seed": seed, **_figures_of_run(network.changed(settings), measures, seed, until)})
+            if tell:
+                tell(len(rows), len(combinations) * len(seeds))
+    return rows
+
+
+def _figures_of_run(network: Network, measures: Sequence[str], seed: int, until: Optional[Time]) -> dict[str, Any]:
+    try:
+        run = network.run(seed, until, progress=False)
+    except Deadlock as stuck:
+        run = stuck.run
+    except NetlistError:
+        return {"outcome": "refused", **dict.fromkeys(measures)}
+    return {"outcome": run.outcome, **dict(zip(measures, network._core.figures(run._core, measures)))}
 
 
 def _number(value: Any) -> Any:
@@ -70,7 +105,9 @@ class Explanation:
         return self.text
 
 
-def explain(network: Network, seed: int = 1, until: Optional[Time] = None) -> Explanation:
-    """Runs a network, tries out changes of it, and returns an Explanation. Raises errors as `sweep`."""
-    is_main = threading.current_thread() is threading.main_thread()
-    return Explanation(*_core.explain(network._core, seed_of(seed), limit(until), is_main))
+def explain(network: Network, seed: int = 1, until: Optional[Time] = None,
+            progress: ProgressOption = None) -> Explanation:
+    """Runs a network, tries out changes of it, and returns an Explanation. progress: as in `sweep`, for the changed
+    runs. Raises errors as `Network.run`, and Error if the network has processes in Python."""
+    with progress_of(progress, "{} of {} changes") as tell:
+        return Explanation(*_core.explain(network._core, seed_of(seed), limit(until), is_main_thread(), tell))

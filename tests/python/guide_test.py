@@ -8,15 +8,15 @@ import re
 import unittest
 
 try:
-    import numpy
+    import pandas
 except ImportError:
-    numpy = None
+    pandas = None
 
 SOURCE = pathlib.Path(os.environ["PLACEDPAR_SOURCE"])
 
 
 class Guide(unittest.TestCase):
-    @unittest.skipIf(numpy is None, "NumPy is not installed: the guide searches")
+    @unittest.skipIf(pandas is None, "pandas is not installed: the guide identifies a DataFrame")
     def test_the_code_of_the_guide_runs(self):
         text = (SOURCE / "docs" / "guides" / "python.md").read_text(encoding="utf-8")
         code = "\n".join(re.findall(r"```python\n(.*?)```", text, re.DOTALL))
@@ -29,6 +29,7 @@ class Guide(unittest.TestCase):
         self.assertRegex(printed.getvalue(), r"ends +total +6\n")
         self.assertIn("what holds it back", printed.getvalue())
         self.assertEqual(len(names["table"]), 3 * 2 * 2)
+        self.assertEqual(names["found"].links["compliance"][0].round(4), 0.0083)
 
 
 if __name__ == "__main__":

@@ -365,9 +365,34 @@ class Errors(unittest.TestCase):
         ended = subprocess.run([sys.executable, "-c", program], stderr=subprocess.PIPE, text=True)
         self.assertEqual(ended.returncode, 0, ended.stderr)
 
-    def test_a_sweep_refuses_processes_in_python(self):
-        with self.assertRaisesRegex(pp.Error, "one at a time"):
-            pp.sweep(pp.load(CHAIN, kinds=[Numbers, Relay, Sum]), seeds=2)
+    def test_a_wrong_argument_is_named(self):
+        random = pp.RandomStream(1, "name")
+        for message, wrong in (("cycles is 1.5, expected a whole number from -9223372036854775808",
+                                lambda: pp.compute(1.5)),
+                               ("words_outside is 'x'", lambda: pp.compute(1, "x")), ("ticks is None", lambda: pp.after(None)),
+                               ("bytes is -1, expected a whole number from 0 to 4294967295", lambda: pp.Packet(1, -1)),
+                               ("n is 2.5", lambda: random.below(2.5)), ("probability is 'x'", lambda: random.chance("x")),
+                               ("seed is -1", lambda: pp.RandomStream(-1, "name"))):
+            with self.assertRaisesRegex(TypeError, message):
+                wrong()
+
+        def measures(self):
+            self.measure(5, 1)
+        with self.assertRaisesRegex(pp.ProcessError, "name is 5, expected a text"):
+            alone(type("Measures", (pp.Process,), {"body": measures}))
+
+    def test_progress_is_told_from_another_thread(self):
+        told = []
+
+        def computes(self):
+            for _ in range(60000):
+                yield pp.compute(1000)
+        net = pp.load('T800 (memory = 1M) t; process p; use "Long" for p; place p on t;',
+                      kinds=[type("Long", (pp.Process,), {"body": computes})])
+        run = net.run(until="3600s", progress=lambda time, end: told.append((time, end, threading.current_thread())))
+        times = [time for time, _, _ in told]
+        self.assertEqual(times, sorted(times))
+        self.assertEqual((times[-1], told[-1][1]), (run.time, 3600))
 
 
 if __name__ == "__main__":

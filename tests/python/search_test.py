@@ -1,5 +1,7 @@
 """Tests searches from Python: results are those of the library, whatever computes the fitness and the policies."""
 
+import pathlib
+import tempfile
 import unittest
 
 import placedpar as pp
@@ -128,11 +130,14 @@ class Searches(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder, "search.checkpoint")
             pp.search(sphere, BOX, islands=3, generations=25, seed=5, checkpoint=file)
-            second = pp.search(sphere, BOX, islands=3, generations=40, seed=5, checkpoint=file)
+            told = []
+            second = pp.search(sphere, BOX, islands=3, generations=40, seed=5, checkpoint=file,
+                               progress=lambda *made: told.append(made))
             with self.assertRaisesRegex(pp.Error, "the checkpoint has seed 5, but this run has 6"):
                 pp.search(sphere, BOX, islands=3, generations=40, seed=6, checkpoint=file)
         self.assertEqual((second.value, second.string, second.generation), (whole.value, whole.string, whole.generation))
         self.assertEqual(int(second.log["generation"].min()), 21)
+        self.assertEqual((len(told), told[-1]), (60, (120, 120)))
 
     def test_a_front_is_searched(self):
         front = pp.search_front("zdt1(dimensions = 5)", generations=100, population=40, coding="real")
@@ -141,6 +146,11 @@ class Searches(unittest.TestCase):
         self.assertEqual(front.x.shape, (40, 5))
         with self.assertRaisesRegex(pp.Error, "several objectives has no fitness"):
             pp.search("zdt1", generations=2)
+
+    def test_progress_counts_the_generations_of_all_islands(self):
+        told = []
+        pp.search(sphere, BOX, islands=2, generations=5, population=10, progress=lambda *made: told.append(made))
+        self.assertEqual(told, [(i + 1, 10) for i in range(10)])
 
     def test_errors_say_what_would_be_right(self):
         for message, arguments in (
@@ -163,6 +173,10 @@ class Searches(unittest.TestCase):
         self.assertIn("value nan", repr(pp.search(lambda rows: numpy.full(len(rows), numpy.nan), BOX, generations=2)))
         with self.assertRaisesRegex(TypeError, "needs bounds"):
             pp.search(sphere)
+        for message, wrong in (("islands is 'x', expected a whole number", {"islands": "x"}),
+                               ("population is 1.5", {"population": 1.5}), ("coding is 5", {"coding": 5})):
+            with self.assertRaisesRegex(TypeError, message):
+                pp.search(sphere, BOX, **wrong)
 
 
 if __name__ == "__main__":

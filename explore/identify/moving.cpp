@@ -1,17 +1,11 @@
-#include "app/identify/ways.hpp"
+#include "explore/identify/ways.hpp"
 
-#include "app/identify/identifying.hpp"
-#include "app/identify/question.hpp"
-#include "app/identify/record_pieces.hpp"
-#include "app/options/link_options.hpp"
-#include "app/standard_error.hpp"
-#include "explore/load.hpp"
+#include "explore/identify/identifying.hpp"
+#include "explore/identify/question.hpp"
 #include "identification/on_line/moving_identification.hpp"
 #include "identification/on_line/population_sets.hpp"
 #include "identification/report/compliance_text.hpp"
 #include "text/counted.hpp"
-#include "text/output_file.hpp"
-#include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 
 #include <boost/json.hpp>
@@ -114,27 +108,27 @@ void add_json(const std::vector<SetAnswer>& sets, const std::vector<LinkIdentifi
 
 } // namespace
 
-WholeWay moving_way(const IdentifyOptions& options, std::size_t links) {
+WholeWay moving_way(const IdentifySettings& settings, std::size_t links) {
     WholeWay whole = whole_way(links);
-    whole.way.bits = options.bits.value_or(whole.way.bits);
-    whole.way.search.elite = options.elite.value_or(whole.way.search.elite);
-    whole.way.search.population = options.population.value_or(whole.way.search.population);
-    whole.way.search.window.trials = options.trials.value_or(whole.way.search.window.trials);
-    whole.way.search.window.bias = options.bias;
+    whole.way.bits = settings.bits.value_or(whole.way.bits);
+    whole.way.search.elite = settings.elite.value_or(whole.way.search.elite);
+    whole.way.search.population = settings.population.value_or(whole.way.search.population);
+    whole.way.search.window.trials = settings.trials.value_or(whole.way.search.window.trials);
+    whole.way.search.window.bias = settings.bias;
     whole.way.search.validate();
     return whole;
 }
 
-ExitCode identify_moving(const IdentifyOptions& options, Record first, RecordPieces& pieces,
-                         boost::json::object& json) {
-    if (options.window || !options.areas.empty() || !options.offset.empty())
+IdentifyEnd identify_moving(const IdentifySettings& settings, Record first, RecordStream& pieces,
+                            const IdentifyOutput& output) {
+    if (settings.window || !settings.areas.empty() || !settings.offset.empty())
         throw UserError("--window, --areas-from and --offset need --configuration: without it the configuration is "
                         "recognised from the areas as read, and all samples of a population set count");
     PerLink<double> healthy;
-    const LinkSet wanted = options.links.empty() ? LinkSet::all() : links_of(options.links);
+    const LinkSet wanted = settings.links.empty() ? LinkSet::all() : links_of(settings.links);
     MovingIdentification moving(
-        load_machine(options.machine, print_warnings),
-        [&options](std::size_t links) { return moving_way(options, links); }, options.seed);
+        load_machine(settings.machine, output.warn),
+        [&settings](std::size_t links) { return moving_way(settings, links); }, settings.seed);
     for (std::optional<Record> piece = std::move(first); piece; piece = pieces.next())
         moving.take(*piece);
     for (Link link : all_links)
@@ -144,17 +138,17 @@ ExitCode identify_moving(const IdentifyOptions& options, Record first, RecordPie
         throw UnfitRecord(fmt::format("no link moves forward for long enough; a population set needs {} of 0.16 s",
                                       counted(SetSearch::fewest_samples, "sample")));
     const std::vector<LinkIdentified> links = combined_links(sets);
-    print_out(print_recognition(moving.recognition()) + print_sets(sets) + print_links(links, wanted) +
-              "\ncross-check 2: " + locate_faults(links, healthy));
-    json["warnings"] = warnings_json(pieces.warnings());
-    add_json(sets, links, moving.recognition(), json);
+    output.print(print_recognition(moving.recognition()) + print_sets(sets) + print_links(links, wanted) +
+                 "\ncross-check 2: " + locate_faults(links, healthy));
+    output.json["warnings"] = warnings_json(pieces.warnings());
+    add_json(sets, links, moving.recognition(), output.json);
     if (pieces.stopped())
-        return ExitCode::interrupted;
+        return IdentifyEnd::interrupted;
     const bool doubted = std::ranges::any_of(all_links, [&](Link link) {
         const auto found = std::ranges::find(links, link, &LinkIdentified::link);
         return wanted.contains(link) && (found == links.end() || !found->flags.empty());
     });
-    return options.strict && doubted ? ExitCode::missed_tolerance : ExitCode::success;
+    return doubted ? IdentifyEnd::doubtful : IdentifyEnd::sound;
 }
 
 } // namespace placedpar

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "app/options/identify_options.hpp"
+#include "explore/identify/identify_settings.hpp"
+#include "explore/load.hpp"
 #include "hydraulics/data/record_table.hpp"
 #include "identification/on_line/record_diagnosis.hpp"
 #include "identification/whole_search.hpp"
@@ -13,8 +14,9 @@ namespace placedpar {
 /// Identifies the compliances in a record that is read in pieces, as the monitor does it.
 class Identifying {
 public:
-    /// Throws UserError for a wrong setting or a question that the first piece cannot answer.
-    Identifying(const IdentifyOptions& options, const hydraulics::Record& first);
+    /// Throws UserError for a wrong setting or a question that the first piece cannot answer. `warn` gets warnings
+    /// about the machine's constants.
+    Identifying(const IdentifySettings& settings, const hydraulics::Record& first, const WarningSink& warn);
 
     hydraulics::LinkSet links() const { return links_; }
     const identification::DiagnosisSettings& settings() const { return settings_; }
@@ -32,13 +34,13 @@ private:
     identification::RecordDiagnosis diagnosis_;
 };
 
-identification::DiagnosisSettings settings_of(const IdentifyOptions& options);
+identification::DiagnosisSettings settings_of(const IdentifySettings& settings);
 /// Returns whether the configuration of a record with these channels is to be recognised.
-bool moves(const IdentifyOptions& options, const hydraulics::ChannelSet& there);
+bool moves(const IdentifySettings& settings, const hydraulics::ChannelSet& there);
 /// Returns the channels that a record must have.
-hydraulics::RecordNeeds needs_of_service(const IdentifyOptions& options);
+hydraulics::RecordNeeds needs_of_service(const IdentifySettings& settings);
 /// Returns how a machine whose configuration is recognised is identified.
-identification::WholeWay moving_way(const IdentifyOptions& options, std::size_t links);
+identification::WholeWay moving_way(const IdentifySettings& settings, std::size_t links);
 /// Throws UnfitRecord: no movement was found.
 [[noreturn]] void refuse_rest(const Identifying& identifying);
 

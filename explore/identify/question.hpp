@@ -1,6 +1,7 @@
 #pragma once
 
-#include "app/options/identify_options.hpp"
+#include "explore/identify/identify_settings.hpp"
+#include "hydraulics/circuit/circuit.hpp"
 #include "hydraulics/circuit/link_calibration.hpp"
 #include "hydraulics/data/record_table.hpp"
 #include "hydraulics/data/sampling.hpp"
@@ -17,14 +18,17 @@ namespace placedpar {
 
 // The ways to identify (ways.hpp) use these functions.
 
-std::optional<hydraulics::AreasFrom> areas_asked(const IdentifyOptions& options);
-hydraulics::Side side_asked(const IdentifyOptions& options);
+/// Reads links by name, separated by commas. Throws UserError for an unknown link, and for a link that is named twice.
+hydraulics::LinkSet links_of(const std::string& links);
+
+std::optional<hydraulics::AreasFrom> areas_asked(const IdentifySettings& settings);
+hydraulics::Side side_asked(const IdentifySettings& settings);
 /// Reads a number of inches. Throws UserError for anything else.
 double offset_asked(const std::string& text);
 /// Returns the channels that each link needs: the pressure of the chosen side, the angle, and the source of the areas.
-/// Columns have the names that `--column` and `--columns-from` give. `links` receives the channels that are present and
-/// returns the links to identify.
-hydraulics::RecordNeeds needs_of(const IdentifyOptions& options,
+/// Columns have the names that `columns` and `columns_from` of the settings give. `links` receives the channels that
+/// are present and returns the links to identify.
+hydraulics::RecordNeeds needs_of(const IdentifySettings& settings,
                                  std::function<hydraulics::LinkSet(const hydraulics::ChannelSet&)> links);
 
 /// States how the record's readings were averaged.

@@ -1,4 +1,4 @@
-#include "app/identify/question.hpp"
+#include "explore/identify/question.hpp"
 
 #include "identification/compliance_search.hpp"
 #include "identification/offset_calibration.hpp"
@@ -62,11 +62,11 @@ void require_different(const std::vector<ColumnName>& names) {
     }
 }
 
-std::vector<ColumnName> column_names(const IdentifyOptions& options) {
+std::vector<ColumnName> column_names(const IdentifySettings& settings) {
     std::vector<ColumnName> names =
-        options.columns_from.empty() ? std::vector<ColumnName>{} : names_in_file(options.columns_from);
+        settings.columns_from.empty() ? std::vector<ColumnName>{} : names_in_file(settings.columns_from);
     std::vector<ColumnName> typed;
-    for (const std::string& each : options.columns)
+    for (const std::string& each : settings.columns)
         typed.push_back(name_typed(each));
     for (const ColumnName& each : typed) // replaces a name of the file
         std::erase_if(names, [&](const ColumnName& name) { return name.channel == each.channel; });
@@ -77,13 +77,31 @@ std::vector<ColumnName> column_names(const IdentifyOptions& options) {
 
 } // namespace
 
-std::optional<AreasFrom> areas_asked(const IdentifyOptions& options) {
-    if (options.areas.empty())
-        return std::nullopt;
-    return options.areas == "spool" ? AreasFrom::spool : options.areas == "servo" ? AreasFrom::servo : AreasFrom::areas;
+LinkSet links_of(const std::string& text) {
+    LinkSet links;
+    for (std::size_t start = 0, end = 0; end != std::string::npos; start = end + 1) {
+        end = text.find(',', start);
+        std::string name = text.substr(start, end - start);
+        auto link = link_named(name);
+        if (!link)
+            throw UserError(
+                fmt::format("--link {}: unknown link \"{}\"; the links are bucket, boom, stick and swing", text, name));
+        if (links.contains(*link))
+            throw UserError(fmt::format("--link {}: {} is named twice", text, name_of(*link)));
+        links.insert(*link);
+    }
+    return links;
 }
 
-Side side_asked(const IdentifyOptions& options) { return options.side == "outlet" ? Side::outlet : Side::inlet; }
+std::optional<AreasFrom> areas_asked(const IdentifySettings& settings) {
+    if (settings.areas.empty())
+        return std::nullopt;
+    return settings.areas == "spool"   ? AreasFrom::spool
+           : settings.areas == "servo" ? AreasFrom::servo
+                                       : AreasFrom::areas;
+}
+
+Side side_asked(const IdentifySettings& settings) { return settings.side == "outlet" ? Side::outlet : Side::inlet; }
 
 double offset_asked(const std::string& text) {
     std::optional<double> inches = parse_number<double>(text);
@@ -93,8 +111,8 @@ double offset_asked(const std::string& text) {
     return *inches;
 }
 
-RecordNeeds needs_of(const IdentifyOptions& options, std::function<LinkSet(const ChannelSet&)> links) {
-    auto needed = [asked = areas_asked(options), side = side_asked(options),
+RecordNeeds needs_of(const IdentifySettings& settings, std::function<LinkSet(const ChannelSet&)> links) {
+    auto needed = [asked = areas_asked(settings), side = side_asked(settings),
                    links = std::move(links)](const ChannelSet& there) {
         ChannelSet needed;
         for (Link link : links_of(links(there)))
@@ -104,7 +122,7 @@ RecordNeeds needs_of(const IdentifyOptions& options, std::function<LinkSet(const
                     needed.insert(link, sensor);
         return needed;
     };
-    return {needed, options.missing == "skip", column_names(options)};
+    return {needed, settings.missing == "skip", column_names(settings)};
 }
 
 boost::json::object sampling_json(const Sampling& sampling) {

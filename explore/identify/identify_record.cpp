@@ -1,0 +1,70 @@
+#include "explore/identify/identify_record.hpp"
+
+#include "text/user_error.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+namespace placedpar {
+
+namespace {
+
+/// Throws UserError for the first setting that was given although the way lacks it.
+template <std::size_t n>
+void require_lacking(const std::array<std::pair<const char*, bool>, n>& settings, const char* why) {
+    for (const auto& [name, given] : settings)
+        if (given)
+            throw UserError(fmt::format("{} works only with --way thesis{}", name, why));
+}
+
+void require_in_range(const IdentifySettings& settings) {
+    using Given = IdentifySettings;
+    struct Limits {
+        const char* name;
+        std::optional<std::size_t> given;
+        std::size_t least, most;
+    };
+    for (const Limits& each : {Limits{"--bits", settings.bits, Given::least_bits, Given::most_bits},
+                               {"--elite", settings.elite, 0, Given::a_million},
+                               {"--population", settings.population, 2, Given::a_million},
+                               {"--trials", settings.trials, 1, Given::a_million},
+                               {"--window", settings.window, 1, Given::most_window},
+                               {"--samples", settings.samples, 1, Given::a_million}})
+        if (each.given && (*each.given < each.least || *each.given > each.most))
+            throw UserError(fmt::format("{} {}: expected {} to {}", each.name, *each.given, each.least, each.most));
+}
+
+} // namespace
+
+void settle_way(IdentifySettings& settings) {
+    require_in_range(settings);
+    if (settings.side == "outlet" && settings.way == "service")
+        throw UserError("--side outlet works only with --way thesis or whole; --way service identifies inlet sides");
+    if (settings.way.empty())
+        settings.way = settings.side == "outlet" ? "whole" : "service";
+    if (settings.way != "service" && settings.configuration.empty())
+        settings.configuration = "a";
+    if (settings.way == "whole")
+        require_lacking<2>({{{"--rising", settings.rising}, {"--window", settings.window.has_value()}}},
+                           "; --way whole uses all samples at once");
+    if (settings.way == "service")
+        require_lacking<4>({{{"--samples", settings.samples.has_value()},
+                             {"--rising", settings.rising},
+                             {"--coding", !settings.coding.empty()},
+                             {"--offset auto", settings.offset == "auto"}}},
+                           ", which searches the first transient; --way service uses all movements in order");
+}
+
+IdentifyEnd identify_record(const IdentifySettings& settings, const RecordInput& input, const IdentifyOutput& output) {
+    if (settings.way == "service")
+        return identify_as_service(settings, input, output);
+    if (settings.way == "whole")
+        return identify_over_whole(settings, input, output);
+    const ThesisAnswer answer = identify_by_thesis(settings, input, output);
+    output.print(answer.text);
+    return answer.identified.flagged() ? IdentifyEnd::doubtful : IdentifyEnd::sound;
+}
+
+} // namespace placedpar

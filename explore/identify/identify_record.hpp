@@ -1,0 +1,14 @@
+#pragma once
+
+#include "explore/identify/ways.hpp"
+
+namespace placedpar {
+
+/// Chooses the way if none was given. Throws UserError for numbers out of range and for settings that the way lacks.
+void settle_way(IdentifySettings&);
+
+/// Evaluates a record by the way of the settings. Throws RefusedInput, UserError or UnfitRecord. REQUIRES: settle_way()
+/// has chosen the way.
+IdentifyEnd identify_record(const IdentifySettings&, const RecordInput&, const IdentifyOutput&);
+
+} // namespace placedpar

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "explore/identify/identify_settings.hpp"
+#include "explore/load.hpp"
+#include "identification/compliance_search.hpp"
+#include "identification/identification.hpp"
+
+#include <boost/json/fwd.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+/// A record of any length, which is read in pieces.
+class RecordStream {
+public:
+    virtual ~RecordStream() = default;
+    /// Returns the next piece, or nullopt when the record is over. Throws the refusal of a wrong record.
+    virtual std::optional<hydraulics::Record> next() = 0;
+    virtual std::uint64_t bytes() const = 0; ///< number of bytes read so far
+    virtual bool stopped() const = 0;        ///< the caller has ended the record early
+    virtual const std::vector<Diagnostic>& warnings() const = 0;
+};
+
+/// A record to be identified. One of the functions is called, once.
+struct RecordInput {
+    std::function<LoadedRecord(const hydraulics::RecordNeeds&)> whole;
+    std::function<std::unique_ptr<RecordStream>(hydraulics::RecordNeeds)> pieces;
+};
+
+/// What receives the results of an identification.
+struct IdentifyOutput {
+    boost::json::object& json;                        ///< gets the results as `placedpar identify --json` writes them
+    bool keeps_movements;                             ///< false: `json` gets no movements, so that memory does not grow
+    std::function<void(const std::string&)> print;    ///< text for people
+    WarningSink warn;                                 ///< warnings about the machine's constants
+    std::function<void(const std::string&)> progress; ///< called after each piece of a record
+};
+
+enum class IdentifyEnd { sound, doubtful, interrupted };
+
+// These are the ways in which identify_record() evaluates a record. Each prints its results, adds them to the JSON, and
+// throws RefusedInput, UserError or UnfitRecord. REQUIRES: settle_way() has chosen the way.
+
+/// Evaluates all movements, as the monitor identifies and judges them. Without a configuration, calls identify_moving()
+/// if configurations can be recognised from the record, and otherwise assumes configuration a.
+IdentifyEnd identify_as_service(const IdentifySettings&, const RecordInput&, const IdentifyOutput&);
+/// Recognises the configuration of each sample, and searches with a population for each set of Figure 3.13. `first` is
+/// the piece of the stream that has been read already.
+IdentifyEnd identify_moving(const IdentifySettings&, hydraulics::Record first, RecordStream&, const IdentifyOutput&);
+/// Runs one search for several links over the whole movement (identification/whole_search.hpp), and prints the least
+/// standard error that the record's noise allows, and the cost on T800s.
+IdentifyEnd identify_over_whole(const IdentifySettings&, const RecordInput&, const IdentifyOutput&);
+
+/// The result of the way "thesis", as text and JSON have it.
+struct ThesisAnswer {
+    identification::IdentificationWay way;
+    identification::ComplianceSearch prepared;
+    identification::Identified identified;
+    std::string text;
+};
+/// Runs one search over the first transient, as in chapter 3 of the thesis. Prints nothing.
+ThesisAnswer identify_by_thesis(const IdentifySettings&, const RecordInput&, const IdentifyOutput& output);
+
+} // namespace placedpar

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <algorithm>
+#include <concepts>
+#include <limits>
+#include <string>
+
+namespace placedpar::python {
+
+/// Returns what a T is for a user of Python: "a whole number from 0 to 255".
+template <class T>
+std::string kind_of_value() {
+    if constexpr (std::same_as<T, std::string>)
+        return "a text";
+    else if constexpr (std::floating_point<T>)
+        return "a number";
+    else
+        return "a whole number from " + std::to_string(std::numeric_limits<T>::min()) + " to " +
+               std::to_string(std::numeric_limits<T>::max());
+}
+
+/// Returns the value as a T. Throws pybind11::type_error, which names the argument, for any other object.
+template <class T>
+T given(pybind11::handle value, const char* name) {
+    pybind11::detail::make_caster<T> caster;
+    if (caster.load(value, true))
+        return pybind11::detail::cast_op<T>(caster);
+    throw pybind11::type_error(
+        pybind11::str("{} is {!r}, expected {}").format(name, value, kind_of_value<T>()).template cast<std::string>());
+}
+
+/// The name of an argument, as a parameter of templates.
+template <std::size_t n>
+struct Name {
+    consteval Name(const char (&text)[n]) { std::copy_n(text, n, characters); } // implicit: a template is given a text
+    char characters[n];
+};
+
+/// An argument of a function that Python calls. pybind11 lists all signatures in C++ if an argument has a wrong type;
+/// this argument is refused by given().
+template <class T, Name name>
+struct Given {
+    T value{};
+    operator T() const { return value; }
+};
+
+} // namespace placedpar::python
+
+namespace pybind11::detail {
+
+template <class T, placedpar::python::Name called>
+struct type_caster<placedpar::python::Given<T, called>> {
+    using Given = placedpar::python::Given<T, called>;
+    PYBIND11_TYPE_CASTER(Given, make_caster<T>::name);
+    bool load(handle object, bool) {
+        value.value = placedpar::python::given<T>(object, called.characters);
+        return true;
+    }
+};
+
+} // namespace pybind11::detail
