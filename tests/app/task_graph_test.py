@@ -13,14 +13,14 @@ CLOCK_MHZ = 20
 
 
 def random_graph(random_source, tasks, most_degree):
-    """Returns the edges (from, to, bytes) of a graph without circles, and the cycles of its tasks."""
+    """Returns the edges (from, to, bytes) of a connected graph without circles, and the cycles of its tasks."""
     degree, edges = [0] * tasks, []
     for to in range(1, tasks):
-        for source in random_source.sample(range(to), min(to, 2)):
-            if degree[source] < most_degree and degree[to] < most_degree:
-                edges.append((source, to, random_source.randrange(1, 20000)))
-                degree[source] += 1
-                degree[to] += 1
+        free = [source for source in range(to) if degree[source] < most_degree]
+        for source in random_source.sample(free, min(len(free), 2)):
+            edges.append((source, to, random_source.randrange(1, 20000)))
+            degree[source] += 1
+            degree[to] += 1
     return edges, [random_source.randrange(1000, 400000) for _ in range(tasks)]
 
 
