@@ -61,16 +61,19 @@ std::string_view without_mark(std::string_view comment) {
     return comment.substr(0, comment.find_last_not_of(blanks) + 1);
 }
 
-/// Reports a quote that is not closed, and a carriage return within the line.
-void check_row(std::string_view line, const TextRow& row, std::size_t open_quote, std::vector<Diagnostic>& faults) {
+void check_quotes(const TextRow& row, std::size_t open_quote, std::vector<Diagnostic>& faults) {
     if (open_quote > 0)
         faults.push_back(
             error_at(row.line, open_quote, "a quoted value has no closing quote", "close the quote on the same line"));
+}
+
+void check_line_end(std::string_view line, std::size_t number, std::vector<Diagnostic>& faults) {
     std::string_view inside = line.substr(0, line.find_last_not_of(blanks) + 1);
     if (std::size_t end = inside.find('\r'); end != std::string_view::npos)
-        faults.push_back(error_at(row.line, end + 1, "the line has a carriage return before its end",
-                                  "lines end in LF or in CR LF; tr '\\r' '\\n' < FILE > NEW.csv converts a file whose "
-                                  "lines end in carriage returns only"));
+        faults.push_back(
+            error_at(number, end + 1, "the line has a carriage return before its end",
+                     "lines end in LF or in CR LF; tr '\\r' '\\n' < FILE > NEW converts a file whose lines "
+                     "end in carriage returns only"));
 }
 
 void check_header(std::string_view line, const TextTable& table, const TextRow& header,
@@ -113,7 +116,7 @@ bool is_blank(std::string_view line) { return line.find_first_not_of(blanks) == 
 void add_line(TextTable& table, std::string_view line, std::size_t number, std::vector<Diagnostic>& faults) {
     std::size_t open_quote = 0;
     TextRow row{number, split_line(line, table.separator, open_quote)};
-    check_row(line, row, open_quote, faults);
+    check_quotes(row, open_quote, faults);
     if (!table.header.cells.empty())
         return add_row(table, std::move(row), faults);
     check_header(line, table, row, faults);
@@ -140,6 +143,7 @@ std::size_t append_lines(TextTable& table, std::string_view text, std::size_t nu
     for (; !text.empty(); ++number) {
         std::string_view line = take_line(text);
         bool above_header = table.header.cells.empty();
+        check_line_end(line, number, faults);
         if (is_comment(line) && above_header)
             table.description += std::string(without_mark(line)) + "\n";
         if (!is_blank(line) && !is_comment(line))

@@ -46,7 +46,7 @@ class Trends(unittest.TestCase):
         self.assertAlmostEqual(change["now"], 0.0120, delta=0.0012)
         self.assertIn("boom: the compliance rises by ", run.stdout)
         svg = picture.read_text(encoding="utf-8")
-        for text in ("boom: the compliance rises by", "2024-03-03", "in³/psi"):
+        for text in ("boom: the compliance rises by", "2024-03-04", "in³/psi"):
             self.assertIn(text, svg)
         placedpar("identify", *days, "--strict", "--trend", picture)
         self.assertEqual(picture.read_text(encoding="utf-8"), svg)
