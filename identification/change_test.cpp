@@ -16,7 +16,7 @@ constexpr std::size_t made_up_series = 9999;
 struct Sums {
     double weight = 0, values = 0, squares = 0;
 
-    void add(const Estimate& each) {
+    void add(const UncertainValue& each) {
         const double by = 1 / (each.standard_error * each.standard_error);
         weight += by;
         values += by * each.value;
@@ -25,7 +25,7 @@ struct Sums {
     friend Sums operator-(const Sums& a, const Sums& b) {
         return {a.weight - b.weight, a.values - b.values, a.squares - b.squares};
     }
-    Estimate mean() const { return {values / weight, 1 / std::sqrt(weight)}; }
+    UncertainValue mean() const { return {values / weight, 1 / std::sqrt(weight)}; }
     /// Returns the weighted sum of the squares of the distances from the mean.
     double scatter() const { return std::max(0.0, squares - values * values / weight); }
 };
@@ -42,7 +42,7 @@ struct Split {
     }
     /// Returns the difference of the means, divided by its standard error.
     double quotient() const {
-        const Estimate first = before.mean(), second = after.mean();
+        const UncertainValue first = before.mean(), second = after.mean();
         return std::abs(second.value - first.value) / std::hypot(first.standard_error, second.standard_error);
     }
 };
@@ -55,9 +55,9 @@ struct BestSplit {
     double quotient = -1;
 };
 
-BestSplit best_split(const std::vector<Estimate>& series, ErrorsBy errors) {
+BestSplit best_split(const std::vector<UncertainValue>& series, ErrorsBy errors) {
     Sums all, before;
-    for (const Estimate& each : series)
+    for (const UncertainValue& each : series)
         all.add(each);
     BestSplit best;
     for (std::size_t at = 1; at < series.size(); ++at) {
@@ -70,7 +70,7 @@ BestSplit best_split(const std::vector<Estimate>& series, ErrorsBy errors) {
     return best;
 }
 
-Estimate mean_of(const std::vector<Estimate>& series, std::size_t first, std::size_t last) {
+UncertainValue mean_of(const std::vector<UncertainValue>& series, std::size_t first, std::size_t last) {
     Sums sums;
     for (std::size_t i = first; i < last; ++i)
         sums.add(series[i]);
@@ -78,7 +78,7 @@ Estimate mean_of(const std::vector<Estimate>& series, std::size_t first, std::si
 }
 
 /// Appends the changes among the estimates [first, last).
-void add_changes(const std::vector<Estimate>& series, std::size_t first, std::size_t last, double level,
+void add_changes(const std::vector<UncertainValue>& series, std::size_t first, std::size_t last, double level,
                  std::vector<Change>& all) {
     const auto begin = series.begin();
     const auto change =
@@ -94,11 +94,11 @@ void add_changes(const std::vector<Estimate>& series, std::size_t first, std::si
 
 } // namespace
 
-std::optional<Change> find_change(const std::vector<Estimate>& series, double level) {
+std::optional<Change> find_change(const std::vector<UncertainValue>& series, double level) {
     if (series.size() < 2)
         return std::nullopt;
-    std::vector<Estimate> centred = series; // about 0, so that the sums of squares lose no digits
-    for (Estimate& each : centred)
+    std::vector<UncertainValue> centred = series; // about 0, so that the sums of squares lose no digits
+    for (UncertainValue& each : centred)
         each.value -= series.front().value;
     BestSplit best = best_split(centred, ErrorsBy::standard_errors);
     const ErrorsBy errors = best.split.scatter(series.size()) > 1 ? ErrorsBy::scatter : ErrorsBy::standard_errors;
@@ -108,18 +108,20 @@ std::optional<Change> find_change(const std::vector<Estimate>& series, double le
     std::size_t as_great = 0;
     const auto most = static_cast<std::size_t>(level * (made_up_series + 1));
     for (std::size_t i = 0; i < made_up_series && as_great < most; ++i) {
-        for (Estimate& each : centred)
+        for (UncertainValue& each : centred)
             each.value = each.standard_error * random.normal();
         as_great += best_split(centred, errors).quotient >= best.quotient;
     }
     const double probability = static_cast<double>(as_great + 1) / (made_up_series + 1);
     if (probability > level)
         return std::nullopt;
-    auto moved = [by = series.front().value](Estimate mean) { return Estimate{mean.value + by, mean.standard_error}; };
+    auto moved = [by = series.front().value](UncertainValue mean) {
+        return UncertainValue{mean.value + by, mean.standard_error};
+    };
     return Change{best.split.at, moved(best.split.before.mean()), moved(best.split.after.mean()), probability};
 }
 
-std::vector<Change> find_changes(const std::vector<Estimate>& series, double level) {
+std::vector<Change> find_changes(const std::vector<UncertainValue>& series, double level) {
     std::vector<Change> all;
     add_changes(series, 0, series.size(), level, all);
     for (std::size_t i = 0; i < all.size(); ++i) {

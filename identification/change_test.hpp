@@ -7,15 +7,15 @@
 namespace placedpar::identification {
 
 /// A value and its standard error.
-struct Estimate {
+struct UncertainValue {
     double value, standard_error;
 };
 
 /// A change between two neighbouring estimates of a series.
 struct Change {
-    std::size_t at;         ///< index of the first estimate after the change
-    Estimate before, after; ///< weighted means of the estimates on both sides
-    double probability;     ///< probability of at least so large a difference if nothing has changed
+    std::size_t at;               ///< index of the first estimate after the change
+    UncertainValue before, after; ///< weighted means of the estimates on both sides
+    double probability;           ///< probability of at least so large a difference if nothing has changed
 };
 
 /// Looks for the one change that explains a series best. For each place, the weighted means before and after are
@@ -24,10 +24,10 @@ struct Change {
 /// with those of 9,999 made-up series that do not change, with normal errors in the same proportions. A change is
 /// returned only if its probability is at most `level`. So about this share of the series without a change give one.
 /// `level` should be at least 0.001. Equal series give equal results.
-std::optional<Change> find_change(const std::vector<Estimate>& series, double level);
+std::optional<Change> find_change(const std::vector<UncertainValue>& series, double level);
 
 /// Looks for further changes in the parts before and after each change. Returns the changes in order; the means before
 /// and after a change extend to the neighbouring changes.
-std::vector<Change> find_changes(const std::vector<Estimate>& series, double level);
+std::vector<Change> find_changes(const std::vector<UncertainValue>& series, double level);
 
 } // namespace placedpar::identification

@@ -26,7 +26,7 @@ std::string_view unit_of(TrendValue value) {
     return "";
 }
 
-std::string with_error(const std::optional<Estimate>& estimate, int decimals) {
+std::string with_error(const std::optional<UncertainValue>& estimate, int decimals) {
     return estimate ? fmt::format("{:+.{}f} +- {:.{}f}", estimate->value, decimals, estimate->standard_error, decimals)
                     : "-";
 }
@@ -66,7 +66,7 @@ std::string print_changes(const Trend& trend, Link link) {
     return text;
 }
 
-boost::json::value estimate_json(const std::optional<Estimate>& estimate) {
+boost::json::value estimate_json(const std::optional<UncertainValue>& estimate) {
     if (!estimate)
         return nullptr;
     return boost::json::object{{"by", estimate->value}, {"standard_error", estimate->standard_error}};
@@ -102,7 +102,7 @@ Trend::Trend(std::vector<RecordAnswer> answers) : answers_(std::move(answers)) {
     for (Link link : links_of(links()))
         for (TrendValue value : all_trend_values) {
             const std::vector<std::size_t> records = records_of(link, value);
-            std::vector<Estimate> series;
+            std::vector<UncertainValue> series;
             for (std::size_t record : records)
                 series.push_back(*answers_[record].of(link, value));
             for (const Change& change : find_changes(series, trend_false_alarms / all_trend_values.size()))

@@ -30,9 +30,9 @@ inline constexpr double errors_of_interval = 1.96;
 struct RecordAnswer {
     std::string record;           ///< name of the file
     std::optional<double> date_s; ///< since 1970
-    hydraulics::PerLink<std::array<std::optional<identification::Estimate>, all_trend_values.size()>> links = {};
+    hydraulics::PerLink<std::array<std::optional<identification::UncertainValue>, all_trend_values.size()>> links = {};
 
-    const std::optional<identification::Estimate>& of(hydraulics::Link link, TrendValue value) const {
+    const std::optional<identification::UncertainValue>& of(hydraulics::Link link, TrendValue value) const {
         return links[index_of(link)][static_cast<std::size_t>(value)];
     }
 };

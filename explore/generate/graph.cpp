@@ -10,7 +10,7 @@ namespace placedpar::generate {
 
 void refuse_graph(const std::shared_ptr<const SourceFile>& file, std::size_t line, const std::string& message,
                   const std::string& hint) {
-    Diagnostic fault = error_at(line, 1, message, hint);
+    Diagnostic fault = error_at(line, line == 0 ? 0 : 1, message, hint);
     fault.location.file = file;
     throw RefusedText({std::move(fault)});
 }

@@ -15,13 +15,12 @@ std::string trimmed_text(const std::string& text) {
     return first == text.npos ? "" : text.substr(first, text.find_last_not_of(blank) + 1 - first);
 }
 
-class GraphmlReader {
+class GraphmlReader : XmlParts {
 public:
-    explicit GraphmlReader(const std::shared_ptr<const SourceFile>& file) : file_(file), xml_(file), builder_(file) {}
+    explicit GraphmlReader(const std::shared_ptr<const SourceFile>& file) : file_(file), builder_(file) {}
 
     Graph read() {
-        for (XmlPiece piece = xml_.next(); piece.kind != XmlPiece::Kind::nothing_more; piece = xml_.next())
-            take(piece);
+        read_xml(file_, *this);
         if (!has_graph_)
             refuse_graph(file_, 0, "the file has no element <graph>", "GraphML as networkx or yEd writes it");
         for (Element& edge : edges_)
@@ -43,13 +42,9 @@ private:
         std::string of, name, by_default;
     };
 
-    void take(const XmlPiece& piece) {
-        if (piece.kind == XmlPiece::Kind::begin)
-            begin(piece);
-        else if (piece.kind == XmlPiece::Kind::end)
-            end(piece);
-        else if (!inside_.empty())
-            text_ += piece.text;
+    void text(std::string_view text) override {
+        if (!inside_.empty())
+            text_ += text;
     }
 
     /// Takes the text of a label, which may have elements behind the text.
@@ -59,45 +54,45 @@ private:
         text_.clear();
     }
 
-    void begin(const XmlPiece& piece) {
+    void begin(const XmlTag& tag) override {
         note_label();
-        inside_.push_back(piece.name);
-        if (piece.name == "key")
-            begin_key(piece);
-        else if (piece.name == "graph")
-            begin_graph(piece);
-        else if (piece.name == "hyperedge")
-            refuse_graph(file_, piece.line, "the graph has a <hyperedge>", "a wire joins two processors");
-        else if (piece.name == "node" || piece.name == "edge")
-            open_.push_back({piece.attributes, piece.line});
-        else if (piece.name == "data")
-            data_key_ = stated(piece, "key");
+        inside_.push_back(tag.name);
+        if (tag.name == "key")
+            begin_key(tag);
+        else if (tag.name == "graph")
+            begin_graph(tag);
+        else if (tag.name == "hyperedge")
+            refuse_graph(file_, tag.line, "the graph has a <hyperedge>", "a wire joins two processors");
+        else if (tag.name == "node" || tag.name == "edge")
+            open_.push_back({tag.attributes, tag.line});
+        else if (tag.name == "data")
+            data_key_ = stated(tag, "key");
     }
 
-    void begin_key(const XmlPiece& piece) {
-        key_ = &keys_[stated(piece, "id")];
-        *key_ = {stated(piece, "for"), stated(piece, "attr.name"), ""};
+    void begin_key(const XmlTag& tag) {
+        key_ = &keys_[stated(tag, "id")];
+        *key_ = {stated(tag, "for"), stated(tag, "attr.name"), ""};
     }
 
-    void begin_graph(const XmlPiece& piece) {
+    void begin_graph(const XmlTag& tag) {
         if (!std::exchange(has_graph_, true))
-            builder_.graph().directed = stated(piece, "edgedefault") == "directed";
+            builder_.graph().directed = stated(tag, "edgedefault") == "directed";
         if (!open_.empty())
             open_.back().is_group = true;
     }
 
-    static std::string stated(const XmlPiece& piece, const std::string& name) {
-        const auto found = piece.attributes.find(name);
-        return found == piece.attributes.end() ? "" : found->second;
+    static std::string stated(const XmlTag& tag, const std::string& name) {
+        const auto found = tag.attributes.find(name);
+        return found == tag.attributes.end() ? "" : found->second;
     }
 
-    void end(const XmlPiece& piece) {
-        if (piece.name == "default" && key_)
+    void end(const std::string& name) override {
+        if (name == "default" && key_)
             key_->by_default = trimmed_text(text_);
-        else if (piece.name == "data" && !open_.empty())
+        else if (name == "data" && !open_.empty())
             add_data();
-        else if (piece.name == "node" || piece.name == "edge")
-            end_element(piece.name);
+        else if (name == "node" || name == "edge")
+            end_element(name);
         note_label();
         inside_.pop_back();
     }
@@ -139,7 +134,6 @@ private:
     }
 
     std::shared_ptr<const SourceFile> file_;
-    XmlReader xml_;
     GraphBuilder builder_;
     std::map<std::string, Key> keys_;
     Key* key_ = nullptr; ///< the latest

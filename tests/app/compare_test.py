@@ -100,7 +100,7 @@ class Compare(unittest.TestCase):
         out = self.compared("a.json", "b.json")
         self.assertIn("clock: 20000000 in A, 10000000 in B", out)
         self.assertIn("seed: 1 in A, 2 in B", out)
-        self.assertRegex(out, r"\n +50 +25 +sink.time|\n.*sink\.time")
+        self.assertIn("sink.time [ms]", out)
 
     def test_a_netlist_that_has_changed_since_the_run_is_told(self):
         placedpar("run", self.a, "--json", os.path.join(self.folder.name, "a.json"))

@@ -71,6 +71,7 @@ SEEDS = {
     "options": lambda: [b"n=3\nt[0].link[0] silent (from = 20ms)\ncsp.sink=csp.sink", b"t.memory=2M\n\n"] + texts_of("tests/netlist/elaborate/overrides_test.cpp"),
     "diagnosis": lambda: [],
     "population": lambda: texts_of("tests/gaprocs/initial_population_test.cpp"),
+    "tour": lambda: texts_of("tests/problems/benchmark/tour_file_test.cpp"),
     "names": lambda: [b"localhost:8080", b"[::1]:80", b"127.0.0.1", b"dXNlcjpwYXNzd29yZA==", b"0123456789abcdef0123"],
     "searches": lambda: files("examples/**/*.cfs"),
     "wish": lambda: [b"torus\n4x4\n\n\nislands", b"tree\n7\n3\n\nfarm", b"chordal-ring\n8\n\n3\nislands", b"hypercube\n8\n\n\nga.island"],

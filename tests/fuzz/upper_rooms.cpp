@@ -29,6 +29,7 @@
 #include "netlist/language/layout.hpp"
 #include "netlist/language/names_in_text.hpp"
 #include "netlist/read.hpp"
+#include "problems/benchmark/tour_file.hpp"
 #include "serve/job.hpp"
 #include "tests/fuzz/reader.hpp"
 #include "text/number.hpp"
@@ -50,6 +51,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numeric>
 #include <sstream>
 
 namespace placedpar::fuzz {
@@ -171,6 +173,15 @@ void read_population(const std::string& text) {
     const Representation representations[] = {BitString(5), RealVector({{-2, 2}, {0, 1e300}}), Permutation(4)};
     for (const Representation& each : representations)
         attempt_to([&] { load_population(file_of(text, "population"), each); });
+}
+
+void read_tour(const std::string& text) {
+    attempt_to([&] {
+        const TableTour tour = read_tour_file(file_of(text, "tour.tsp"));
+        std::vector<std::size_t> order(tour.representation().places());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        require(tour.objective(order) >= 0, "a tour has a length");
+    });
 }
 
 /// Reads hosts and passwords as browsers send them, the service's names, and its token.
@@ -394,15 +405,18 @@ void read_arguments(const std::string& text) {
 } // namespace
 
 std::span<const Reader> readers() {
-    static const Reader all[] = {
-        {"study", read_study_text},  {"results", read_results},     {"message", read_message},
-        {"state", read_state},       {"arguments", read_arguments}, {"policies", read_policies},
-        {"strings", read_strings},   {"diagnosis", read_diagnosis}, {"population", read_population},
-        {"names", read_names},       {"searches", read_searches},   {"wish", read_topology_request},
-        {"graph", read_graph},       {"tasks", read_tasks},         {"scenario", read_scenario_settings},
-        {"answer", read_answer},     {"places", read_place},        {"request", read_request},
-        {"job", read_job},           {"command", read_words},       {"editor", serve_an_editor},
-        {"words", ask_about_netlist}};
+    static const Reader all[] = {{"study", read_study_text},      {"results", read_results},
+                                 {"message", read_message},       {"state", read_state},
+                                 {"arguments", read_arguments},   {"policies", read_policies},
+                                 {"strings", read_strings},       {"diagnosis", read_diagnosis},
+                                 {"population", read_population}, {"tour", read_tour},
+                                 {"names", read_names},           {"searches", read_searches},
+                                 {"wish", read_topology_request}, {"graph", read_graph},
+                                 {"tasks", read_tasks},           {"scenario", read_scenario_settings},
+                                 {"answer", read_answer},         {"places", read_place},
+                                 {"request", read_request},       {"job", read_job},
+                                 {"command", read_words},         {"editor", serve_an_editor},
+                                 {"words", ask_about_netlist}};
     return all;
 }
 

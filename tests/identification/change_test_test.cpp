@@ -9,9 +9,9 @@ using namespace placedpar::identification;
 
 namespace {
 
-std::vector<Estimate> series_of(RandomStream& random, std::size_t size, std::size_t change_at, double by,
-                                double real_errors = 1) {
-    std::vector<Estimate> series;
+std::vector<UncertainValue> series_of(RandomStream& random, std::size_t size, std::size_t change_at, double by,
+                                      double real_errors = 1) {
+    std::vector<UncertainValue> series;
     for (std::size_t i = 0; i < size; ++i) {
         const double error = 0.5 + random.uniform();
         series.push_back({100 + (i >= change_at ? by : 0) + real_errors * error * random.normal(), error});
@@ -58,7 +58,7 @@ TEST_CASE("a change is found at its place, with its size") {
 
 TEST_CASE("two changes are found, and the means extend from change to change") {
     RandomStream random(2, "test");
-    std::vector<Estimate> series = series_of(random, 15, 5, 20);
+    std::vector<UncertainValue> series = series_of(random, 15, 5, 20);
     for (std::size_t i = 10; i < 15; ++i)
         series[i].value += 30;
     const std::vector<Change> changes = find_changes(series, 0.01);

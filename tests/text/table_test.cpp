@@ -62,7 +62,8 @@ TEST_CASE("CR LF, a byte order mark, and a missing last line end are accepted") 
 
 TEST_CASE("a table may have another separator, a separator at the end of its rows, and decimal commas") {
     std::vector<Diagnostic> faults;
-    TextTable table{.separator = ';'};
+    TextTable table;
+    table.separator = ';';
     append_lines(table, "a;b\n1,5;\"x;y\";\n#N/A;2\n# comment\n", 1, faults);
     CHECK(faults.empty());
     REQUIRE(table.rows.size() == 2);

@@ -139,14 +139,17 @@ TEST_CASE("hostile graphs are refused in words") {
         nested += "<a>";
     CHECK(refuses(graphml_of, nested, "nested deeper than 64"));
     CHECK(refuses(graphml_of, "<!DOCTYPE g [<!ENTITY a \"&b;&b;\">]><graphml><graph/></graphml>", "declares entities"));
-    CHECK(refuses(graphml_of, "<graphml><graph><node id=\"&a;\"/></graph></graphml>", "entity \"&a;\" is not known"));
-    CHECK(refuses(graphml_of, "<graphml><graph><node id='&#x110000;'/></graph></graphml>", "is not known"));
-    CHECK(refuses(graphml_of, "<graphml><graph></graphml>", "</graphml> closes an element that is not open"));
-    CHECK(refuses(graphml_of, "<graphml><graph>", "<graph> is not closed"));
+    CHECK(refuses(graphml_of, "<graphml><graph><node id=\"&a;\"/></graph></graphml>", "undefined entity"));
+    CHECK(refuses(graphml_of, "<graphml><graph><node id='&#x110000;'/></graph></graphml>",
+                  "reference to invalid character number"));
+    CHECK(refuses(graphml_of, "<graphml><graph></graphml>",
+                  "graph:1: error: this is not well-formed XML: mismatched tag"));
+    CHECK(refuses(graphml_of, "<graphml><graph>", "no element found"));
     CHECK(
         refuses(graphml_of, "<graphml><graph><edge source='a' target='b'/></graph></graphml>", "\"a\" is not a node"));
     CHECK(refuses(graphml_of, "<graphml><graph><hyperedge/></graph></graphml>", "<hyperedge>"));
-    CHECK(refuses(graphml_of, "", "no element <graph>"));
+    CHECK(refuses(graphml_of, "", "no element found"));
+    CHECK(refuses(graphml_of, "<graphml/>", "no element <graph>"));
     CHECK(refuses(dot_of, "graph { a -- a }", "leads from \"a\" to \"a\""));
     CHECK(refuses(dot_of, "graph { \"a }", "a string is not closed"));
     CHECK(refuses(dot_of, "graph { /* a }", "a comment is not closed"));

@@ -94,6 +94,39 @@ TEST_CASE("breeder mutation makes steps of every size in both directions") {
     CHECK(std::abs(small - 10000) < 360);
 }
 
+TEST_CASE("polynomial mutation stays in the range, is symmetric in its middle, and has the published mean step") {
+    auto all = mutants("polynomial(index = 20)", 1, 20000);
+    double steps = 0;
+    for (double step : all) {
+        CHECK(std::abs(step) <= 8);
+        steps += std::abs(step) / 16 / 20000;
+    }
+    CHECK(std::abs(mean_of(all)) < 0.06);
+    // The step's share of the range is 1 - u^(1/21), u uniform in 0 ... 1, if the bounds are far away: 1/22 on average.
+    CHECK(steps == doctest::Approx(1 / 22.0).epsilon(0.03));
+}
+
+TEST_CASE("simulated binary crossover keeps the parents' mean far from bounds, the stated spread, and the range") {
+    RandomStream random(4, "sbx");
+    double spread = 0;
+    int crossed = 0;
+    for (int i = 0; i < 20000; ++i) {
+        std::vector<Genome> pair{unit_reals.read("0.499 0.5 0.001"), unit_reals.read("0.501 0.5 0.9")};
+        Crossover(SimulatedBinaryCrossover{15})(pair, 1, unit_reals, random);
+        auto value = [&](std::size_t child, std::size_t number) {
+            return unit_reals.reals().value(pair[child], number);
+        };
+        CHECK((value(0, 0) + value(1, 0)) / 2 == doctest::Approx(0.5));
+        CHECK((value(0, 1) == 0.5 && value(1, 1) == 0.5));
+        CHECK(std::min(value(0, 2), value(1, 2)) >= 0);
+        const double ratio = std::abs(value(0, 0) - value(1, 0)) / 0.002;
+        crossed += std::abs(ratio - 1) > 1e-9;
+        spread += std::abs(ratio - 1) > 1e-9 && ratio < 1;
+    }
+    CHECK(std::abs(crossed - 10000) < 360);        // each number is crossed with probability 1/2
+    CHECK(std::abs(spread - crossed / 2.0) < 260); // half of the offspring are nearer to each other than their parents
+}
+
 TEST_CASE("uniform mutation draws a new number, uniform in the range") {
     auto all = mutants("uniform", 1, 20000);
     CHECK(std::abs(mean_of(all)) < 0.17);
