@@ -79,7 +79,7 @@ UncertainValue mean_of(const std::vector<UncertainValue>& series, std::size_t fi
 
 /// Appends the changes among the estimates [first, last).
 void add_changes(const std::vector<UncertainValue>& series, std::size_t first, std::size_t last, double level,
-                 std::vector<Change>& all) {
+                 std::vector<SeriesChange>& all) {
     const auto begin = series.begin();
     const auto change =
         find_change({begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last)}, level);
@@ -94,7 +94,7 @@ void add_changes(const std::vector<UncertainValue>& series, std::size_t first, s
 
 } // namespace
 
-std::optional<Change> find_change(const std::vector<UncertainValue>& series, double level) {
+std::optional<SeriesChange> find_change(const std::vector<UncertainValue>& series, double level) {
     if (series.size() < 2)
         return std::nullopt;
     std::vector<UncertainValue> centred = series; // about 0, so that the sums of squares lose no digits
@@ -118,11 +118,11 @@ std::optional<Change> find_change(const std::vector<UncertainValue>& series, dou
     auto moved = [by = series.front().value](UncertainValue mean) {
         return UncertainValue{mean.value + by, mean.standard_error};
     };
-    return Change{best.split.at, moved(best.split.before.mean()), moved(best.split.after.mean()), probability};
+    return SeriesChange{best.split.at, moved(best.split.before.mean()), moved(best.split.after.mean()), probability};
 }
 
-std::vector<Change> find_changes(const std::vector<UncertainValue>& series, double level) {
-    std::vector<Change> all;
+std::vector<SeriesChange> find_changes(const std::vector<UncertainValue>& series, double level) {
+    std::vector<SeriesChange> all;
     add_changes(series, 0, series.size(), level, all);
     for (std::size_t i = 0; i < all.size(); ++i) {
         all[i].before = mean_of(series, i == 0 ? 0 : all[i - 1].at, all[i].at);

@@ -61,7 +61,7 @@ TEST_CASE("two changes are found, and the means extend from change to change") {
     std::vector<UncertainValue> series = series_of(random, 15, 5, 20);
     for (std::size_t i = 10; i < 15; ++i)
         series[i].value += 30;
-    const std::vector<Change> changes = find_changes(series, 0.01);
+    const std::vector<SeriesChange> changes = find_changes(series, 0.01);
     REQUIRE(changes.size() == 2);
     CHECK(changes[0].at == 5);
     CHECK(changes[1].at == 10);
