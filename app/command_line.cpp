@@ -123,8 +123,7 @@ std::string how_to_set(const DeclaredCommand& command, const std::string& settin
     const std::string name = option.substr(std::min(option.find_first_not_of('-'), option.size()));
     const bool is_name = !name.empty() && std::isalpha(static_cast<unsigned char>(name.front()));
     std::string otherwise = is_name ? how_to_set(command, name + "=VALUE") : "";
-    if (otherwise.empty())
-        otherwise = fmt::format("{} --help lists the options", whose);
+    otherwise += fmt::format("{}{} --help lists the options", otherwise.empty() ? "" : "; ", whose);
     throw UserError(unknown_name("option", option, command.names_of_options(), otherwise));
 }
 
