@@ -19,6 +19,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -124,7 +125,9 @@ std::string how_to_set(const DeclaredCommand& command, const std::string& settin
     if (option == "--set" && takes_settings_as_arguments(command))
         throw UserError(
             fmt::format("{} has no option --set; leave it out: settings are arguments, such as slaves=0..7", whose));
-    std::string otherwise = how_to_set(command, option.substr(option.find_first_not_of('-')) + "=VALUE");
+    const std::string name = option.substr(std::min(option.find_first_not_of('-'), option.size()));
+    const bool is_name = !name.empty() && std::isalpha(static_cast<unsigned char>(name.front()));
+    std::string otherwise = is_name ? how_to_set(command, name + "=VALUE") : "";
     if (otherwise.empty())
         otherwise = fmt::format("{} --help lists the options", whose);
     throw UserError(unknown_meaning("option", option, meanings_of_options(command), otherwise));

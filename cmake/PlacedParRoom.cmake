@@ -28,8 +28,10 @@ if(PLACEDPAR_WARNINGS_AS_ERRORS)
     target_compile_options(placedpar_options INTERFACE -Werror)
 endif()
 
-# placedpar_slow_options(target room): a target of a room that may be slow gets what PLACEDPAR_SLOW_OPTIONS says.
+# placedpar_slow_options(target room): a target of a room that may be slow gets what PLACEDPAR_SLOW_OPTIONS says, and any
+# room what its own variable says, such as PLACEDPAR_OPTIONS_occam.
 function(placedpar_slow_options target room)
+    target_compile_options(${target} PRIVATE ${PLACEDPAR_OPTIONS_${room}})
     if(room IN_LIST PLACEDPAR_SLOW_ROOMS)
         target_compile_options(${target} PRIVATE ${PLACEDPAR_SLOW_OPTIONS})
     endif()

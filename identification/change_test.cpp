@@ -119,13 +119,13 @@ public:
                 return true;
         return false;
     }
-    std::vector<Change> changes() const {
+    std::vector<SeriesChange> changes() const {
         const double factor = std::sqrt(std::max(1.0, scatter()));
         auto mean = [&](std::size_t part) {
             const UncertainValue found = sums_of(part).mean();
             return UncertainValue{zero_ + found.value, factor * found.standard_error};
         };
-        std::vector<Change> all;
+        std::vector<SeriesChange> all;
         for (const auto& [at, probability] : probabilities_)
             all.push_back({at, mean(all.size()), mean(all.size() + 1), probability});
         return all;
@@ -180,14 +180,14 @@ private:
 
 } // namespace
 
-std::optional<Change> find_change(const std::vector<UncertainValue>& series, double level) {
+std::optional<SeriesChange> find_change(const std::vector<UncertainValue>& series, double level) {
     ChangingSeries changing(series);
     if (!changing.split(level))
         return std::nullopt;
     return changing.changes().front();
 }
 
-std::vector<Change> find_changes(const std::vector<UncertainValue>& series, double level) {
+std::vector<SeriesChange> find_changes(const std::vector<UncertainValue>& series, double level) {
     ChangingSeries changing(series);
     while (changing.split(level))
         continue;

@@ -195,7 +195,8 @@ void check_exercise(const Job& job, const Loaded& loaded, Interruption& interrup
     answer["ended"] = interrupted ? "interrupted" : verdict.wrong.empty() ? "solved" : "not solved";
     answer["verdict"] = interrupted ? "the check took too long" : verdict.text();
     answer["result"] = name_of(verdict.end, verdict.wrong);
-    answer["simulated_ms"] = std::chrono::duration<double, std::milli>(verdict.time).count();
+    if (verdict.end == StudentRun::End::completed)
+        answer["simulated_ms"] = std::chrono::duration<double, std::milli>(verdict.time).count();
 }
 
 json::array faults_of(const std::string& main) {

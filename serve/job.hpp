@@ -19,7 +19,7 @@ namespace placedpar::serve {
 /// The answer to "check" is {"faults": [...]}. The other answers have "ended" and "warnings". If there is no run, they
 /// have "faults" and "refused", which says why as the command line does. After a run they have "output" (of booted
 /// programs), "report" and "page" (HTML), and the "explanation" or "listing" that was asked for; after an exercise,
-/// "verdict", "result" (name_of(StudentRun::End)) and "simulated_ms".
+/// "verdict", "result" (name_of(StudentRun::End)) and, of a program that ran to its end, "simulated_ms".
 ///
 /// "ended" is the ending of the run as name_of(Ending) writes it, "solved" or "not solved" after an exercise, "refused"
 /// if there is no run, or "failed" after a failure. A process that is killed at a limit has no answer; the service

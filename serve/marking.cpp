@@ -1,6 +1,7 @@
 #include "serve/marking.hpp"
 
 #include "text/load_source.hpp"
+#include "text/nearest.hpp"
 #include "text/user_error.hpp"
 
 #include <boost/asio/io_context.hpp>
@@ -32,7 +33,7 @@ std::string text_in(const fs::path& file) {
 std::string job_text(const fs::path& folder, const fs::path& submission, const MarkedTask& task) {
     json::object files{{submission.filename().string(), text_in(folder / submission)}};
     for (const fs::directory_entry& each : fs::directory_iterator((folder / submission).parent_path()))
-        if (each.path().extension() == ".inc" && each.is_regular_file())
+        if (each.path().extension() == ".inc" && each.is_regular_file() && !each.is_symlink())
             files[each.path().filename().string()] = text_in(each.path());
     json::object job{{"do", "exercise"}, {"main", submission.filename().string()}, {"files", std::move(files)}};
     if (task.expected)
@@ -48,14 +49,23 @@ std::string text_of(const json::object& answer, const char* name) {
 }
 
 /// Makes a mark of the answer to a job (serve/job.hpp).
-Mark mark_of(const fs::path& submission, const std::string& answer) {
+Mark mark_of(const fs::path& submission, const std::string& answer, const RunLimits& limits) {
     const json::object object = json::parse(answer).as_object();
     Mark mark{submission.string(), text_of(object, "result"), {}, text_of(object, "verdict")};
-    if (mark.result.empty()) // the program did not run, or not to an end
+    if (mark.result.empty()) // the program did not run
         return {submission.string(), text_of(object, "ended"), {}, text_of(object, "refused")};
+    if (mark.result == "interrupted")
+        return {
+            submission.string(),
+            "out of time",
+            {},
+            fmt::format("the check took longer than {} s of this computer's time; a longer limit (--seconds) or fewer "
+                        "submissions at a time (--jobs) may help",
+                        limits.seconds)};
     if (mark.result == "solved")
         mark.why.clear();
-    mark.simulated_ms = object.at("simulated_ms").to_number<double>();
+    if (const json::value* time = object.if_contains("simulated_ms"))
+        mark.simulated_ms = time->to_number<double>();
     return mark;
 }
 
@@ -69,7 +79,7 @@ std::string quoted(std::string text) {
 class Marking {
 public:
     Marking(const QueueLimits& limits, const Interruption& interruption)
-        : runs_(io_, limits), interruption_(interruption) {}
+        : limits_(limits.run), runs_(io_, limits), interruption_(interruption) {}
 
     void add(std::size_t index, const fs::path& folder, const fs::path& submission, const MarkedTask& task,
              const std::function<void(std::size_t)>& progress) {
@@ -81,9 +91,11 @@ public:
             const std::string job = job_text(folder, submission, task);
             runs_.add(
                 submission.string(), "", false, [job] { return job; },
-                [keep, submission](const std::string& answer) { keep(mark_of(submission, answer)); });
+                [this, keep, submission](const std::string& answer) { keep(mark_of(submission, answer, limits_)); });
         } catch (const UserError& refused) {
             keep({submission.string(), "refused", {}, refused.what()});
+        } catch (const fs::filesystem_error& unreadable) {
+            keep({submission.string(), "refused", {}, unreadable.what()});
         }
     }
 
@@ -97,6 +109,7 @@ public:
     }
 
 private:
+    RunLimits limits_;
     boost::asio::io_context io_;
     std::map<std::size_t, Mark> marks_; ///< by the index of the submission
     Runs runs_;
@@ -109,16 +122,30 @@ std::vector<fs::path> submissions_in(const fs::path& folder) {
     std::error_code error;
     std::vector<fs::path> found;
     for (fs::recursive_directory_iterator each(folder, error), end; !error && each != end; each.increment(error))
-        if (each->path().extension() == ".occ" && each->is_regular_file(error))
+        if (lower_case(each->path().extension().string()) == ".occ" && each->is_regular_file(error) &&
+            !each->is_symlink(error))
             found.push_back(each->path().lexically_relative(folder));
     if (error)
-        throw UserError(fmt::format("{}: {}; name a folder of programs in occam", folder.string(), error.message()));
+        throw UserError(
+            fmt::format("{}: {}; expected a folder of programs in occam", folder.string(), error.message()));
     if (found.empty())
         throw UserError(fmt::format("{}: this folder has no submission; a submission is a program in occam, with a "
                                     "name such as mine.occ",
                                     folder.string()));
     std::ranges::sort(found);
     return found;
+}
+
+std::vector<fs::path> folders_without_submission(const fs::path& folder, const std::vector<fs::path>& submissions) {
+    std::vector<fs::path> without;
+    for (const fs::directory_entry& each : fs::directory_iterator(folder)) {
+        const fs::path name = each.path().filename();
+        const auto is_inside = [&](const fs::path& submission) { return *submission.begin() == name; };
+        if (each.is_directory() && std::ranges::none_of(submissions, is_inside))
+            without.push_back(name);
+    }
+    std::ranges::sort(without);
+    return without;
 }
 
 std::vector<Mark> marks_of(const fs::path& folder, const std::vector<fs::path>& submissions, const MarkedTask& task,

@@ -19,15 +19,21 @@ struct MarkedTask {
 
 /// What was found out about a submission.
 struct Mark {
-    std::string file;   ///< path below the folder of submissions
-    std::string result; ///< "solved", "wrong output", "deadlock", "too long", "refused" (with errors), "killed" ...
-    std::optional<double> simulated_ms; ///< of the run in the usual order; empty: the program did not run to an end
+    std::string file; ///< path below the folder of submissions
+    /// "solved", "wrong output", "deadlock", "too long" (simulated), "too much output", "failed", "refused" (with
+    /// errors), "out of time" (of this computer), "killed" (at a limit), or "nothing submitted".
+    std::string result;
+    std::optional<double> simulated_ms; ///< of the run in the usual order; empty: the program did not run to its end
     std::string why;                    ///< some lines; "" if it is solved
 };
 
 /// Returns the programs in occam (.occ) in the folder and its subfolders, as paths below the folder, sorted. Throws
 /// UserError if there is none, or if the folder cannot be read.
 std::vector<std::filesystem::path> submissions_in(const std::filesystem::path& folder);
+
+/// Returns the names of the folders in the folder that have no submission inside, sorted.
+std::vector<std::filesystem::path> folders_without_submission(const std::filesystem::path& folder,
+                                                              const std::vector<std::filesystem::path>& submissions);
 
 /// Runs each submission as check_solution() does, in a confined process of its own within the limits. A submission may
 /// include the files of its own folder that end in .inc. `progress` receives the number of marked submissions. Returns

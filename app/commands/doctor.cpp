@@ -10,9 +10,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <linux/seccomp.h>
 #include <sys/prctl.h>
 
 #include <array>
+#include <cerrno>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -58,42 +60,49 @@ std::optional<std::string> find_module_of_ranks() {
     return module.empty() ? std::nullopt : std::optional(module.string());
 }
 
+/// Asks for a filter at no address: a kernel with filters says that the address is wrong, and installs none.
 std::optional<std::string> find_filters_of_calls() {
-    return ::prctl(PR_GET_SECCOMP, 0, 0, 0, 0) < 0 ? std::nullopt : std::optional<std::string>("yes");
+    const bool refused = ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr, 0, 0) < 0;
+    return refused && errno == EFAULT ? std::optional<std::string>("yes") : std::nullopt;
 }
 
 std::optional<std::string> find_python() {
     return first_line_of("python3 -c 'import placedpar as p; print(p.__version__, p.__path__[0])' 2>/dev/null");
 }
 
+std::optional<std::string> find_numpy() {
+    return first_line_of("python3 -c 'import numpy; print(numpy.__version__)' 2>/dev/null");
+}
+
 std::optional<std::string> find_pandas() {
-    return first_line_of("python3 -c 'import numpy as n, pandas as p; print(\"NumPy\", n.__version__ + \", pandas\", "
-                         "p.__version__)' 2>/dev/null");
+    return first_line_of("python3 -c 'import pandas; print(pandas.__version__)' 2>/dev/null");
 }
 
 constexpr std::array runtime_parts{
-    RuntimePart{"examples", "replay, and the commands of the documents", find_examples,
+    RuntimePart{"examples", "replay, serve, and the commands of the documents", find_examples,
                 "set PLACEDPAR_EXAMPLES to the folder"},
-    RuntimePart{"gnuplot", "plots of run, report, replay and optimise", find_gnuplot, "apt-get install gnuplot-nox"},
-    RuntimePart{"mpirun", "run --native and sweep on ranks", find_mpirun, "apt-get install openmpi-bin"},
-    RuntimePart{"module of ranks", "run --native and sweep on ranks", find_module_of_ranks,
-                "apt-get install libboost-mpi1.81-dev, then configure and build again"},
-    RuntimePart{"seccomp filters", "serve", find_filters_of_calls, "a kernel of Linux with CONFIG_SECCOMP_FILTER"},
+    RuntimePart{"gnuplot", "plots of run, report, replay, optimise, identify", find_gnuplot,
+                "apt-get install gnuplot-nox"},
+    RuntimePart{"mpirun", "run --native, sweep and calibrate on ranks", find_mpirun, "apt-get install openmpi-bin"},
+    RuntimePart{"module of ranks", "run --native, sweep and calibrate on ranks", find_module_of_ranks,
+                "apt-get install libboost-mpi-dev (on Debian 12 libboost-mpi1.81-dev), then configure and build again"},
+    RuntimePart{"seccomp filters", "serve and mark", find_filters_of_calls,
+                "a kernel of Linux with CONFIG_SECCOMP_FILTER"},
     RuntimePart{"placedpar in Python", "import placedpar", find_python,
                 "cmake --install, or set PYTHONPATH to the folder `python` of the build"},
-    RuntimePart{"NumPy and pandas", "tables and searches in Python", find_pandas,
-                "apt-get install python3-numpy python3-pandas"},
+    RuntimePart{"NumPy", "searches in Python", find_numpy, "apt-get install python3-numpy"},
+    RuntimePart{"pandas", "tables and identify in Python", find_pandas, "apt-get install python3-pandas"},
 };
 
 std::string print_part(const RuntimePart& part) {
     const std::optional<std::string> found = part.find();
-    return fmt::format("{:<20} {:<43} {}\n", part.name, part.needed_by,
+    return fmt::format("{:<20} {:<48} {}\n", part.name, part.needed_by,
                        found ? *found : fmt::format("missing: {}", part.advice));
 }
 
 ExitCode doctor() {
     std::string out =
-        fmt::format("placedpar {}\nbuilt with {}\n{} processor cores\n\n{:<20} {:<43} {}\n", version_text(), built_with,
+        fmt::format("placedpar {}\nbuilt with {}\n{} processor cores\n\n{:<20} {:<48} {}\n", version_text(), built_with,
                     std::thread::hardware_concurrency(), "part", "needed by", "found");
     for (const RuntimePart& part : runtime_parts)
         out += print_part(part);

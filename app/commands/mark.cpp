@@ -48,12 +48,12 @@ std::string print_marks(const std::vector<serve::Mark>& marks) {
         width = std::max(width, each.file.size());
         ++counts[each.result];
     }
-    std::string out = fmt::format("{:<{}}  {:<15}  {:>12}\n", "file", width, "result", "time [ms]");
+    std::string out = fmt::format("{:<{}}  {:<17}  {:>12}\n", "file", width, "result", "time [ms]");
     for (const serve::Mark& each : marks)
-        out += fmt::format("{:<{}}  {:<15}  {:>12}  {}\n", each.file, width, each.result,
+        out += fmt::format("{:<{}}  {:<17}  {:>12}  {}\n", each.file, width, each.result,
                            each.simulated_ms ? fmt::format("{:.3f}", *each.simulated_ms) : "",
                            each.why.substr(0, each.why.find('\n')));
-    out += fmt::format("\n{}:", counted(marks.size(), "submission"));
+    out += fmt::format("\n{}:", counted(marks.size(), "mark"));
     for (const auto& [result, count] : counts)
         out += fmt::format(" {} {}{}", count, result, result == counts.rbegin()->first ? "" : ",");
     return out + "\n";
@@ -69,11 +69,14 @@ ExitCode mark(const MarkOptions& options) {
     const auto show = [&](std::size_t marked) {
         progress.show(fmt::format("{} of {} marked", marked, submissions.size()));
     };
-    const auto marks = serve::marks_of(options.folder, submissions, task, options.limits, show, interruption);
+    auto marks = serve::marks_of(options.folder, submissions, task, options.limits, show, interruption);
     progress.clear();
+    const std::size_t marked = marks.size();
+    for (const auto& name : serve::folders_without_submission(options.folder, submissions))
+        marks.push_back({name.string(), "nothing submitted", {}, ""});
     print_out(print_marks(marks));
     if (interruption.requested()) {
-        print_error(fmt::format("interrupted: {} of {} submissions are marked{}\n", marks.size(), submissions.size(),
+        print_error(fmt::format("interrupted: {} of {} submissions are marked{}\n", marked, submissions.size(),
                                 options.csv.empty() ? "" : ", and no file was written"));
         return ExitCode::interrupted;
     }

@@ -105,7 +105,7 @@ Trend::Trend(std::vector<RecordAnswer> answers) : answers_(std::move(answers)) {
             std::vector<UncertainValue> series;
             for (std::size_t record : records)
                 series.push_back(*answers_[record].of(link, value));
-            for (const Change& change : find_changes(series, trend_false_alarms / all_trend_values.size()))
+            for (const SeriesChange& change : find_changes(series, trend_false_alarms / all_trend_values.size()))
                 changes_.push_back({link, value, records[change.at - 1], records[change.at], change});
         }
 }

@@ -42,7 +42,7 @@ struct TrendChange {
     hydraulics::Link link;
     TrendValue value;
     std::size_t before, after; ///< indices of the neighbouring records
-    identification::Change change;
+    identification::SeriesChange change;
 };
 
 /// The probability that a link that does not change is reported as changed, as far as the standard errors are right.

@@ -197,10 +197,10 @@ private:
             const auto label = node.attributes.find("label");
             const bool labelled =
                 label != node.attributes.end() && label->second != node.name && label->second != "\\N";
-            made_.attributes +=
-                fmt::format("{} /* {}{} */\n",
-                            entries.empty() ? fmt::format("/* t[{}] */", i) : fmt::format("t[{}]{};", i, entries),
-                            for_comment(node.name), labelled ? ": " + for_comment(label->second) : "");
+            if (!entries.empty())
+                made_.attributes += fmt::format("t[{}]{}; ", i, entries);
+            made_.attributes += fmt::format("/* t[{}] is {}{} */\n", i, for_comment(node.name),
+                                            labelled ? ": " + for_comment(label->second) : "");
         }
     }
 

@@ -25,8 +25,8 @@ std::string hint_at_sweep(const SetStatement& set) {
     const bool lists = set.typed.find(',') != std::string::npos || set.typed.find("..") != std::string::npos;
     return !lists || set.typed.find('(') != std::string::npos
                ? ""
-               : fmt::format("--set takes one value; to try several: {} sweep FILE {}={}", program_name(),
-                             set.target.name, set.typed);
+               : fmt::format("--set takes one value; to try several: {} sweep FILE {}", program_name(),
+                             set.value_at.file->text());
 }
 
 } // namespace

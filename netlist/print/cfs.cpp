@@ -39,6 +39,19 @@ std::vector<std::string> print_attributes(const Node& node) {
     return entries;
 }
 
+/// Returns the attributes in which an element of an array differs from the first element, whose attributes its
+/// declaration states.
+std::vector<std::string> print_differences(const Node& node, const Node& first) {
+    std::vector<std::string> entries;
+    for (const auto& [name, value] : node.attributes)
+        if (const auto other = first.attributes.find(name); other == first.attributes.end() || other->second != value)
+            entries.push_back(print_entry(name, value));
+    for (const auto& [name, value] : node.other)
+        if (const auto other = first.other.find(name); other == first.other.end() || !(other->second == value))
+            entries.push_back(print_entry(name, value));
+    return entries;
+}
+
 template <class Things>
 std::vector<ElementRange> ranges_of(const Things& things) {
     return element_ranges(things.size(), [&](std::size_t i) { return std::string_view(things[i].name); });
@@ -137,6 +150,9 @@ private:
                 continue;
             auto attributes = print_attributes(node);
             line("{} {}{}{};", node.type, print_list(attributes), attributes.empty() ? "" : " ", range.declarator);
+            for (std::size_t i = range.first + 1; i < range.first + range.count; ++i)
+                if (const auto others = print_differences(n_.nodes[i], node); !others.empty())
+                    line("{} {};", n_.nodes[i].name, print_list(others));
         }
         for (const Node& node : n_.nodes)
             if (node.rank)

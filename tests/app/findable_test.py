@@ -37,7 +37,18 @@ class Suggestions(unittest.TestCase):
         for values in ("1,2", "0..3"):
             self.assertIn(f"hint: --set takes one value; to try several: placedpar sweep FILE slaves={values}\n",
                           self.refused("run", FIGURE_E2, "--set", f"slaves={values}"))
+        self.assertIn("placedpar sweep FILE master[0].population=20,40\n",
+                      self.refused("run", FIGURE_E2, "--set", "master[0].population=20,40"))
         self.assertNotIn("sweep", self.refused("run", FIGURE_E2, "--set", "slaves=x"))
+
+    def test_what_is_not_a_name_of_an_option(self):
+        for option in ("---", "--=3", "-5"):
+            refused = self.refused("run", FIGURE_E2, option)
+            self.assertNotIn("defect", refused)
+            self.assertNotIn("--set", refused)
+
+    def test_problems_by_their_parameters(self):
+        self.assertIn('did you mean "dimensions"', self.refused("kinds", "rastrigin(dimension = 10)"))
 
     def test_topologies(self):
         self.assertIn('unknown topology "tours"; did you mean "torus"?',
@@ -67,6 +78,7 @@ class Doctor(unittest.TestCase):
                                 r"SQLite 3\S+, toml\+\+ 3\S+, zlib 1\S+, expat 2\S+$")
         self.assertIn(f" {EXAMPLES}\n", done.stdout)
         self.assertRegex(done.stdout, r"(?m)^gnuplot .* gnuplot \d")
+        self.assertRegex(done.stdout, r"(?m)^seccomp filters +serve and mark +yes$")
 
     def test_what_is_missing_is_named_with_its_package(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -74,6 +86,7 @@ class Doctor(unittest.TestCase):
         self.assertEqual(done.returncode, 0)
         self.assertRegex(done.stdout, r"(?m)^gnuplot +plots of \S.* missing: apt-get install gnuplot-nox$")
         self.assertRegex(done.stdout, r"(?m)^mpirun .* missing: apt-get install openmpi-bin$")
+        self.assertRegex(done.stdout, r"(?m)^examples .* missing: set PLACEDPAR_EXAMPLES to the folder$")
 
 
 if __name__ == "__main__":

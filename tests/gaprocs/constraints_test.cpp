@@ -1,7 +1,7 @@
 // Tests constraints, several objectives, and what the headers say of individuals without a usable value.
 
 #include "gaprocs/front_search.hpp"
-#include "gaprocs/islands.hpp"
+#include "gaprocs/merit.hpp"
 #include "gaprocs/problem_registry.hpp"
 #include "gaprocs/traditional.hpp"
 #include "gaprocs/usual_settings.hpp"

@@ -52,7 +52,7 @@ TEST_CASE("after a change, the scatter of the whole series judges the parts") {
     std::size_t second = 0, covered = 0;
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
         RandomStream random(seed, "one change");
-        const std::vector<Change> changes = find_changes(series_of(random, 12, 6, 60, 3), 0.05);
+        const std::vector<SeriesChange> changes = find_changes(series_of(random, 12, 6, 60, 3), 0.05);
         REQUIRE(!changes.empty());
         second += changes.size() > 1;
         const auto& [at, before, after, probability] = changes.front();
@@ -83,7 +83,7 @@ TEST_CASE("two changes are found, and the means extend from change to change") {
     std::vector<UncertainValue> series = series_of(random, 15, 5, 20);
     for (std::size_t i = 10; i < 15; ++i)
         series[i].value += 30;
-    const std::vector<Change> changes = find_changes(series, 0.01);
+    const std::vector<SeriesChange> changes = find_changes(series, 0.01);
     REQUIRE(changes.size() == 2);
     CHECK(changes[0].at == 5);
     CHECK(changes[1].at == 10);

@@ -43,13 +43,18 @@ bool refuses(Graph (*read)(const std::string&), const std::string& text, const s
     return refusal_of(read, text).find(message) != std::string::npos;
 }
 
-Network network_of(const std::string& file, bool split = false) {
+std::string text_of_graph(const std::string& file, bool split = false) {
     const ProblemRegistry problems = known_problems(0);
-    const Catalogue kinds = known_kinds(problems);
     TopologyRequest request;
     request.topology = graph_path(file);
     request.split = split;
-    ReadResult result = read_netlist_text(generate::generate(request, kinds).text, kinds);
+    return generate::generate(request, known_kinds(problems)).text;
+}
+
+Network network_of(const std::string& file, bool split = false) {
+    const ProblemRegistry problems = known_problems(0);
+    const Catalogue kinds = known_kinds(problems);
+    ReadResult result = read_netlist_text(text_of_graph(file, split), kinds);
     REQUIRE(result.network.has_value());
     return std::move(*result.network);
 }
