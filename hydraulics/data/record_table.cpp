@@ -16,15 +16,6 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// Returns whether the cell is one of the words that loggers write for a missing reading.
-bool is_missing(const TextCell& cell) {
-    constexpr std::array<std::string_view, 15> words{"",     "-",        "--",        "nan",     "-nan",
-                                                     "na",   "n/a",      "#n/a",      "#nv",     "none",
-                                                     "null", "nan(ind)", "-nan(ind)", "1.#qnan", "-1.#ind"};
-    return cell.text.size() <= words.back().size() + 2 &&
-           std::ranges::find(words, lower_case(cell.text)) != words.end();
-}
-
 /// Returns the number of decimals, 3 to 9, that shows all times without rounding.
 int time_decimals(const Record& record) {
     int decimals = 3;
@@ -44,6 +35,14 @@ std::string print_number(double value, int decimals) {
 }
 
 } // namespace
+
+bool RecordReader::is_missing(const TextCell& cell) {
+    constexpr std::array<std::string_view, 15> words{"",     "-",        "--",        "nan",     "-nan",
+                                                     "na",   "n/a",      "#n/a",      "#nv",     "none",
+                                                     "null", "nan(ind)", "-nan(ind)", "1.#qnan", "-1.#ind"};
+    return cell.text.size() <= words.back().size() + 2 &&
+           std::ranges::find(words, lower_case(cell.text)) != words.end();
+}
 
 void RecordReader::find_needs() {
     ChannelSet there;

@@ -103,10 +103,14 @@ private:
         std::vector<double>& of(Record& record) const { return sensor ? record.of(link, *sensor) : record.time_s; }
     };
 
+    /// Returns whether the cell is one of the words that loggers write for a missing reading.
+    static bool is_missing(const TextCell& cell);
+
     bool read_table(std::string_view lines, std::vector<Diagnostic>& faults);
     Record read_piece(std::vector<Diagnostic>& faults);
     std::string find_table(std::string_view text);
     void take_units_row();
+    bool has_dates(std::size_t index) const;
     const Unit* unit_of(std::size_t index, const RecordChannel& channel, std::vector<Diagnostic>& faults) const;
     void read_column(std::size_t index, std::vector<std::string>& unused, std::vector<Diagnostic>& faults);
     void note_unused(const std::vector<std::string>& unused, std::vector<Diagnostic>& faults) const;

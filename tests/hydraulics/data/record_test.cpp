@@ -368,6 +368,17 @@ TEST_CASE("rows without a needed reading are skipped on request; an unneeded rea
     CHECK(!read_record(text, {all_but_spool, false}).record); // the pressure of line 7 is needed
 }
 
+TEST_CASE("the first time that is not missing tells whether times are dates") {
+    std::string text = "time,boom.angle [deg]\n#N/A,20\n";
+    for (int i = 0; i < 8; ++i)
+        text += fmt::format("2024-03-05T14:30:00.{:02},{}\n", 2 * i, 20 + i);
+    const ReadRecord skipped = read_record(text, {{}, true});
+    REQUIRE(skipped.record);
+    CHECK(skipped.record->size() == 8);
+    CHECK(skipped.record->period_s == doctest::Approx(0.02));
+    CHECK(all_faults(read_record(text).faults).starts_with("2:\"#N/A\" is not a reading"));
+}
+
 TEST_CASE("a column of configurations is read, and a cell without a known letter is unknown") {
     std::string text = "time [s],boom.angle [deg],configuration\n";
     for (int i = 0; i < 6; ++i)
