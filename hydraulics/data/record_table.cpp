@@ -54,17 +54,15 @@ void RecordReader::find_needs() {
         column.needed = !column.sensor || needed.contains(column.link, *column.sensor);
 }
 
-void RecordReader::skip_missing(std::vector<Diagnostic>& faults) {
+/// Removes the rows that lack a needed reading.
+void RecordReader::skip_missing() {
     auto lacks = [&](const TextRow& row) {
         return std::ranges::any_of(
             columns_, [&](const Column& column) { return column.needed && is_missing(row.cells[column.index]); });
     };
-    auto first = std::ranges::find_if(table_.rows, lacks);
-    if (first == table_.rows.end())
-        return;
-    const std::size_t line = first->line, skipped = std::erase_if(table_.rows, lacks);
-    faults.push_back(warning_at(line, 1, skipped == 1 ? "a reading is missing" : "readings are missing",
-                                fmt::format("{} left out; this is the first of them", counted(skipped, "row"))));
+    if (auto first = std::ranges::find_if(table_.rows, lacks); skipped_ == 0 && first != table_.rows.end())
+        first_skipped_line_ = first->line;
+    skipped_ += std::erase_if(table_.rows, lacks);
 }
 
 /// Finds out whether numbers have decimal commas: the last comma or point of the first number that has one decides.
@@ -228,7 +226,7 @@ ReadRecord RecordReader::read(std::string_view lines) {
         return read;
     drop_repeated_rows(table_, before_, read.faults);
     if (needs_.skip_missing)
-        skip_missing(read.faults);
+        skip_missing();
     Record record = read_piece(read.faults);
     forget_told(read.faults);
     std::ranges::stable_sort(read.faults, {}, [](const Diagnostic& fault) { return fault.location.line; });
@@ -239,6 +237,10 @@ ReadRecord RecordReader::read(std::string_view lines) {
 
 std::vector<Diagnostic> RecordReader::finish() const {
     std::vector<Diagnostic> faults;
+    if (skipped_ > 0)
+        faults.push_back(warning_at(first_skipped_line_, 1,
+                                    skipped_ == 1 ? "a reading is missing" : "readings are missing",
+                                    fmt::format("{} left out; this is the first of them", counted(skipped_, "row"))));
     for (const Column& column : columns_)
         if (column.sensor && column.least <= column.greatest)
             check_channel(column.name, *column.sensor, *column.unit, column.least, column.greatest,

@@ -83,7 +83,7 @@ public:
     /// Reads the next whole lines of the text. The first piece determines the period. Warnings about the header are
     /// given once. If a fault makes the piece unusable, there is no record, and the reader must not be used any more.
     ReadRecord read(std::string_view lines);
-    /// Returns the warnings about whole channels at the end of the text.
+    /// Returns the warnings about whole channels, and about all rows that were left out, at the end of the text.
     std::vector<Diagnostic> finish() const;
     /// Returns the date of the time 0, in s since 1970, if the file has dates and a piece was read.
     std::optional<double> begun_s() const;
@@ -119,7 +119,7 @@ private:
     void find_needs();
     void find_decimal_sign();
     double clock_s(const TextRow& row, const Column& column, std::vector<Diagnostic>& faults);
-    void skip_missing(std::vector<Diagnostic>& faults);
+    void skip_missing();
     double value_in(const TextRow& row, const Column& column, std::vector<Diagnostic>& faults);
     void read_rows(Record& record, std::vector<Diagnostic>& faults);
     void check(Record& record, std::vector<Diagnostic>& faults);
@@ -135,6 +135,7 @@ private:
     std::optional<std::int64_t> begun_ns_;     ///< the first date, in ns since 1970
     bool has_zone_ = false;                    ///< whether the dates have a zone
     std::optional<std::size_t> configuration_; ///< index of the column of the configurations
+    std::size_t skipped_ = 0, first_skipped_line_ = 0; ///< rows that lack a reading
     std::optional<RowBefore> before_;
     std::optional<double> period_s_;
     std::set<std::size_t> told_; ///< positions in the header of the columns about which a warning has been given

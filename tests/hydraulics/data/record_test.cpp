@@ -368,6 +368,21 @@ TEST_CASE("rows without a needed reading are skipped on request; an unneeded rea
     CHECK(!read_record(text, {all_but_spool, false}).record); // the pressure of line 7 is needed
 }
 
+TEST_CASE("rows that are left out in several pieces are counted together") {
+    RecordReader reader({{}, true});
+    REQUIRE(reader.read(boom_columns + rows(0, 5)).record);
+    const ReadRecord second = reader.read("0.100,-,20,0.2\n" + rows(6, 11) + "0.220,1600,20,\n");
+    REQUIRE(second.record);
+    CHECK(all_faults(second.faults).find("missing before") != std::string::npos);
+    CHECK(all_faults(second.faults).find("readings are missing") == std::string::npos);
+    REQUIRE(reader.read("0.240,1600,-,0.2\n" + rows(13, 15)).record);
+    const std::vector<Diagnostic> at_end = reader.finish();
+    REQUIRE(!at_end.empty());
+    CHECK(at_end.front().location.line == 7);
+    CHECK(at_end.front().message == "readings are missing");
+    CHECK(at_end.front().hint == "3 rows left out; this is the first of them");
+}
+
 TEST_CASE("the first time that is not missing tells whether times are dates") {
     std::string text = "time,boom.angle [deg]\n#N/A,20\n";
     for (int i = 0; i < 8; ++i)
