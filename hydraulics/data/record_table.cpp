@@ -34,6 +34,29 @@ std::string print_number(double value, int decimals) {
     return zero && text.front() == '-' ? text.substr(1) : text;
 }
 
+/// Returns whether a number could have commas that separate thousands, as "1,567" and "-12,000" could.
+bool has_thousands(std::string_view text) {
+    auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    text.remove_prefix(text.starts_with('-') || text.starts_with('+') ? 1 : 0);
+    const std::size_t first = text.find(',');
+    if (first == text.npos || first == 0 || first > 3 || text.front() == '0' || text.size() % 4 != first)
+        return false;
+    for (std::size_t i = 0; i < text.size(); ++i)
+        if (i % 4 == first ? text[i] != ',' : !is_digit(text[i]))
+            return false;
+    return true;
+}
+
+Diagnostic thousands_fault(const TextCell& cell, std::size_t line) {
+    std::string without = cell.text, point = cell.text;
+    std::erase(without, ',');
+    point[point.rfind(',')] = '.';
+    std::erase(point, ',');
+    return error_at(line, cell.column, fmt::format("{} may be {} or {}", cell.text, without, point),
+                    "write numbers without separators of thousands; one number such as 0,5 shows that commas are "
+                    "decimal");
+}
+
 } // namespace
 
 bool RecordReader::is_missing(const TextCell& cell) {
@@ -66,17 +89,25 @@ void RecordReader::skip_missing() {
 }
 
 /// Finds out whether numbers have decimal commas: the last comma or point of the first number that has one decides.
-void RecordReader::find_decimal_sign() {
+/// Commas are not clear if each is followed by three digits.
+void RecordReader::find_decimal_sign(std::vector<Diagnostic>& faults) {
+    const TextCell* unclear = nullptr;
+    std::size_t line = 0;
     for (const TextRow& row : table_.rows)
         for (const Column& column : columns_) {
             const TextCell& cell = row.cells[column.index];
             const std::size_t sign =
                 column.is_clock || is_missing(cell) ? cell.text.npos : cell.text.find_last_of(".,");
-            if (sign != cell.text.npos) {
-                decimal_sign_ = cell.text[sign];
+            if (sign == cell.text.npos || (unclear && cell.text[sign] != ','))
+                continue;
+            decimal_sign_ = cell.text[sign];
+            if (!has_thousands(cell.text))
                 return;
-            }
+            if (!unclear)
+                unclear = &cell, line = row.line;
         }
+    if (unclear)
+        faults.push_back(thousands_fault(*unclear, line));
 }
 
 /// Returns the seconds from the first date.
@@ -122,7 +153,7 @@ void RecordReader::read_rows(Record& record, std::vector<Diagnostic>& faults) {
         return [&column](const TextRow& row) { return is_missing(row.cells[column.index]); };
     };
     if (!decimal_sign_)
-        find_decimal_sign();
+        find_decimal_sign(faults);
     for (const TextRow& row : table_.rows)
         if (configuration_) {
             const std::string& cell = row.cells[*configuration_].text;

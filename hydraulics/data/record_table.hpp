@@ -117,7 +117,7 @@ private:
     void require_names(std::vector<Diagnostic>& faults) const;
     void read_header(std::vector<Diagnostic>& faults);
     void find_needs();
-    void find_decimal_sign();
+    void find_decimal_sign(std::vector<Diagnostic>& faults);
     double clock_s(const TextRow& row, const Column& column, std::vector<Diagnostic>& faults);
     void skip_missing();
     double value_in(const TextRow& row, const Column& column, std::vector<Diagnostic>& faults);

@@ -457,6 +457,10 @@ TEST_CASE("a name that the file lacks is refused, and so are thousands separator
           "8:\"1.007,5\" is not a finite number ");
     CHECK(faults_with("time [s];boom.angle [deg]\n0.00;1,007\n0.02;2,000\n0.04;3,000\n0.06;4\n0.08;5\n", {})
               .starts_with("2:\"1,007\" is not a finite number"));
+    const std::string whole = "time [s];boom.inlet_pressure [psi]\n0;1,567\n1;-2,345,678\n2;999\n3;12,000\n";
+    CHECK(faults_with(whole + "4;1,568\n", {}).find("2:1,567 may be 1567 or 1.567 ") != std::string::npos);
+    for (const char* clear : {"4;0,568\n", "4;1568,123\n", "4;1,5\n", "4,5;1568\n"})
+        CHECK(faults_with(whole + clear, {}).find("may be") == std::string::npos);
 }
 
 TEST_CASE("a row of units, and lines of words below it, are not samples") {
