@@ -37,7 +37,8 @@ std::vector<Diagnostic> RepeatedFaults::take(std::vector<Diagnostic> faults) {
             firsts.push_back(std::move(fault));
             kinds.push_back(is_new ? std::move(kind) : "");
         } else {
-            found->second.more += fault.location.line != found->second.last ? 1 : 0;
+            if (fault.location.line != found->second.last)
+                ++found->second.more;
             found->second.last = fault.location.line;
         }
     }
