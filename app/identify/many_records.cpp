@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -77,6 +78,11 @@ private:
     PerLink<LinkMovements> links_;
 };
 
+/// Returns by how much the error of the equations varies from record to record (identification/verdict/deviation.hpp).
+double repeat_error(double healthy_in3_per_psi) {
+    return repeats_within * WayUnits::of(healthy_in3_per_psi).compliance_in3_per_psi;
+}
+
 /// Reads the records one after another.
 class TrendReader {
 public:
@@ -123,8 +129,10 @@ private:
         }
         if (!stopped())
             for (const LinkIdentified& link : combined_links(moving.sets()))
-                answer.links[index_of(link.link)][static_cast<std::size_t>(TrendValue::compliance)] = {
-                    link.compliance_in3_per_psi, link.standard_error};
+                if (link.flags.empty())
+                    answer.links[index_of(link.link)][static_cast<std::size_t>(TrendValue::compliance)] = {
+                        link.compliance_in3_per_psi,
+                        std::hypot(link.standard_error, repeat_error(moving.healthy_in3_per_psi(link.link)))};
     }
 
     void show_progress(const RecordPieces& pieces) {

@@ -78,6 +78,10 @@ class Trends(unittest.TestCase):
         result, _ = self.trend(paths)
         links = [each["link"] for each in result["records"][0]["links"]]
         self.assertIn("boom", links)
+        for each in result["records"]:
+            for link in each["links"]:
+                if found := link["compliance_in3_per_psi"]:  # the equations' error varies by 3 % of the compliance
+                    self.assertGreater(found["standard_error"], 0.025 * found["by"])
         self.assertEqual(result["changes"], [])
 
     def test_wrong_use_is_refused(self):
