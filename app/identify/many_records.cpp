@@ -120,6 +120,8 @@ private:
     }
 
     void follow_moving(Record first, RecordPieces& pieces, RecordAnswer& answer) {
+        require_no_fixed_settings(options_);
+        const LinkSet wanted = links_that_move(options_);
         MovingIdentification moving(
             load_machine(options_.machine, print_warnings),
             [&](std::size_t links) { return moving_way(options_, links); }, options_.seed);
@@ -129,7 +131,7 @@ private:
         }
         if (!stopped())
             for (const LinkIdentified& link : combined_links(moving.sets()))
-                if (link.flags.empty())
+                if (link.flags.empty() && wanted.contains(link.link))
                     answer.links[index_of(link.link)][static_cast<std::size_t>(TrendValue::compliance)] = {
                         link.compliance_in3_per_psi,
                         std::hypot(link.standard_error, repeat_error(moving.healthy_in3_per_psi(link.link)))};

@@ -83,6 +83,12 @@ class Trends(unittest.TestCase):
                 if found := link["compliance_in3_per_psi"]:  # the equations' error varies by 3 % of the compliance
                     self.assertGreater(found["standard_error"], 0.025 * found["by"])
         self.assertEqual(result["changes"], [])
+        result, _ = self.trend(paths, "--link", "boom")
+        self.assertEqual({link["link"] for each in result["records"] for link in each["links"]}, {"boom"})
+        for option in (("--window", 8), ("--areas-from", "areas"), ("--offset", 0.01)):
+            run = placedpar("identify", *paths, *option)
+            self.assertEqual(run.returncode, 1, option)
+            self.assertIn("--window, --areas-from and --offset need --configuration", run.stderr)
 
     def test_wrong_use_is_refused(self):
         step, picture = RECORDS / "boom-4deg.csv", self.folder / "trend.svg"
