@@ -8,6 +8,7 @@
 #include "hydraulics/data/clock_time.hpp"
 #include "identification/on_line/moving_identification.hpp"
 #include "identification/verdict/mean_deviation.hpp"
+#include "picture/gnuplot.hpp"
 #include "text/output_file.hpp"
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
@@ -153,6 +154,8 @@ private:
 
 ExitCode identify_trend(const IdentifyOptions& options, boost::json::object& json) {
     settings_of(options); // reports wrong settings before anything is read
+    if (!options.trend.empty())
+        require_gnuplot();
     std::vector<RecordAnswer> answers;
     TrendReader reader(options);
     for (const std::string& record : options.records) {

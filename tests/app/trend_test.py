@@ -100,6 +100,10 @@ class Trends(unittest.TestCase):
             run = placedpar("identify", *arguments)
             self.assertEqual(run.returncode, 1, arguments)
             self.assertIn(said, run.stderr)
+        run = subprocess.run([PROGRAM, "identify", step, self.folder / "none.csv", "--trend", picture], env={"PATH": ""},
+                             capture_output=True, text=True, timeout=60, check=False)
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("gnuplot", run.stderr)  # said before the missing record
         self.assertFalse(picture.exists())
 
     def test_an_interrupted_trend_shows_what_it_has_and_draws_nothing(self):
