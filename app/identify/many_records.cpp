@@ -8,6 +8,7 @@
 #include "hydraulics/data/clock_time.hpp"
 #include "identification/on_line/moving_identification.hpp"
 #include "identification/verdict/mean_deviation.hpp"
+#include "picture/gnuplot.hpp"
 #include "text/output_file.hpp"
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
@@ -16,6 +17,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -77,6 +79,11 @@ private:
     PerLink<LinkMovements> links_;
 };
 
+/// Returns by how much the error of the equations varies from record to record (identification/verdict/deviation.hpp).
+double repeat_error(double healthy_in3_per_psi) {
+    return repeats_within * WayUnits::of(healthy_in3_per_psi).compliance_in3_per_psi;
+}
+
 /// Reads the records one after another.
 class TrendReader {
 public:
@@ -114,6 +121,8 @@ private:
     }
 
     void follow_moving(Record first, RecordPieces& pieces, RecordAnswer& answer) {
+        require_no_fixed_settings(options_);
+        const LinkSet wanted = links_that_move(options_);
         MovingIdentification moving(
             load_machine(options_.machine, print_warnings),
             [&](std::size_t links) { return moving_way(options_, links); }, options_.seed);
@@ -123,8 +132,10 @@ private:
         }
         if (!stopped())
             for (const LinkIdentified& link : combined_links(moving.sets()))
-                answer.links[index_of(link.link)][static_cast<std::size_t>(TrendValue::compliance)] = {
-                    link.compliance_in3_per_psi, link.standard_error};
+                if (link.flags.empty() && wanted.contains(link.link))
+                    answer.links[index_of(link.link)][static_cast<std::size_t>(TrendValue::compliance)] = {
+                        link.compliance_in3_per_psi,
+                        std::hypot(link.standard_error, repeat_error(moving.healthy_in3_per_psi(link.link)))};
     }
 
     void show_progress(const RecordPieces& pieces) {
@@ -143,6 +154,8 @@ private:
 
 ExitCode identify_trend(const IdentifyOptions& options, boost::json::object& json) {
     settings_of(options); // reports wrong settings before anything is read
+    if (!options.trend.empty())
+        require_gnuplot();
     std::vector<RecordAnswer> answers;
     TrendReader reader(options);
     for (const std::string& record : options.records) {

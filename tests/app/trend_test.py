@@ -78,7 +78,17 @@ class Trends(unittest.TestCase):
         result, _ = self.trend(paths)
         links = [each["link"] for each in result["records"][0]["links"]]
         self.assertIn("boom", links)
+        for each in result["records"]:
+            for link in each["links"]:
+                if found := link["compliance_in3_per_psi"]:  # the equations' error varies by 3 % of the compliance
+                    self.assertGreater(found["standard_error"], 0.025 * found["by"])
         self.assertEqual(result["changes"], [])
+        result, _ = self.trend(paths, "--link", "boom")
+        self.assertEqual({link["link"] for each in result["records"] for link in each["links"]}, {"boom"})
+        for option in (("--window", 8), ("--areas-from", "areas"), ("--offset", 0.01)):
+            run = placedpar("identify", *paths, *option)
+            self.assertEqual(run.returncode, 1, option)
+            self.assertIn("--window, --areas-from and --offset need --configuration", run.stderr)
 
     def test_wrong_use_is_refused(self):
         step, picture = RECORDS / "boom-4deg.csv", self.folder / "trend.svg"
@@ -90,6 +100,10 @@ class Trends(unittest.TestCase):
             run = placedpar("identify", *arguments)
             self.assertEqual(run.returncode, 1, arguments)
             self.assertIn(said, run.stderr)
+        run = subprocess.run([PROGRAM, "identify", step, self.folder / "none.csv", "--trend", picture], env={"PATH": ""},
+                             capture_output=True, text=True, timeout=60, check=False)
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("gnuplot", run.stderr)  # said before the missing record
         self.assertFalse(picture.exists())
 
     def test_an_interrupted_trend_shows_what_it_has_and_draws_nothing(self):
