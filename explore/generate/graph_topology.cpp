@@ -197,10 +197,9 @@ private:
             const auto label = node.attributes.find("label");
             const bool labelled =
                 label != node.attributes.end() && label->second != node.name && label->second != "\\N";
-            made_.attributes +=
-                fmt::format("{} /* {}{} */\n",
-                            entries.empty() ? fmt::format("/* t[{}] */", i) : fmt::format("t[{}]{};", i, entries),
-                            for_comment(node.name), labelled ? ": " + for_comment(label->second) : "");
+            made_.attributes += fmt::format("/* t[{}] is {}{}{} */\n", i, for_comment(node.name),
+                                            labelled ? ": " + for_comment(label->second) : "",
+                                            entries.empty() ? "" : "; to be set from outside:" + entries);
         }
     }
 

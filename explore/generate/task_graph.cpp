@@ -36,7 +36,8 @@ struct Task {
 
 class TaskTable {
 public:
-    TaskTable(const std::string& path, std::size_t processors) : processors_(processors), file_(load(path)) {
+    TaskTable(const std::string& path, std::size_t processors) : processors_(processors) {
+        file_ = load(path);
         find_columns();
         for (const TextRow& row : table_.rows)
             add_name(row, row.cells[task_]);
