@@ -37,7 +37,7 @@ struct Task {
 class TaskTable {
 public:
     TaskTable(const std::string& path, std::size_t processors) : processors_(processors) {
-        file_ = load(path);
+        load(path);
         find_columns();
         for (const TextRow& row : table_.rows)
             add_name(row, row.cells[task_]);
@@ -51,17 +51,16 @@ public:
     const std::vector<Task>& tasks() const { return tasks_; }
 
 private:
-    std::shared_ptr<const SourceFile> load(const std::string& path) {
+    void load(const std::string& path) {
         LoadedSource loaded = load_input(path);
         file_ = loaded.file;
         faults_ = std::move(loaded.problems);
         refuse_if_faulty();
-        table_ = split_table(loaded.file->text(), faults_);
+        table_ = split_table(file_->text(), faults_);
         if (table_.header.cells.empty() || table_.rows.empty() || table_.rows.size() > most_tasks)
             faults_.push_back(error_at(0, 0, fmt::format("expected a header and 1 to {} tasks", most_tasks),
                                        "the columns are task, cycles, successors and processor"));
         refuse_if_faulty();
-        return loaded.file;
     }
 
     void refuse_if_faulty() {
@@ -99,8 +98,8 @@ private:
             if (const auto found = column(name))
                 *place = *found;
             else
-                fault(table_.header, table_.header.cells.front(), fmt::format("the table has no column \"{}\"", name),
-                      "the columns are task, cycles, successors and, optionally, processor");
+                faults_.push_back(error_at(table_.header.line, 1, fmt::format("the table has no column \"{}\"", name),
+                                           "the columns are task, cycles, successors and, optionally, processor"));
         }
         processor_ = column("processor");
         refuse_if_faulty();
