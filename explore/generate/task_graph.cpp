@@ -21,6 +21,7 @@ namespace placedpar::generate {
 namespace {
 
 constexpr std::size_t most_tasks = 100'000;
+constexpr std::size_t most_faults = 20;
 
 struct Message {
     std::size_t to;
@@ -68,12 +69,15 @@ private:
             return;
         for (Diagnostic& each : faults_)
             each.location.file = file_;
-        faults_.resize(std::min<std::size_t>(faults_.size(), 20));
+        faults_.resize(std::min(faults_.size(), most_faults));
         throw RefusedText(faults_);
     }
 
+    /// Refuses the table at once if it has many faults, since the search for the nearest name takes long.
     void fault(const TextRow& row, const TextCell& cell, std::string message, std::string hint) {
         faults_.push_back(error_at(row.line, cell.column, std::move(message), std::move(hint)));
+        if (faults_.size() >= most_faults)
+            refuse_if_faulty();
     }
 
     void add_name(const TextRow& row, const TextCell& cell) {
