@@ -142,6 +142,16 @@ private:
         return load_silently(ParsedNetlist::of_text(print_cfs(network), network.source_path), set);
     }
 
+    /// Returns A with one section of B. Elements that A has keep their settings, which are differences of their own.
+    Network with_section(Section section) const {
+        const Network swapped = load_silently(
+            ParsedNetlist::of_text(with_section_of(result_.a, result_.b, section), result_.a.source_path), {});
+        Overrides of_a;
+        for (const SettingDifference& each : setting_differences(swapped, result_.a))
+            of_a.insert(each.set.begin(), each.set.end());
+        return with_settings(swapped, of_a);
+    }
+
     void try_changes() {
         std::vector<Attempt> attempts;
         result_.alone.reserve(result_.settings.size() + result_.structure.size() + 3); // attempts point into it
@@ -152,11 +162,8 @@ private:
             });
         for (const StructureDifference& each : result_.structure)
             if (!result_.following.contains(each.section))
-                add(attempts, fmt::format("the {} of B", name_of(each.section)), {}, [this, &each] {
-                    return load_silently(ParsedNetlist::of_text(with_section_of(result_.a, result_.b, each.section),
-                                                                result_.a.source_path),
-                                         {});
-                });
+                add(attempts, fmt::format("the {} of B", name_of(each.section)), {},
+                    [this, &each] { return with_section(each.section); });
         add_run_settings(attempts);
         if (result_.settings.size() > 1)
             add_together(attempts);

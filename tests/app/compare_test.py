@@ -86,6 +86,16 @@ class Compare(unittest.TestCase):
         self.assertRegex(out, r"not alone +the mapping of B: .*error")
         self.assertIn("differences that could not be made alone", out)
 
+    def test_a_section_of_b_leaves_the_settings_of_a(self):
+        b = self.file("b.cfs", NETLIST.replace("clock = 20M", "clock = 10M").replace("a, b;\nprocess", "a, b, c;\nprocess")
+                      .replace("connect a.link[0] to b.link[0];", "connect a.link[0] to b.link[0];\nconnect b.link[1] to c.link[0];"))
+        out = self.compared(self.a, b)
+        difference = self.time(b) - self.time(self.a)
+        self.assertGreater(difference, 1)
+        self.assertAlmostEqual(milliseconds(out, "the hardware of B"), 0, 5)
+        self.assertAlmostEqual(milliseconds(out, "the sum of these"), difference, 5)
+        self.assertIn("The differences add up", out)
+
     def test_another_wiring_takes_its_time(self):
         chain = NETLIST.replace("a, b;\nprocess", "a, b, c;\nprocess")
         a = self.file("a3.cfs", chain.replace("connect a.link[0]", "connect b.link[1] to c.link[0];\nconnect a.link[0]"))
