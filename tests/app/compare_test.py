@@ -96,6 +96,14 @@ class Compare(unittest.TestCase):
         self.assertAlmostEqual(milliseconds(out, "the sum of these"), difference, 5)
         self.assertIn("The differences add up", out)
 
+    def test_a_setting_is_made_alone_in_the_elements_that_a_has(self):
+        def machine(name, count, clock):
+            return self.file(name, NETLIST + f"val extra {count};\nT800 (clock = {clock}) c[extra];\n"
+                             "rep i = 0 for extra\n    connect b.link[i + 1] to c[i].link[0];\n")
+        out = self.compared(machine("a3.cfs", 1, "20M"), machine("b3.cfs", 2, "10M"))
+        self.assertIn("  clock of c[0]: 20000000 in A, 10000000 in B\n", out)
+        self.assertNotIn("not alone", out)
+
     def test_another_wiring_takes_its_time(self):
         chain = NETLIST.replace("a, b;\nprocess", "a, b, c;\nprocess")
         a = self.file("a3.cfs", chain.replace("connect a.link[0]", "connect b.link[1] to c.link[0];\nconnect a.link[0]"))
