@@ -104,6 +104,13 @@ class Compare(unittest.TestCase):
         self.assertIn("  clock of c[0]: 20000000 in A, 10000000 in B\n", out)
         self.assertNotIn("not alone", out)
 
+    def test_differences_add_up_only_if_all_could_be_made_alone(self):
+        b = self.file("b.cfs", NETLIST + 'process idle;\nuse "csp.task" for idle;\nidle (cycles = 1);\nplace idle on b;\n')
+        out = self.compared(self.a, b)
+        self.assertIn("not alone  the mapping of B", out)
+        self.assertNotIn("add up", out)
+        self.assertIn("differences that could not be made alone", out)
+
     def test_another_wiring_takes_its_time(self):
         chain = NETLIST.replace("a, b;\nprocess", "a, b, c;\nprocess")
         a = self.file("a3.cfs", chain.replace("connect a.link[0]", "connect b.link[1] to c.link[0];\nconnect a.link[0]"))
