@@ -127,6 +127,21 @@ class Compare(unittest.TestCase):
         self.assertIn("seed: 1 in A, 2 in B", out)
         self.assertIn("sink.time [ms]", out)
 
+    def test_options_without_effect_on_reports_are_refused(self):
+        placedpar("run", self.a, "--json", os.path.join(self.folder.name, "a.json"))
+        self.compared("a.json", "a.cfs", "--seed", "2", "--set", "cycles=5")
+        for options, files in ((("--set-b", "clock=10M"), ("a.cfs", "a.json")), (("--seed", "2"), ("a.json", "a.json")),
+                               (("--set", "cycles=5"), ("a.json", "a.json")), (("-I", "."), ("a.json", "a.json"))):
+            run = placedpar("compare", *files, *options, folder=self.folder.name)
+            self.assertEqual(run.returncode, 1, options)
+            self.assertIn(f"{options[0]} has no effect on a", run.stderr)
+
+    def test_a_tolerance_is_a_finite_number_of_at_least_0(self):
+        for tolerance in ("-1", "nan", "inf", "x"):
+            run = placedpar("compare", self.a, self.a, f"--tolerance={tolerance}")
+            self.assertEqual(run.returncode, 1)
+            self.assertIn(f'"{tolerance}" is not a percentage', run.stderr)
+
     def test_a_netlist_that_has_changed_since_the_run_is_told(self):
         placedpar("run", self.a, "--json", os.path.join(self.folder.name, "a.json"))
         self.file("a.cfs", NETLIST.replace("1000000", "2000000"))
