@@ -86,6 +86,20 @@ class Compare(unittest.TestCase):
         self.assertRegex(out, r"not alone +the mapping of B: .*error")
         self.assertIn("differences that could not be made alone", out)
 
+    def test_vals_are_read_as_the_language_reads_them(self):
+        def machine(name, cycles, parts, text):
+            return self.file(name, NETLIST.replace("val cycles 1000000;\nval parts 1;", f"""
+                val cycles {cycles}; val\tparts
+                  {parts};
+                val title "{text}; a title";
+                /*
+                val cycles 7;
+                */"""))
+        out = self.compared(machine("a3.cfs", 1000000, 1, "A"), machine("b3.cfs", 3000000, 3, "B"))
+        self.assertIn("  val cycles: 1000000 in A, 3000000 in B\n", out)
+        self.assertIn("  val parts: 1 in A, 3 in B\n", out)
+        self.assertIn('  val title: "A; a title" in A, "B; a title" in B\n', out)
+
     def test_a_section_of_b_leaves_the_settings_of_a(self):
         b = self.file("b.cfs", NETLIST.replace("clock = 20M", "clock = 10M").replace("a, b;\nprocess", "a, b, c;\nprocess")
                       .replace("connect a.link[0] to b.link[0];", "connect a.link[0] to b.link[0];\nconnect b.link[1] to c.link[0];"))
