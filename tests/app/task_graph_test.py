@@ -142,6 +142,11 @@ class TaskGraph(unittest.TestCase):
             self.assertIn(message, run.stderr)
             self.assertIn("bad.csv:", run.stderr)
 
+    def test_many_unknown_successors_are_refused_at_once(self):
+        tasks = "task,cycles,successors\n" + "".join(f"a{i},1,b{i}:4\n" for i in range(50000))
+        run = placedpar("generate", "ring", "--size", "4", "--job", self.file("bad.csv", tasks))
+        self.assertEqual((run.returncode, run.stderr.count("error: unknown task")), (1, 20))
+
     def test_lengths_that_do_not_fit_the_successors_are_refused(self):
         netlist = self.file("bad.cfs", 'T800 a; process p; use "csp.task" for p; p (bytes = "3"); place p on a;')
         self.assertIn('"p" has 0 successors, but "bytes" has 1 length', placedpar("check", netlist).stderr)
