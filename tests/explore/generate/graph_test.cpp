@@ -147,8 +147,7 @@ TEST_CASE("hostile graphs are refused in words") {
     CHECK(refuses(graphml_of, "<graphml><graph><node id=\"&a;\"/></graph></graphml>", "undefined entity"));
     CHECK(refuses(graphml_of, "<graphml><graph><node id='&#x110000;'/></graph></graphml>",
                   "reference to invalid character number"));
-    CHECK(refuses(graphml_of, "<graphml><graph></graphml>",
-                  "this is not well-formed XML: mismatched tag"));
+    CHECK(refuses(graphml_of, "<graphml><graph></graphml>", "this is not well-formed XML: mismatched tag"));
     CHECK(refuses(graphml_of, "<graphml><graph>", "no element found"));
     CHECK(
         refuses(graphml_of, "<graphml><graph><edge source='a' target='b'/></graph></graphml>", "\"a\" is not a node"));
