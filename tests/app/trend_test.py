@@ -100,7 +100,7 @@ class Trends(unittest.TestCase):
             run = placedpar("identify", *arguments)
             self.assertEqual(run.returncode, 1, arguments)
             self.assertIn(said, run.stderr)
-        run = subprocess.run([PROGRAM, "identify", step, self.folder / "none.csv", "--trend", picture], env={"PATH": ""},
+        run = subprocess.run([PROGRAM, "identify", step, self.folder / "none.csv", "--trend", picture], env={"PATH": str(self.folder)},
                              capture_output=True, text=True, timeout=60, check=False)
         self.assertEqual(run.returncode, 1)
         self.assertIn("gnuplot", run.stderr)  # said before the missing record
