@@ -84,6 +84,12 @@ double repeat_error(double healthy_in3_per_psi) {
     return repeats_within * WayUnits::of(healthy_in3_per_psi).compliance_in3_per_psi;
 }
 
+/// Returns the date in the file's name, or else in its folder's name.
+std::optional<double> date_in_path(const std::filesystem::path& path) {
+    const auto of_file = date_in_name(path.filename().string());
+    return of_file ? of_file : date_in_name(path.parent_path().filename().string());
+}
+
 /// Reads the records one after another.
 class TrendReader {
 public:
@@ -98,9 +104,9 @@ public:
     RecordAnswer read(const std::string& path) {
         ++number_;
         RecordPieces pieces(path, needs_of_service(options_), print_warnings, [&] { return stopped(); });
-        RecordAnswer answer{std::filesystem::path(path).filename().string(), std::nullopt};
+        RecordAnswer answer{path, std::nullopt};
         if (auto first = pieces.next()) {
-            answer.date_s = pieces.begun_s() ? pieces.begun_s() : date_in_name(answer.record);
+            answer.date_s = pieces.begun_s() ? pieces.begun_s() : date_in_path(path);
             moves(options_, first->channels()) ? follow_moving(std::move(*first), pieces, answer)
                                                : follow(std::move(*first), pieces, answer);
         }

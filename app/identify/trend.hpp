@@ -28,7 +28,7 @@ inline constexpr double errors_of_interval = 1.96;
 
 /// The answers of one record; a value is missing if the record does not tell it.
 struct RecordAnswer {
-    std::string record;           ///< name of the file
+    std::string record;           ///< path as typed
     std::optional<double> date_s; ///< since 1970
     hydraulics::PerLink<std::array<std::optional<identification::UncertainValue>, all_trend_values.size()>> links = {};
 
