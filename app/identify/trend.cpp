@@ -66,6 +66,13 @@ std::string print_changes(const Trend& trend, Link link) {
     return text;
 }
 
+/// Returns whether a link has too few records to show that its standard errors are too small.
+bool is_short(const Trend& trend) {
+    return std::ranges::any_of(links_of(trend.links()), [&](Link link) {
+        return trend.records_of(link, TrendValue::compliance).size() < fewest_for_scatter;
+    });
+}
+
 boost::json::value estimate_json(const std::optional<UncertainValue>& estimate) {
     if (!estimate)
         return nullptr;
@@ -145,6 +152,8 @@ std::string print_trend(const Trend& trend) {
     }
     for (Link link : links_of(trend.links()))
         text += print_changes(trend, link);
+    if (is_short(trend))
+        text += fmt::format("with fewer than {} records the standard errors alone decide\n", fewest_for_scatter);
     return text + fmt::format("{}the test reports a change for {:.0f} % of the links that do not change\n",
                               trend.dated() ? ""
                                             : "not every record has a date, so they are in the order of the "

@@ -56,6 +56,9 @@ class Trends(unittest.TestCase):
         result, run = self.trend([self.record(f"{seed}.csv", 7100 + seed) for seed in range(6)])
         self.assertEqual(result["changes"], [])
         self.assertIn("boom: no change of compliance, leak or spool offset is found", run.stdout)
+        said = "with fewer than 6 records the standard errors alone decide"
+        self.assertNotIn(said, run.stdout)
+        self.assertIn(said, self.trend([each["record"] for each in result["records"][:5]])[1].stdout)
         self.assertIn("not every record has a date, so they are in the order of the command line", run.stdout)
         for each in result["records"]:
             (boom,) = each["links"]
