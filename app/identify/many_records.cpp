@@ -110,6 +110,7 @@ public:
             moves(options_, first->channels()) ? follow_moving(std::move(*first), pieces, answer)
                                                : follow(std::move(*first), pieces, answer);
         }
+        answer.warnings = pieces.warnings();
         progress_.clear();
         return answer;
     }

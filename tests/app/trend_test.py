@@ -63,7 +63,7 @@ class Trends(unittest.TestCase):
         for each in result["records"]:
             (boom,) = each["links"]
             found = boom["compliance_in3_per_psi"]
-            self.assertLess(abs(found["by"] - TRUTH), 4 * found["standard_error"])
+            self.assertLess(abs(found["value"] - TRUTH), 4 * found["standard_error"])
 
     def test_a_date_in_the_record_precedes_the_date_in_its_name(self):
         loggers = EXAMPLES / "hydraulics" / "loggers"
@@ -81,7 +81,11 @@ class Trends(unittest.TestCase):
             path.parent.mkdir(exist_ok=True)
             shutil.copy(RECORDS / "boom-4deg.csv", path)
             paths.append(str(path))
-        result, _ = self.trend(paths)
+        picture = self.folder / "trend.svg"
+        result, run = self.trend(paths, "--trend", picture)
+        self.assertIn("no change of the compliance is found", picture.read_text(encoding="utf-8"))
+        self.assertIn("95 % interval", run.stdout)
+        self.assertEqual([each["warnings"] for each in result["records"]], [[], [], []])
         self.assertEqual([(each["record"], each["date"]) for each in result["records"]],
                          [(paths[1], "2024-03-06"), (paths[0], "2024-03-07"), (paths[2], "2024-03-08")])
 
@@ -96,7 +100,7 @@ class Trends(unittest.TestCase):
         for each in result["records"]:
             for link in each["links"]:
                 if found := link["compliance_in3_per_psi"]:  # the equations' error varies by 3 % of the compliance
-                    self.assertGreater(found["standard_error"], 0.025 * found["by"])
+                    self.assertGreater(found["standard_error"], 0.025 * found["value"])
         self.assertEqual(result["changes"], [])
         result, _ = self.trend(paths, "--link", "boom")
         self.assertEqual({link["link"] for each in result["records"] for link in each["links"]}, {"boom"})
