@@ -35,6 +35,8 @@ struct RecordAnswer {
     hydraulics::PerLink<std::array<std::optional<identification::UncertainValue>, all_trend_values.size()>> links = {};
 
     std::vector<Diagnostic> warnings = {}; ///< about the record
+    /// From what each link's compliance is found, such as "from the spool"; "" without an answer.
+    hydraulics::PerLink<std::string_view> source = {};
 
     const std::optional<identification::UncertainValue>& of(hydraulics::Link link, TrendValue value) const {
         return links[index_of(link)][static_cast<std::size_t>(value)];

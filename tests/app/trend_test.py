@@ -109,6 +109,20 @@ class Trends(unittest.TestCase):
             self.assertEqual(run.returncode, 1, option)
             self.assertIn("--window, --areas-from and --offset need --configuration", run.stderr)
 
+    def test_records_with_other_sources_of_areas_are_not_compared(self):
+        servo = self.record("servo.csv", 7200)
+        lines = [line for line in servo.read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
+        spool_at = lines[0].split(",").index("boom.spool [in]")
+        servo.write_text("".join(",".join(cell for i, cell in enumerate(line.split(",")) if i != spool_at) + "\n"
+                                 for line in lines), encoding="utf-8")
+        self.assertIn("boom.servo [V]", lines[0])
+        both = self.record("both.csv", 7201)
+        run = placedpar("identify", both, servo)
+        self.assertEqual(run.returncode, 1, run.stdout)
+        self.assertIn(f"{servo}: the compliance of the boom is found from the servo-valve's voltage, but in {both} from the "
+                      "spool: expected one source in all records, chosen by --areas-from", run.stderr)
+        self.trend([both, servo], "--areas-from", "servo")
+
     def test_wrong_use_is_refused(self):
         step, picture = RECORDS / "boom-4deg.csv", self.folder / "trend.svg"
         for arguments, said in (([step, "--trend", picture], "--trend needs at least two records"),
