@@ -56,8 +56,8 @@ std::string RepeatedFaults::later() const {
     std::string text;
     for (const auto& [kind, each] : kinds_)
         if (each.more > 0)
-            text += fmt::format("... {} more {} like \"{}\", the last is line {}\n", each.more, each.more == 1 ? "line" : "lines",
-                                each.message, each.last);
+            text += fmt::format("... {} more {} like \"{}\", the last is line {}\n", each.more,
+                                each.more == 1 ? "line" : "lines", each.message, each.last);
     return text;
 }
 

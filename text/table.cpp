@@ -109,7 +109,7 @@ std::string_view take_line(std::string_view& text) {
 
 /// Returns whether the line begins with '#', and its first cell is not a spreadsheet's word for an error.
 bool is_comment(std::string_view line, char separator) {
-    constexpr std::array<std::string_view, 11> errors{"#N/A",    "#NV",   "#VALUE!", "#REF!",   "#DIV/0!", "#NAME?",
+    constexpr std::array<std::string_view, 11> errors{"#N/A",  "#NV",    "#VALUE!", "#REF!",   "#DIV/0!", "#NAME?",
                                                       "#NUM!", "#NULL!", "#WERT!",  "#BEZUG!", "#ZAHL!"};
     if (!line.starts_with('#'))
         return false;

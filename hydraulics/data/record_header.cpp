@@ -212,8 +212,8 @@ void RecordReader::take_units_row() {
 
 /// Returns whether the first cell of a column that is not missing is a date with a time.
 bool RecordReader::has_dates(std::size_t index) const {
-    const auto row = std::ranges::find_if(
-        table_.rows, [index](const TextRow& each) { return !is_missing(each.cells[index]); });
+    const auto row =
+        std::ranges::find_if(table_.rows, [index](const TextRow& each) { return !is_missing(each.cells[index]); });
     return row != table_.rows.end() && clock_time(row->cells[index].text);
 }
 

@@ -60,7 +60,8 @@ TEST_CASE("after a change, the scatter of the whole series judges the parts") {
         covered += std::abs(after.value - before.value - 60) <= 1.96 * error;
     }
     CHECK(second <= 47);
-    CHECK(covered >= 255); // an interval of 95 % that takes the scatter of 12 estimates as exact; by standard errors 49 %
+    CHECK(covered >=
+          255); // an interval of 95 % that takes the scatter of 12 estimates as exact; by standard errors 49 %
     CHECK(covered < 300);
 }
 

@@ -20,7 +20,7 @@ using namespace placedpar::generate;
 namespace {
 
 std::string graph_path(const std::string& name) {
-    return (std::filesystem::path(__FILE__).parent_path() / "graphs" / name).string();
+    return (std::filesystem::path(PLACEDPAR_SOURCE_DIR) / "tests/explore/generate/graphs" / name).string();
 }
 
 std::shared_ptr<const SourceFile> in_memory(const std::string& text) {
@@ -147,8 +147,7 @@ TEST_CASE("hostile graphs are refused in words") {
     CHECK(refuses(graphml_of, "<graphml><graph><node id=\"&a;\"/></graph></graphml>", "undefined entity"));
     CHECK(refuses(graphml_of, "<graphml><graph><node id='&#x110000;'/></graph></graphml>",
                   "reference to invalid character number"));
-    CHECK(refuses(graphml_of, "<graphml><graph></graphml>",
-                  "graph:1: error: this is not well-formed XML: mismatched tag"));
+    CHECK(refuses(graphml_of, "<graphml><graph></graphml>", "this is not well-formed XML: mismatched tag"));
     CHECK(refuses(graphml_of, "<graphml><graph>", "no element found"));
     CHECK(
         refuses(graphml_of, "<graphml><graph><edge source='a' target='b'/></graph></graphml>", "\"a\" is not a node"));
