@@ -37,7 +37,7 @@ def changes_of(program, fault, machine):
                             *[word for setting in motion for word in ("--set", setting)]], check=True, capture_output=True)
         subprocess.run([program, "identify", *paths, "--json", f"{folder}/trend.json"], check=True, capture_output=True)
         found = json.loads(pathlib.Path(f"{folder}/trend.json").read_text(encoding="utf-8"))
-        return [(each["what"], int(each["until"][0])) for each in found["changes"] if each["link"] == "boom"]
+        return [(each["what"], int(pathlib.Path(each["until"]).stem)) for each in found["changes"] if each["link"] == "boom"]
 
 
 def tail(count, machines):
