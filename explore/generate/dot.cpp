@@ -224,15 +224,18 @@ private:
             ends.push_back(read_end(defaults));
         }
         if (ends.size() > 1) {
+            builder_.count_copy(defaults.edge, line);
             GraphAttributes attributes = defaults.edge;
             read_attributes(attributes);
             add_edges(ends, attributes, line);
         } else if (words_.peek().is("[")) {
             GraphAttributes attributes;
             read_attributes(attributes);
-            for (const std::size_t node : ends.front())
+            for (const std::size_t node : ends.front()) {
+                builder_.count_copy(attributes, line);
                 for (const auto& [name, value] : attributes)
                     builder_.graph().nodes[node].attributes[name] = value;
+            }
         }
         Nodes all;
         for (Nodes& each : ends)
@@ -247,8 +250,12 @@ private:
             if (!words_.peek().is_mark)
                 words_.take();
         }
-        if (words_.take_if("{"))
+        const std::size_t line = words_.peek().line;
+        if (words_.take_if("{")) {
+            builder_.count_copy(defaults.node, line);
+            builder_.count_copy(defaults.edge, line);
             return read_statements(defaults);
+        }
         const DotWord name = words_.take();
         if (name.is_mark)
             words_.refuse(name.is_end() ? "the graph is not closed: \"}\" is missing"
@@ -259,8 +266,10 @@ private:
             return {};
         const bool is_new = !builder_.has(name.text);
         const std::size_t node = builder_.node(name.text, name.line);
-        if (is_new)
+        if (is_new) {
+            builder_.count_copy(defaults.node, name.line);
             builder_.graph().nodes[node].attributes = defaults.node;
+        }
         return {node};
     }
 
@@ -284,8 +293,10 @@ private:
                 for (const std::size_t to : ends[i + 1]) {
                     if (++pairs_ > 10 * most_graph_elements)
                         words_.refuse("the graph joins too many pairs of nodes");
-                    if (!strict_ || known_.insert(pair_of(from, to)).second)
-                        builder_.add_edge({from, to, attributes, line});
+                    if (strict_ && !known_.insert(pair_of(from, to)).second)
+                        continue;
+                    builder_.count_copy(attributes, line);
+                    builder_.add_edge({from, to, attributes, line});
                 }
     }
 

@@ -172,6 +172,31 @@ TEST_CASE("a graph that joins very many pairs is refused, not built") {
     CHECK(refuses(dot_of, many + "} }", "more than 100000 nodes and edges"));
 }
 
+TEST_CASE("defaults that would be copied to very many nodes or edges are refused with the line") {
+    std::string list, keys, many, elements;
+    for (int i = 0; i < 1000; ++i) {
+        const std::string number = std::to_string(i);
+        list += "a" + number + "=1 ";
+        keys += "<key id='k" + number + "' for='node' attr.name='a" + number + "'><default>1</default></key>";
+    }
+    for (int i = 0; i < 1001; ++i) {
+        many += "n" + std::to_string(i) + "\n";
+        elements += "<node id='" + std::to_string(i) + "'/>\n";
+    }
+    const std::string refused = "error: the defaults give the graph more than 1000000 attributes";
+    CHECK(refuses(dot_of, "graph { node [" + list + "] " + many + "}", "graph:1001:1: " + refused));
+    CHECK(refuses(dot_of, "graph { node [label=\"" + std::string(9'000'000, 'x') + "\"]\n" + many + "}",
+                  "graph:13:1: " + refused));
+    CHECK(refuses(dot_of, "graph { edge [" + list + "]\n{" + many + "} -- b }", refused));
+    CHECK(refuses(dot_of, "graph { edge [" + list + "]\n" + std::string(4000, '{') + "}", "nested deeper than 64"));
+    std::string subgraphs;
+    for (int i = 0; i < 1001; ++i)
+        subgraphs += "{}";
+    CHECK(refuses(dot_of, "graph { edge [" + list + "]\n" + subgraphs + "}", "graph:2:1: " + refused));
+    CHECK(refuses(graphml_of, "<graphml>" + keys + "<graph>" + elements + "</graph></graphml>", "graph:1001:1: " + refused));
+    CHECK(dot_of("graph { node [" + list + "] " + many.substr(0, 3000) + "}").nodes.size() > 600);
+}
+
 TEST_CASE("characters by number are read, in UTF-8") {
     CHECK(graphml_of("<graphml><graph><node id='&#65;&#xe9;&#x20ac;&#x1F600;'/></graph></graphml>").nodes.at(0).name ==
           "A\u00e9\u20ac\U0001F600");
