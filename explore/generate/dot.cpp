@@ -136,11 +136,13 @@ private:
             return (each >= 'a' && each <= 'z') || (each >= 'A' && each <= 'Z') || (each >= '0' && each <= '9') ||
                    each == '_' || each == '.' || (static_cast<unsigned char>(each) & 0x80) != 0;
         };
-        std::size_t end = left_.front() == '-' ? 1 : 0;
+        auto begins_number = [](char each) { return (each >= '0' && each <= '9') || each == '.'; };
+        std::size_t end = left_.front() == '-' && left_.size() > 1 && begins_number(left_[1]) ? 1 : 0;
         while (end < left_.size() && belongs(left_[end]))
             ++end;
         if (end == 0)
-            refuse(fmt::format("\"{}\" is not expected here", left_.substr(0, 1)));
+            refuse(fmt::format("\"{}\" is not expected here", left_.substr(0, 1)),
+                   left_.front() == '-' ? "an edge is written \"--\" or \"->\"; a name with \"-\" needs quotes" : "");
         std::string text(left_.substr(0, end));
         drop(end);
         return text;
@@ -220,7 +222,7 @@ private:
             return {};
         }
         while (words_.peek().is("--") || words_.peek().is("->")) {
-            words_.take();
+            take_edge_mark();
             ends.push_back(read_end(defaults));
         }
         if (ends.size() > 1) {
@@ -241,6 +243,15 @@ private:
         for (Nodes& each : ends)
             all.merge(each);
         return all;
+    }
+
+    void take_edge_mark() {
+        const bool directed = builder_.graph().directed;
+        if (words_.peek().is(directed ? "--" : "->"))
+            words_.refuse(directed ? "the edge of a digraph is written \"--\"" : "the edge of a graph is written \"->\"",
+                          directed ? "write \"->\", or begin the file with \"graph\""
+                                   : "write \"--\", or begin the file with \"digraph\"");
+        words_.take();
     }
 
     /// Reads a node, or a subgraph.

@@ -158,6 +158,11 @@ TEST_CASE("hostile graphs are refused in words") {
     CHECK(refuses(dot_of, "graph { a [label=<<b> }", "is not closed"));
     CHECK(refuses(dot_of, "graph { a -- ", "\"}\" is missing"));
     CHECK(refuses(dot_of, "graph { a [=] }", "expected an attribute"));
+    CHECK(refuses(dot_of, "graph { a - b }", "\"-\" is not expected here"));
+    CHECK(refuses(dot_of, "graph { my-node }", "a name with \"-\" needs quotes"));
+    CHECK(refuses(dot_of, "graph { a -> b }", "the edge of a graph is written \"->\""));
+    CHECK(refuses(dot_of, "digraph { a -- b }", "the edge of a digraph is written \"--\""));
+    CHECK(dot_of("graph { -1.5 -- -.5 }").nodes.size() == 2);
     CHECK(refuses(dot_of, "chart { }", "expected \"graph\" or \"digraph\""));
     CHECK(refuses(dot_of, "", "expected \"graph\" or \"digraph\""));
 }
