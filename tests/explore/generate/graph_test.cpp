@@ -79,6 +79,22 @@ TEST_CASE("a file of networkx gives processors and wires with its attributes") {
     CHECK(wire_between(network, "t[1]", "t[2]").bits_per_second == 20'000'000);
 }
 
+TEST_CASE("types that are not transputers, and speeds that contradict each other, are refused with their line") {
+    auto refused = [](const std::string& text, const std::string& message) {
+        const std::string path = (std::filesystem::temp_directory_path() / "placedpar_refused_graph.dot").string();
+        std::ofstream(path) << text;
+        TopologyRequest request;
+        request.topology = path;
+        CHECK_THROWS_WITH_AS(topology_of_graph(request, Catalogue()), doctest::Contains(message.c_str()), UserError);
+        std::filesystem::remove(path);
+    };
+    for (const char* type : {"T8OO", "C004", "T400", "workstation"})
+        refused(std::string("graph { a\nb [type=") + type + "] }",
+                "dot:2:1: error: the node \"b\" has the type \"" + std::string(type) + "\"");
+    refused("digraph { a -> b [speed=10M]\nb -> a [speed=20M] }", "dot:2:1: error: speed is 20M here, but 10M");
+    refused("graph { a -- b [speed=10M, linkspeed=20M] }", "the edge from a to b has both \"speed\" and \"linkspeed\"");
+}
+
 TEST_CASE("opposite edges of a directed graph are one wire") {
     CHECK(network_of("networkx-directed.graphml").count_wires() == 3); // with the host's
     CHECK(read_graphml(load_source(graph_path("networkx-directed.graphml")).file).edges.size() == 4);
