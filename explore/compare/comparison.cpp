@@ -178,7 +178,8 @@ private:
         result_.alone.reserve(result_.settings.size() + result_.structure.size() + 3); // attempts point into it
         for (const SettingDifference& each : result_.settings)
             if (each.elements.empty())
-                add(attempts, what_of(each), each.set, [this, &each] { return load_silently(a_.parsed, with(each.set)); });
+                add(attempts, what_of(each), each.set,
+                    [this, &each] { return load_silently(a_.parsed, with(each.set)); });
             else if (const SettingDifference own = within_a(each); !own.elements.empty())
                 add(attempts, what_of(own), own.set, [this, set = own.set] { return with_settings(result_.a, set); });
         for (const StructureDifference& each : result_.structure)

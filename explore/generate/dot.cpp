@@ -248,7 +248,8 @@ private:
     void take_edge_mark() {
         const bool directed = builder_.graph().directed;
         if (words_.peek().is(directed ? "--" : "->"))
-            words_.refuse(directed ? "the edge of a digraph is written \"--\"" : "the edge of a graph is written \"->\"",
+            words_.refuse(directed ? "the edge of a digraph is written \"--\""
+                                   : "the edge of a graph is written \"->\"",
                           directed ? "write \"->\", or begin the file with \"graph\""
                                    : "write \"--\", or begin the file with \"digraph\"");
         words_.take();

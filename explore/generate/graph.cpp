@@ -37,7 +37,8 @@ void GraphBuilder::count_copy(const GraphAttributes& attributes, std::size_t lin
     for (const auto& [name, value] : attributes)
         attributes_ += 1 + (name.size() + value.size()) / 100;
     if (attributes_ > most_graph_attributes)
-        refuse_graph(file_, line, fmt::format("the defaults give the graph more than {} attributes", most_graph_attributes),
+        refuse_graph(file_, line,
+                     fmt::format("the defaults give the graph more than {} attributes", most_graph_attributes),
                      "a long attribute counts once for each hundred bytes");
 }
 

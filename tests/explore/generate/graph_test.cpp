@@ -214,7 +214,8 @@ TEST_CASE("defaults that would be copied to very many nodes or edges are refused
     for (int i = 0; i < 1001; ++i)
         subgraphs += "{}";
     CHECK(refuses(dot_of, "graph { edge [" + list + "]\n" + subgraphs + "}", "graph:2:1: " + refused));
-    CHECK(refuses(graphml_of, "<graphml>" + keys + "<graph>" + elements + "</graph></graphml>", "graph:1001:1: " + refused));
+    CHECK(refuses(graphml_of, "<graphml>" + keys + "<graph>" + elements + "</graph></graphml>",
+                  "graph:1001:1: " + refused));
     CHECK(dot_of("graph { node [" + list + "] " + many.substr(0, 3000) + "}").nodes.size() > 600);
 }
 
