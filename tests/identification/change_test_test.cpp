@@ -49,20 +49,23 @@ TEST_CASE("the test of change keeps its rate of false alarms") {
 
 TEST_CASE("after a change, the scatter of the whole series judges the parts") {
     // Two parts are tested at 5 % each: of 300 series, up to 47 have a second change with a probability of 99.9 %.
-    std::size_t second = 0, covered = 0;
+    std::size_t second = 0, single = 0, covered = 0;
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
         RandomStream random(seed, "one change");
         const std::vector<SeriesChange> changes = find_changes(series_of(random, 12, 6, 60, 3), 0.05);
         REQUIRE(!changes.empty());
         second += changes.size() > 1;
+        if (changes.size() > 1)
+            continue;
+        ++single;
         const auto& [at, before, after, probability] = changes.front();
         const double error = std::hypot(before.standard_error, after.standard_error);
         covered += std::abs(after.value - before.value - 60) <= 1.96 * error;
     }
     CHECK(second <= 47);
-    CHECK(covered >=
-          255); // an interval of 95 % that takes the scatter of 12 estimates as exact; by standard errors 49 %
-    CHECK(covered < 300);
+    // An interval of 95 % that takes the scatter of 12 estimates as exact covers less; by standard errors alone, 49 %.
+    CHECK(20 * covered >= 17 * single);
+    CHECK(covered < single);
 }
 
 TEST_CASE("a change is found at its place, with its size") {

@@ -264,11 +264,12 @@ TEST_CASE("a topology that needs more than four links of a processor is refused 
 TEST_CASE("sizes that a topology does not have are refused, with the reason") {
     for (const std::string& topology : generate::names_of_topologies())
         for (const char* size :
-             {"0", "-1", "", "x", "4x", "x4", "0x4", "4x0", "4x4x4x4", "1.5", "8 ", "99999999999999999999",
-              "99999999999", "4294967296x4294967296", "1e3", "0x10000000000000001"}) {
+             {"0", "-1", "x", "4x", "x4", "0x4", "4x0", "4x4x4x4", "1.5", "8 ", "99999999999999999999", "99999999999",
+              "4294967296x4294967296", "1e3", "0x10000000000000001"}) {
             INFO(topology << " " << size);
             CHECK(says(sized(topology, size), "of size " + std::string(size) + ": "));
         }
+    CHECK(says(sized("ring", ""), "--size is required for the topology ring"));
     CHECK(says(sized("ring", "2"), "from 3 to 4096"));
     CHECK(says(sized("torus", "2x2x2"), "a node of three dimensions needs six links, but a transputer has 4"));
     CHECK(says(sized("mesh", "2x0x2"), "expected three numbers such as 2x3x4"));

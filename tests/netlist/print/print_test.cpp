@@ -58,7 +58,7 @@ TEST_CASE("a printed network loads again for every number of slaves") {
 }
 
 TEST_CASE("elements of an array can differ in their attributes") {
-    const std::string array = "T800 (clock = 25M) t[3]; connect t[0].link[0] to t[1].link[0];";
+    const std::string array = "T800 (clock = 25M) t[3]; rep i = 0 for 2 connect t[i].link[0] to t[i + 1].link[1];";
     const auto changed =
         read_netlist_text(array + "t[1] (clock = 20M, memory = 2M); t[2] (rank = 1);", small_catalogue());
     REQUIRE(changed.network);
