@@ -2,6 +2,7 @@
 
 import contextlib
 import csv
+import json
 import os
 import pathlib
 import pty
@@ -202,6 +203,17 @@ class Found(Optimise):
         self.optimise(study)
         self.assertRegex(placedpar("report", study, folder=self.folder).stdout,
                          r"runs +time \[ms\] +links +max\(a.busy\)")
+
+    def test_parts_have_prices(self):
+        """The machine has two T800s and `wires` wires: the cheapest has one wire."""
+        study = self.write("small.toml", "price = {T800 = 300}\n" + STUDY.format(minimise='["price", "time"]'))
+        self.optimise(study, "--price", "link=20")
+        prices = {(json.loads(row[0])["wires"], json.loads(row[-1])["price"][0]) for row in self.rows() if row[2] == "completed"}
+        self.assertTrue(prices)
+        for wires, price in prices:
+            self.assertEqual(price, 600 + 20 * int(wires))
+        self.assertIn("expected a number from 0", self.optimise(study, "--price", "link=-1", code=1))
+        self.assertIn('unknown part with a price "T80"', self.optimise(study, "--price", "T80=1", code=1))
 
     def test_a_sweep_of_the_study_shows_what_is_minimised(self):
         said = placedpar("sweep", self.small('"links"'), folder=self.folder).stdout
