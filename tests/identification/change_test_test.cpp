@@ -48,9 +48,9 @@ TEST_CASE("the test of change keeps its rate of false alarms") {
 }
 
 TEST_CASE("after a change, the scatter of the whole series judges the parts") {
-    // Two parts are tested at 5 % each: of 300 series, up to 47 have a second change with a probability of 99.9 %.
+    // Two parts are tested at 5 % each: of 100 series, up to 21 have a second change with a probability of 99.9 %.
     std::size_t second = 0, covered = 0;
-    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
         RandomStream random(seed, "one change");
         const std::vector<SeriesChange> changes = find_changes(series_of(random, 12, 6, 60, 3), 0.05);
         REQUIRE(!changes.empty());
@@ -59,10 +59,9 @@ TEST_CASE("after a change, the scatter of the whole series judges the parts") {
         const double error = std::hypot(before.standard_error, after.standard_error);
         covered += std::abs(after.value - before.value - 60) <= 1.96 * error;
     }
-    CHECK(second <= 47);
+    CHECK(second <= 21);
     CHECK(covered >=
           255); // an interval of 95 % that takes the scatter of 12 estimates as exact; by standard errors 49 %
-    CHECK(covered < 300);
 }
 
 TEST_CASE("a change is found at its place, with its size") {
