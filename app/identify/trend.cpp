@@ -38,14 +38,15 @@ std::string print_answer(const RecordAnswer& answer, Link link, std::size_t widt
 std::string print_change(const TrendChange& each, const Trend& trend) {
     const auto& [at, before, after, probability] = each.change;
     const double error = std::hypot(before.standard_error, after.standard_error), by = after.value - before.value;
-    return fmt::format(
-        "{}: the {} {} by {:.3g} {}{}, 95 % interval {:.3g} to {:.3g}, between {} and {}: from {:.3g} to {:.3g}; without a "
-        "change, the probability of so large a difference is {}{:.2g}\n",
-        name_of(each.link), name_of(each.value), by > 0 ? "rises" : "falls", std::abs(by), unit_of(each.value),
-        each.value == TrendValue::compliance ? fmt::format(" ({:+.0f} %)", 100 * by / before.value) : "",
-        by - errors_of_interval * error, by + errors_of_interval * error, trend.answers()[each.before].record,
-        trend.answers()[each.after].record, before.value, after.value, probability <= 0.0001 ? "at most " : "",
-        probability);
+    return fmt::format("{}: the {} {} by {:.3g} {}{}, 95 % interval {:.3g} to {:.3g}, between {} and {}: from {:.3g} "
+                       "to {:.3g}; without a "
+                       "change, the probability of so large a difference is {}{:.2g}\n",
+                       name_of(each.link), name_of(each.value), by > 0 ? "rises" : "falls", std::abs(by),
+                       unit_of(each.value),
+                       each.value == TrendValue::compliance ? fmt::format(" ({:+.0f} %)", 100 * by / before.value) : "",
+                       by - errors_of_interval * error, by + errors_of_interval * error,
+                       trend.answers()[each.before].record, trend.answers()[each.after].record, before.value,
+                       after.value, probability <= 0.0001 ? "at most " : "", probability);
 }
 
 std::string print_changes(const Trend& trend, Link link) {
@@ -145,9 +146,9 @@ std::string print_trend(const Trend& trend) {
         width = std::max(width, each.record.size());
     std::string text;
     for (Link link : links_of(trend.links())) {
-        text +=
-            fmt::format("{:<{}}  {:<16}  {:>7}  {:<23}  {:>18}  {:>18}\n", "record", width, "date",
-                        fmt::format("C_{}i", symbol_of(link)), "95 % interval, in^3/psi", "leak, in^3/(s psi)", "spool, in");
+        text += fmt::format("{:<{}}  {:<16}  {:>7}  {:<23}  {:>18}  {:>18}\n", "record", width, "date",
+                            fmt::format("C_{}i", symbol_of(link)), "95 % interval, in^3/psi", "leak, in^3/(s psi)",
+                            "spool, in");
         for (const RecordAnswer& each : trend.answers())
             text += print_answer(each, link, width);
         text += "\n";
