@@ -312,6 +312,10 @@ class TheSame(Optimise):
 
 
 class Refused(Optimise):
+    def test_a_price_below_0(self):
+        self.refuses(STUDY.format(minimise='"time"'), "--price T800=-1: expected a number from 0 to 1e12",
+                     arguments=("--price", "T800=-1"))
+
     def test_what_is_no_search(self):
         self.refuses('netlist = "small.cfs"\n[set]\nwires = "1..2"\n', "the study has no table [search]")
         self.assertIn("a table [search]", self.optimise("small.cfs", code=1))
