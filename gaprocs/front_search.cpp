@@ -1,7 +1,10 @@
 #include "gaprocs/front_search.hpp"
 
+#include "gaprocs/merit.hpp"
 #include "gaprocs/search.hpp"
 #include "text/user_error.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
@@ -104,6 +107,9 @@ FrontResult search_front(const SearchProblem& problem, std::size_t generations, 
         throw UserError("a problem with a record has no front: expected a problem with objectives");
     if (generations == 0)
         throw UserError("0 generations, expected at least 1");
+    if (settings.elite == 0 || settings.elite != settings.population / 2)
+        throw UserError(fmt::format("an elite of {} in a population of {}, expected {}: the better half survives",
+                                    settings.elite, settings.population, settings.population / 2));
     Search search(problem.representation(), settings, std::move(random));
     FrontEvaluation evaluation(problem);
     FrontResult result;

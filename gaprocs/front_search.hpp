@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gaprocs/merit.hpp"
+#include "gaprocs/objective.hpp"
 #include "gaprocs/search_problem.hpp"
 #include "gaprocs/settings.hpp"
 #include "runtime/random.hpp"
@@ -18,7 +18,8 @@ namespace placedpar {
 /// polynomial mutation, other strings uniform or order crossover; on average one character of each offspring mutates.
 SearchSettings front_settings(const Representation&, std::size_t population);
 
-/// Returns a fitness by order_of() for the better half; 0 for the other half, which has no offspring.
+/// Returns a fitness by order_of() (gaprocs/merit.hpp) for the better half; 0 for the other half, which has no
+/// offspring.
 std::vector<double> front_fitness(std::span<const Merit>);
 
 struct FrontIndividual {
@@ -39,7 +40,8 @@ struct FrontResult {
 /// Searches for the front of a problem with one or several objectives, with or without constraints. If several
 /// individuals are equal, all but the first count as infeasible. A survivor population of n needs front_settings(...,
 /// 2 * n) and makes n * (generations + 1) evaluations. Throws as SearchSettings::validate() and
-/// require_fitting_operators(), and UserError for a problem with a record or for 0 generations.
+/// require_fitting_operators(), and UserError for a problem with a record, for 0 generations or for an elite that is
+/// not half the population.
 FrontResult search_front(const SearchProblem&, std::size_t generations, const SearchSettings&, RandomStream);
 
 } // namespace placedpar

@@ -1,6 +1,7 @@
 #include "gaprocs/merit.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -34,7 +35,7 @@ Indices take_front(Indices& left, std::span<const Merit> merits) {
 }
 
 /// Adds to each individual of the front the distance between its neighbours in one cost, as a fraction of the front's
-/// range. The two ends of the front get infinity.
+/// range. The two ends of the front get infinity. Costs so far apart that the range is infinite add nothing.
 void add_distances(const Indices& front, std::span<const Merit> merits, std::size_t cost,
                    std::vector<double>& distances) {
     Indices order = front;
@@ -43,7 +44,7 @@ void add_distances(const Indices& front, std::span<const Merit> merits, std::siz
     double range = value(order.back()) - value(order.front());
     for (std::size_t end : {order.front(), order.back()})
         distances[end] = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 1; i + 1 < order.size() && range > 0; ++i)
+    for (std::size_t i = 1; i + 1 < order.size() && range > 0 && std::isfinite(range); ++i)
         distances[order[i]] += (value(order[i + 1]) - value(order[i - 1])) / range;
 }
 
@@ -75,7 +76,8 @@ Indices order_of(std::span<const Merit> merits) {
     std::vector<double> distances(merits.size());
     while (!left.empty()) {
         Indices front = take_front(left, merits);
-        for (std::size_t cost = 0; cost < merits[front.front()].costs.size(); ++cost)
+        const Merit& first = merits[front.front()];
+        for (std::size_t cost = 0; first.feasible && cost < first.costs.size(); ++cost)
             add_distances(front, merits, cost, distances);
         std::ranges::sort(front);
         std::ranges::stable_sort(front, std::greater(), [&](std::size_t each) { return distances[each]; });

@@ -27,6 +27,7 @@ struct ReportOptions {
     std::vector<std::string> measures, relative_to;
     std::string over;           ///< axis of the plot; "": the axis with the most numbers
     std::string csv, svg, page; ///< files; "": not written
+    bool runs = false;          ///< whether the CSV has a row for each run
 
     std::array<std::filesystem::path, 3> outputs() const { return {csv, svg, page}; }
 };
@@ -55,7 +56,7 @@ void require_reference_line(const StudySummary& summary) {
 
 void write_outputs(const StudySummary& summary, const ReportOptions& options) {
     if (!options.csv.empty())
-        write_whole(options.csv, summary_csv(summary));
+        write_whole(options.csv, options.runs ? runs_csv(summary) : summary_csv(summary));
     if (!options.svg.empty())
         write_whole(options.svg, draw_svg(summary_plot(summary, options.over)));
     if (!options.page.empty())
@@ -65,6 +66,8 @@ void write_outputs(const StudySummary& summary, const ReportOptions& options) {
 void require_report_outputs(const ReportOptions& options, const std::filesystem::path& kept) {
     require_apart(options.outputs(), kept);
     require_apart(options.outputs(), options.study);
+    if (options.runs && options.csv.empty())
+        throw UserError("--runs writes a row for each run as comma-separated values: add --csv FILE");
     for (const auto& path : options.outputs())
         if (!path.empty())
             require_writable(path);
@@ -96,7 +99,7 @@ ExitCode report(const ReportOptions& options) {
     if (!options.measures.empty())
         require_measured(summary, results);
     write_outputs(summary, options);
-    print_out(print_summary(summary));
+    print_out(print_summary(summary) + print_rank_tests(summary));
     return ExitCode::success;
 }
 
@@ -111,6 +114,7 @@ Action declare_report(Options& command, const std::string&) {
                      "divides each figure by the figure of the run with this setting, all else equal; may be repeated");
     add_file(command, "--over", options->over, "the setting on the plot's horizontal axis", "NAME");
     add_file(command, "--csv", options->csv, "writes the table as comma-separated values");
+    command.add_flag("--runs", options->runs, "with --csv: writes a row for each run, with its settings and seed");
     add_file(command, "--svg", options->svg, "draws the measures as SVG");
     add_file(command, "--page", options->page, "writes one self-contained HTML page with tables and plots");
     return [options] { return report(*options); };

@@ -226,9 +226,10 @@ private:
             const auto label = node.attributes.find("label");
             const bool labelled =
                 label != node.attributes.end() && label->second != node.name && label->second != "\\N";
-            made_.attributes += fmt::format("/* t[{}] is {}{}{} */\n", i, for_comment(node.name),
-                                            labelled ? ": " + for_comment(label->second) : "",
-                                            entries.empty() ? "" : "; to be set from outside:" + entries);
+            if (!entries.empty())
+                made_.attributes += fmt::format("t[{}]{}; ", i, entries);
+            made_.attributes += fmt::format("/* t[{}] is {}{} */\n", i, for_comment(node.name),
+                                            labelled ? ": " + for_comment(label->second) : "");
         }
     }
 

@@ -51,7 +51,42 @@ std::string print_whole(const StudySummary& summary) {
     return out + "\n";
 }
 
+struct RowOfRun {
+    std::vector<std::string> values; ///< of the axes
+    StudiedRun run;
+};
+
+Row row_of(const StudySummary& summary, const RowOfRun& of) {
+    Row row;
+    for (std::size_t i = 0; i < summary.axes.size(); ++i)
+        row.push_back(Field::member(summary.axes[i], of.values[i]));
+    for (const auto& [name, value] : summary.fixed)
+        row.push_back(Field::member(name, value));
+    row.push_back(Field::member("seed", of.run.seed));
+    row.push_back(Field::member("ended", of.run.ended));
+    for (std::size_t i = 0; i < summary.measures.size(); ++i) {
+        const auto& figure = of.run.figures[i];
+        row.push_back(
+            Field::member(measure_with_unit(summary, i), figure ? boost::json::value(*figure) : boost::json::value()));
+    }
+    return row;
+}
+
 } // namespace
+
+std::string runs_csv(const StudySummary& summary) {
+    std::vector<RowOfRun> runs;
+    for (const StudyLine& line : summary.lines)
+        for (const StudiedRun& each : line.each)
+            runs.push_back({line.values, each});
+    return table_of(runs,
+                    [&](RowOfRun of) {
+                        of.values.resize(summary.axes.size());
+                        of.run.figures.resize(summary.measures.size());
+                        return row_of(summary, of);
+                    })
+        .csv();
+}
 
 std::string print_summary(const StudySummary& summary) { return print_whole(summary) + lines_of(summary).text(); }
 

@@ -10,6 +10,12 @@ namespace placedpar {
 /// Returns the summary as a table: a line for each combination, with means and their confidence intervals.
 std::string print_summary(const StudySummary&);
 std::string summary_csv(const StudySummary&);
+/// Returns a table in long form, with a row for each run: its settings, its seed, how it ended, and its measures.
+std::string runs_csv(const StudySummary&);
+/// Returns a table of rank tests: for each setting that varies, and each combination of the others, whether its values
+/// make a difference to each measure. "" if no combination was run with several seeds, or if figures do not depend on
+/// the seed.
+std::string print_rank_tests(const StudySummary&);
 
 /// Plots the measures over the axis `over`; "": over the axis with the most numbers. There is a panel for each measure,
 /// and a curve with 95 % intervals for each combination of the other axes. Throws UserError if there is nothing to

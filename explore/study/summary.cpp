@@ -77,21 +77,26 @@ private:
 /// The line of one combination, to which the runs are added.
 struct Gathered {
     StudyLine line;
-    void add(const StudyOutcome&, const Measured&, std::vector<std::string>& units);
+    void add(std::uint64_t seed, const StudyOutcome&, const Measured&, std::vector<std::string>& units);
 };
 
-void Gathered::add(const StudyOutcome& outcome, const Measured& figures, std::vector<std::string>& units) {
+void Gathered::add(std::uint64_t seed, const StudyOutcome& outcome, const Measured& figures,
+                   std::vector<std::string>& units) {
     line.cells.resize(figures.size());
     ++line.runs;
     if (outcome.ended != name_of(Ending::completed))
         ++line.ended[outcome.ended];
     if (!outcome.refused.empty() && line.refused.empty())
         line.refused = outcome.refused.substr(0, outcome.refused.find('\n'));
+    StudiedRun run{.seed = seed, .ended = outcome.ended, .figures = {}};
+    run.figures.resize(figures.size());
     for (std::size_t i = 0; i < figures.size(); ++i)
         if (figures[i]) {
             line.cells[i].add(figures[i]->value);
+            run.figures[i] = figures[i]->value;
             units[i] = figures[i]->unit;
         }
+    line.each.push_back(std::move(run));
 }
 
 /// Returns the names with their values; "" stands for a run that does not set the name.
@@ -201,7 +206,8 @@ StudySummary summary_of(StudyResults& results, std::vector<std::string> measures
     std::map<Overrides, Gathered> all;
     spellings.for_each([&](const StudyRun& run, const StudyOutcome& outcome) {
         if (!of_study || settings.has(run.set))
-            all[run.set].add(outcome, references.relative(run, outcome, measured(outcome, wanted)), summary.units);
+            all[run.set].add(run.seed, outcome, references.relative(run, outcome, measured(outcome, wanted)),
+                             summary.units);
     });
     summary.unrelated = references.without();
     add_names(summary, all);

@@ -24,6 +24,13 @@ private:
     double squares_ = 0; ///< sum of the squared distances from the mean (B. Welford, 1962)
 };
 
+/// One run of a combination.
+struct StudiedRun {
+    std::uint64_t seed = 0;
+    std::string ended = "";
+    std::vector<std::optional<double>> figures = {}; ///< one for each measure; nothing if the run does not have it
+};
+
 /// The runs of one combination.
 struct StudyLine {
     std::vector<std::string> values; ///< values of the axes; "" for an axis that this combination does not set
@@ -31,6 +38,7 @@ struct StudyLine {
     std::map<std::string, std::uint64_t> ended; ///< number of runs that did not complete, by how they ended
     std::string refused = "";                   ///< first line of the reason for a refusal
     std::vector<StudyCell> cells;               ///< one for each measure
+    std::vector<StudiedRun> each = {};          ///< all runs, by seed
 };
 
 /// The statistics of a study's runs.

@@ -16,6 +16,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -131,7 +132,14 @@ private:
         refuse(fmt::format("{}: \"{}\" cannot be read: expected {}", key, name, fmt::join(names, ", ")));
     }
 
+    /// Throws UserError for a second line of this keyword or section.
+    void require_first(const std::string& name) {
+        if (name != "COMMENT" && !seen_.insert(name).second)
+            refuse(fmt::format("a second \"{}\": the file may have one", name));
+    }
+
     void specify(const std::string& key, const std::string& value) {
+        require_first(key);
         static const std::array ignored{"NAME", "COMMENT", "NODE_COORD_TYPE", "DISPLAY_DATA_TYPE"};
         if (key == "TYPE")
             choice<bool>({{"ATSP", true}, {"TSP", false}}, value.substr(0, value.find(' ')), key);
@@ -148,8 +156,11 @@ private:
     }
 
     void read_section(const std::string& name) {
+        require_first(name);
         if (cities_ == 0)
             refuse(fmt::format("DIMENSION is missing before \"{}\"", name));
+        if (!distances_.empty() && name != "DISPLAY_DATA_SECTION")
+            refuse(fmt::format("\"{}\": the section before it has given all distances", name));
         if (name == "NODE_COORD_SECTION")
             take_coordinates(read_coordinates());
         else if (name == "EDGE_WEIGHT_SECTION")
@@ -231,6 +242,7 @@ private:
     std::istringstream text_, weights_; ///< the whole file; the current line of a matrix
     std::size_t number_ = 0;            ///< of the current line
     std::size_t cities_ = 0;
+    std::set<std::string> seen_; ///< keywords and sections that the file had so far
     Distance distance_ = nullptr;
     std::optional<MatrixForm> form_;
     std::vector<std::int32_t> distances_;

@@ -1,4 +1,5 @@
 #include "python/module/search.hpp"
+#include "python/module/interpreter.hpp"
 
 #include "explore/checkpoint_file.hpp"
 #include "explore/problems.hpp"
@@ -13,6 +14,7 @@
 #include "report/search_log.hpp"
 #include "text/user_error.hpp"
 
+#include <fmt/format.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
@@ -142,8 +144,17 @@ struct SearchOptions {
     std::string coding;
     py::dict numbers, policies;
     std::string checkpoint; ///< a file; "" for none
+    std::string problem;    ///< what a checkpoint says of the problem
     py::object progress;
 };
+
+/// Returns what can be said of a function: the goal and the fields.
+std::string text_of(const Bounds& bounds, const std::vector<std::size_t>& bits, bool maximises) {
+    std::string text = maximises ? "maximise a function of" : "minimise a function of";
+    for (std::size_t i = 0; i < bounds.size(); ++i)
+        text += fmt::format(" {}..{} ({} bits)", bounds[i].first, bounds[i].second, bits.at(i));
+    return text;
+}
 
 /// Keeps the log, and lets Ctrl-C, the end of Python and other threads come between two generations.
 class HeedfulLog final : public SearchObserver {
@@ -159,8 +170,7 @@ public:
         if (!progress_.is_none())
             progress_(made_, all_);
         { const py::gil_scoped_release turn_of_other_threads; }
-        if (PyErr_CheckSignals() != 0)
-            throw py::error_already_set();
+        heed_signals();
         if (interruption_.requested())
             throw UserError("the search ends early, since Python ends");
     }
@@ -195,7 +205,8 @@ std::unique_ptr<CheckpointFile> checkpoint_of(const SearchOptions& options, cons
     std::vector<KeptSearch> searches;
     for (const std::string& name : island_names(settings.islands.size()))
         searches.push_back({name,
-                            {{"bits", std::to_string(problem.bits())},
+                            {{"problem", options.problem},
+                             {"bits", std::to_string(problem.bits())},
                              {"coding", options.coding},
                              {"population", std::to_string(settings.islands.front().population)}}});
     return std::make_unique<CheckpointFile>(options.checkpoint, std::move(searches), options.seed, every);
@@ -273,9 +284,17 @@ void add_searches(py::module_& module) {
                             Given<std::size_t, "generations"> generations, std::uint64_t seed,
                             Given<std::string, "coding"> coding, py::dict numbers, py::dict policies,
                             std::string checkpoint, py::object progress) {
-        const SearchOptions options{
-            islands, generations, seed, coding, numbers, policies, std::move(checkpoint), std::move(progress)};
-        if (!py::isinstance<py::str>(problem))
+        const bool is_named = py::isinstance<py::str>(problem);
+        const SearchOptions options{islands,
+                                    generations,
+                                    seed,
+                                    coding,
+                                    numbers,
+                                    policies,
+                                    std::move(checkpoint),
+                                    is_named ? problem.cast<std::string>() : text_of(bounds, bits, maximises),
+                                    std::move(progress)};
+        if (!is_named)
             return search(*problem_of(problem, bounds, bits, maximises), nullptr, options);
         const ProblemRegistry problems = known_problems(seed);
         const RecordedProblem& recorded = problems.find(problem.cast<std::string>());

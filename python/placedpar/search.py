@@ -89,7 +89,8 @@ def search(problem: Any, bounds: Optional[Sequence[tuple[float, float]]] = None,
     bounds: d pairs (least, greatest) of a function. maximise: the greatest value is wanted.
     bits: of each parameter's field, a number or d numbers; coding: "natural", "gray" or "real" (no bits).
     Each island has `population` individuals and its own random numbers, given by `seed`.
-    checkpoint: a file that keeps all populations, every 10 generations. If it is there, the search goes on from it.
+    checkpoint: a file that keeps all populations, every 10 generations. If it is there, the search goes on from it;
+    a file of another problem, or of a function with other bounds or another goal, is refused.
 
     The policies are texts as in a netlist, such as "tournament(3)", or functions:
     reproduction(fitness, count, random) -> count indices of parents;
@@ -147,6 +148,7 @@ def search_front(problem: str, *, generations: int = 250, population: int = 100,
                  coding: str = "natural") -> Front:
     """Searches for the front of a known problem with several objectives, such as "zdt1", by NSGA-II.
 
+    A function in Python has one objective: use search(). Ctrl-C waits until the search has ended.
     Makes population * (generations + 1) evaluations. Raises Error for settings that do not fit.
     """
     return Front(_core.search_front(problem, generations, population, seed_of(seed), coding))

@@ -51,6 +51,11 @@ class Generate(unittest.TestCase):
                     if machine.endswith("islands") and problem != "plant":
                         self.assertRegex(run.stdout, r"best of all: \S+, first found by island\[\d\] in generation \d+\n")
 
+    def test_a_problem_with_several_objectives_is_refused(self):
+        run = placedpar("run", EXAMPLES / "genetic/islands/islands.cfs", "--set", "problem=zdt1")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn('"zdt1" has 2 objectives, but a process searches for the best value of one', run.stderr)
+
     def test_ready_islands_search_for_another_problem(self):
         run = placedpar("run", EXAMPLES / "genetic/islands/islands.cfs", "--set", "problem=ackley")
         self.assertEqual(run.returncode, 0, run.stderr)

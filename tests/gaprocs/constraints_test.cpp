@@ -1,7 +1,7 @@
 // Tests constraints, several objectives, and what the headers say of individuals without a usable value.
 
 #include "gaprocs/front_search.hpp"
-#include "gaprocs/islands.hpp"
+#include "gaprocs/merit.hpp"
 #include "gaprocs/problem_registry.hpp"
 #include "gaprocs/traditional.hpp"
 #include "gaprocs/usual_settings.hpp"
@@ -46,6 +46,16 @@ struct Schaffer {
     std::vector<std::string> objective_names() const { return {"near 0", "near 2"}; }
     std::vector<double> objectives(std::span<const double> x) const { return {x[0] * x[0], (x[0] - 2) * (x[0] - 2)}; }
     std::vector<double> constraints(std::span<const double> x) const { return {least - x[0]}; }
+};
+
+/// 5 of 8 individuals are feasible. The others have objectives that are not finite numbers.
+struct HalfKnown {
+    ParameterCoding representation() const { return ParameterCoding(1, {0, 8, 3}); }
+    std::vector<std::string> objective_names() const { return {"low", "high"}; }
+    std::vector<double> objectives(std::span<const double> x) const {
+        constexpr double infinite = std::numeric_limits<double>::infinity();
+        return x[0] < 5 ? std::vector{x[0], -x[0]} : std::vector{x[0] < 7 ? nan_value : -infinite, infinite};
+    }
 };
 
 Genome coded(const SearchProblem& problem, std::uint64_t code) {
@@ -154,6 +164,18 @@ TEST_CASE("the front of Schaffer's problem is found, within bounds and constrain
     }
 }
 
+TEST_CASE("a front is found among duplicates and individuals without finite objectives") {
+    const auto problem = minimise(HalfKnown{});
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        CAPTURE(seed);
+        const FrontResult found =
+            search_front(*problem, 30, front_settings(problem->representation(), 40), RandomStream(seed, "front"));
+        REQUIRE(found.front.size() == 5);
+        for (std::size_t i = 0; i < 5; ++i)
+            CHECK(found.front[i].parameters.front() == static_cast<double>(i));
+    }
+}
+
 TEST_CASE("equal seeds give equal fronts, and problems without objectives are refused") {
     const FrontResult one = front_of_schaffer({}, Coding::real, 9), same = front_of_schaffer({}, Coding::real, 9);
     REQUIRE(one.front.size() == same.front.size());
@@ -163,6 +185,15 @@ TEST_CASE("equal seeds give equal fronts, and problems without objectives are re
     CHECK_THROWS_WITH_AS(run_traditional(*schaffer, 3, usual_settings(*schaffer), RandomStream(1, "")),
                          "a problem with several objectives has no fitness: search for its front", UserError);
     CHECK_THROWS_AS(search_front(*schaffer, 0, front_settings(BitString(20), 20), RandomStream(1, "")), UserError);
+}
+
+TEST_CASE("a front search needs the better half as its elite") {
+    const auto schaffer = minimise(Schaffer{});
+    for (std::size_t elite : {std::size_t{0}, std::size_t{1}, std::size_t{11}}) {
+        SearchSettings settings = front_settings(schaffer->representation(), 20);
+        settings.elite = elite;
+        CHECK_THROWS_AS(search_front(*schaffer, 3, settings, RandomStream(1, "")), UserError);
+    }
 }
 
 TEST_CASE("of infeasible merits the lesser violation dominates") {

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -92,4 +94,22 @@ TEST_CASE("within a front the ends come first, then the machines farthest from t
     CHECK(order_of(merits) == std::vector<std::size_t>{0, 3, 2, 1});
     CHECK(order_of(std::vector<Merit>{costs({2}), costs({1}), Merit{}, costs({1})}) ==
           std::vector<std::size_t>{1, 3, 0, 2});
+}
+
+TEST_CASE("the costs of infeasible merits are not read, whatever they are") {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    std::vector<Merit> merits(40, {.feasible = false, .costs = {unknown, infinite}, .violation = infinite});
+    std::vector<std::size_t> in_order(merits.size());
+    std::iota(in_order.begin(), in_order.end(), std::size_t{0});
+    for (std::size_t i = 1; i < merits.size(); i += 3)
+        merits[i].costs = i % 2 == 0 ? std::vector<double>{} : std::vector<double>{9, -infinite};
+    CHECK(order_of(merits) == in_order);
+}
+
+TEST_CASE("costs whose distance is not a finite number still have an order") {
+    std::vector<Merit> merits;
+    for (double cost : {-1.0, -0.9, 0.1, 0.5, 0.9, 1.0})
+        merits.push_back(costs({cost * std::numeric_limits<double>::max(), -cost}));
+    CHECK(order_of(merits) == std::vector<std::size_t>{0, 5, 2, 1, 3, 4});
 }

@@ -139,6 +139,19 @@ class Searches(unittest.TestCase):
         self.assertEqual(int(second.log["generation"].min()), 21)
         self.assertEqual((len(told), told[-1]), (60, (120, 120)))
 
+    def test_a_checkpoint_of_another_problem_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for first, *others in (
+                    (["rastrigin(dimensions = 2)"], ["ackley(dimensions = 2)"], [sphere, [(0, 1)] * 2]),
+                    ([sphere, [(0, 1)] * 2], [sphere, [(0, 2)] * 2], [sphere, [(0, 1)] * 2, {"maximise": True}])):
+                file = pathlib.Path(folder, str(len(first)))
+                pp.search(*first, generations=10, checkpoint=file)
+                pp.search(*first, generations=12, checkpoint=file)
+                for problem, *more in others:
+                    options = more.pop() if len(more) == 2 else {}
+                    with self.assertRaisesRegex(pp.Error, r"the checkpoint has .*problem = "):
+                        pp.search(problem, *more, generations=20, checkpoint=file, **options)
+
     def test_a_front_is_searched(self):
         front = pp.search_front("zdt1(dimensions = 5)", generations=100, population=40, coding="real")
         self.assertEqual((front.names, front.evaluations, front.values.shape), (["f_1", "f_2"], 40 * 101, (40, 2)))

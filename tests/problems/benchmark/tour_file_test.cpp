@@ -179,6 +179,16 @@ TEST_CASE("a file that cannot be read is refused with its line") {
     CHECK_THROWS_AS(read_tour_file("/nowhere.tsp"), UserError);
 }
 
+TEST_CASE("a keyword or section that comes twice is refused, but for comments") {
+    const std::string head = "TYPE: TSP\nCOMMENT: a\nCOMMENT: b\nDIMENSION: 2\nEDGE_WEIGHT_TYPE: EUC_2D\n";
+    const std::string cities = "NODE_COORD_SECTION\n1 0 0\n2 3 4\n";
+    CHECK(tour_of(head + cities).objective(std::vector<std::size_t>{0, 1}) == 10);
+    CHECK(refusal_of(head + cities + "DIMENSION: 4000\n") == "9: a second \"DIMENSION\": the file may have one");
+    CHECK(refusal_of(head + cities + cities) == "9: a second \"NODE_COORD_SECTION\": the file may have one");
+    CHECK(refusal_of(head + "EDGE_WEIGHT_FORMAT: FULL_MATRIX\nEDGE_WEIGHT_SECTION\n0 1\n1 0\n" + cities) ==
+          "10: \"NODE_COORD_SECTION\": the section before it has given all distances");
+}
+
 TEST_CASE("a problem is named by its file") {
     ProblemRegistry problems;
     add_benchmark_problems(problems);

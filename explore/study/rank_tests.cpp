@@ -1,0 +1,116 @@
+// Prints rank tests of a study's settings.
+
+#include "explore/study/study_report.hpp"
+#include "explore/study/summary_cells.hpp"
+#include "report/field.hpp"
+#include "text/rank_test.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace placedpar {
+
+namespace {
+
+/// Combinations that differ in one setting only.
+struct Compared {
+    std::string others; ///< the other settings that vary, such as "links = 2"
+    std::vector<const StudyLine*> lines;
+};
+
+std::vector<Compared> compared_along(const StudySummary& summary, std::size_t axis) {
+    std::map<std::vector<std::string>, Compared> all; // by the values of the other settings
+    for (const StudyLine& line : summary.lines) {
+        std::vector<std::string> others = line.values, shown;
+        others[axis].clear();
+        for (std::size_t i = 0; i < others.size(); ++i)
+            if (i != axis)
+                shown.push_back(fmt::format("{} = {}", summary.axes[i], others[i]));
+        Compared& compared = all[others];
+        compared.others = fmt::format("{}", fmt::join(shown, ", "));
+        compared.lines.push_back(&line);
+    }
+    std::vector<Compared> list;
+    for (const auto& each : all)
+        list.push_back(each.second);
+    return list;
+}
+
+std::vector<double> figures_of_runs(const StudyLine& line, std::size_t measure) {
+    std::vector<double> figures;
+    for (const StudiedRun& run : line.each)
+        if (run.figures[measure])
+            figures.push_back(*run.figures[measure]);
+    return figures;
+}
+
+/// Returns the test; nothing if fewer than two combinations have several figures, or if all figures of each are equal,
+/// so that a seed makes no difference and its runs are no sample.
+std::optional<RankTest> test_of(const std::vector<std::vector<double>>& groups) {
+    const bool varies = std::ranges::any_of(
+        groups, [](const auto& group) { return std::ranges::min(group) != std::ranges::max(group); });
+    if (groups.size() < 2 || !varies)
+        return std::nullopt;
+    return groups.size() == 2 ? mann_whitney(groups[0], groups[1]) : kruskal_wallis(groups);
+}
+
+struct TestedRow {
+    std::string setting = "", values = "", others = "", measure = "";
+    bool is_of_two = false;
+    RankTest test = {};
+};
+
+/// Returns the test of the combinations with several figures of a measure.
+std::optional<TestedRow> tested(const StudySummary& summary, std::size_t axis, const Compared& compared,
+                                std::size_t measure) {
+    std::vector<std::vector<double>> groups;
+    std::vector<std::string> values;
+    for (const StudyLine* line : compared.lines)
+        if (std::vector<double> figures = figures_of_runs(*line, measure); figures.size() > 1) {
+            groups.push_back(std::move(figures));
+            values.push_back(line->values[axis]);
+        }
+    const std::optional<RankTest> test = test_of(groups);
+    if (!test)
+        return std::nullopt;
+    const bool two = groups.size() == 2;
+    return TestedRow{summary.axes[axis],
+                     two ? fmt::format("{}", fmt::join(values, ", ")) : fmt::format("{} values", groups.size()),
+                     compared.others,
+                     measure_with_unit(summary, measure),
+                     two,
+                     *test};
+}
+
+Row row_of_test(const TestedRow& row) {
+    const std::string effect = fmt::format("{} {:.2f}", row.is_of_two ? "A" : "epsilon²", row.test.effect);
+    const std::string p = row.test.p < 1e-4 ? "< 0.0001" : fmt::format("{:.4f}", row.test.p);
+    return {Field::left(0, "setting", row.setting),
+            Field::left(0, "of", row.values),
+            Field::left(0, "with", row.others),
+            Field::left(0, "measure", row.measure),
+            Field::right(0, "p", p),
+            Field::left(0, "effect", effect),
+            Field::left(0, "test", row.is_of_two ? "Mann-Whitney" : "Kruskal-Wallis")};
+}
+
+} // namespace
+
+std::string print_rank_tests(const StudySummary& summary) {
+    std::vector<TestedRow> rows;
+    for (std::size_t axis = 0; axis < summary.axes.size(); ++axis)
+        for (const Compared& compared : compared_along(summary, axis))
+            for (std::size_t measure = 0; measure < summary.measures.size(); ++measure)
+                if (auto row = tested(summary, axis, compared, measure))
+                    rows.push_back(std::move(*row));
+    return rows.empty() ? "" : "\nRank tests\n" + table_of(rows, row_of_test).text();
+}
+
+} // namespace placedpar
