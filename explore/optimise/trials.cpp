@@ -19,6 +19,7 @@ Study study_of(const Study& study, const std::vector<Overrides>& all) {
                .seeds = study.seeds,
                .until = study.until,
                .measures = study.measures};
+    some.prices = study.prices;
     for (const Overrides& settings : all) {
         StudyProduct& product = some.products.emplace_back();
         for (const auto& [name, value] : settings)
