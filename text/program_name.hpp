@@ -9,5 +9,7 @@ namespace placedpar {
 const std::string& program_name();
 /// Sets the name. REQUIRES: called by one thread, before any message.
 void set_program_name(std::string name);
+/// Quotes the text so that a shell reads it as one word of a command.
+std::string shell_word(const std::string& text);
 
 } // namespace placedpar

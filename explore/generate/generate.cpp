@@ -7,6 +7,7 @@
 #include "explore/generate/task_graph.hpp"
 #include "netlist/read.hpp"
 #include "text/counted.hpp"
+#include "text/load_source.hpp"
 #include "text/nearest.hpp"
 #include "text/program_name.hpp"
 #include "text/user_error.hpp"
@@ -14,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace placedpar::generate {
 
@@ -56,6 +58,9 @@ Job job_of(const TopologyRequest& request, const Catalogue& catalogue, const Top
         return farm(topology, statements);
     if (request.job == "islands")
         return request.topology == "figure-e2" ? islands_with_slaves(statements) : islands(topology, statements);
+    if (lower_case(request.job).ends_with(".csv") && !request.problem.empty())
+        throw UserError(fmt::format("--problem {} has no effect on the tasks of {}, which search for nothing",
+                                    request.problem, request.job));
     if (lower_case(request.job).ends_with(".csv"))
         return tasks_of_file(request.job, topology.nodes, topology);
     return job_of_kind(request, catalogue, topology, statements);
@@ -110,25 +115,37 @@ std::string option(const char* name, const std::optional<std::size_t>& value) {
 }
 
 std::string command_of(const TopologyRequest& request) {
-    std::string text = fmt::format("{} generate {}{}{}{}{}{} --job {}", program_name(), request.topology,
-                                   request.size.empty() ? "" : " --size " + request.size,
-                                   option("--branches", request.branches), option("--chord", request.chord),
-                                   option("--degree", request.degree), request.split ? " --split" : "", request.job);
+    std::string text =
+        fmt::format("{} generate {}{}{}{}{}{} --job {}", program_name(), shell_word(request.topology),
+                    request.size.empty() ? "" : " --size " + request.size, option("--branches", request.branches),
+                    option("--chord", request.chord), option("--degree", request.degree),
+                    request.split ? " --split" : "", shell_word(request.job));
     TopologyRequest usual;
     for (auto [name, said, unsaid] :
          {std::tuple("--host", &request.host, &usual.host), std::tuple("--output", &request.output, &usual.output),
           std::tuple("--input", &request.input, &usual.input)})
         if (*said != *unsaid)
             text += fmt::format(" {} {}", name, *said);
-    return request.problem.empty() ? text : text + fmt::format(" --problem \"{}\"", request.problem);
+    return request.problem.empty() ? text : text + " --problem " + shell_word(request.problem);
+}
+
+/// Throws UserError if a name that the user typed cannot stand in a comment.
+void require_comment(const std::string& comment) {
+    const std::string_view inside = std::string_view(comment).substr(0, comment.rfind("*/"));
+    if (inside.find("*/") != inside.npos || has_errors(check_source("the netlist", comment).problems))
+        throw UserError("the names of files and of the problem stand in a comment of the netlist, so they cannot have "
+                        "\"*/\" or control characters; rename the file");
 }
 
 std::string heading_of(const TopologyRequest& request, const Job& job, const Topology& topology,
                        const Distances& distances) {
-    return fmt::format("/* {}: {}, {} between them, at most {} at one processor, diameter {}.\n   {}\n   {} "
-                       "*/\n\n",
-                       topology.about, counted(distances.processors, "processor"), counted(distances.links, "link"),
-                       distances.degree, distances.diameter, job.about, command_of(request));
+    const std::string heading =
+        fmt::format("/* {}: {}, {} between them, at most {} at one processor, diameter {}.\n   {}\n   {} "
+                    "*/\n\n",
+                    topology.about, counted(distances.processors, "processor"), counted(distances.links, "link"),
+                    distances.degree, distances.diameter, job.about, command_of(request));
+    require_comment(heading);
+    return heading;
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "explore/generate/statements.hpp"
 #include "gaprocs/problem_registry.hpp"
+#include "netlist/print/text.hpp"
 
 #include <fmt/format.h>
 
@@ -55,7 +56,7 @@ ProblemStatements statements_of(const std::string& name, const RecordedProblem* 
     const std::string samples = "val samples 0;                  /* of the record; 0: all */\n";
     if (!problem)
         return {samples, "samples = samples", "cycles_per_measurement_word = 134, string_bytes = 2", ""};
-    const std::string named = fmt::format("val problem \"{}\";\n", name), each = "problem = problem";
+    const std::string named = fmt::format("val problem {};\n", print_constant(name)), each = "problem = problem";
     if (problem->problem()->objective())
         return {named + "val generations 100;\n", each + ", generations = generations", each, each};
     return {named + samples, each + ", samples = samples", each + advised(problem->advice()), each};

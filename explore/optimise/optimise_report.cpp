@@ -82,21 +82,6 @@ std::string print_path_row(double start, double best, const std::string& name) {
     return fmt::format("{:>12.3f}  {:>12.3f}  {:>+12.3f}  {}\n", start, best, best - start, name);
 }
 
-bool is_plain(char character) {
-    return std::isalnum(static_cast<unsigned char>(character)) != 0 ||
-           std::string_view("_.,=+-/:@%").find(character) != std::string_view::npos;
-}
-
-/// Quotes the text so that a shell reads it as one word.
-std::string shell_word(const std::string& text) {
-    if (!text.empty() && std::ranges::all_of(text, is_plain))
-        return text;
-    std::string out = "'";
-    for (char character : text)
-        out += character == '\'' ? "'\\''" : std::string(1, character);
-    return out + "'";
-}
-
 std::string option(const std::string& name, const std::string& value) { return " " + name + " " + shell_word(value); }
 
 } // namespace

@@ -18,8 +18,8 @@ Study study_of(const Study& study, const std::vector<Overrides>& all) {
                .first_seed = study.first_seed,
                .seeds = study.seeds,
                .until = study.until,
-               .measures = study.measures,
-               .prices = study.prices};
+               .measures = study.measures};
+    some.prices = study.prices;
     for (const Overrides& settings : all) {
         StudyProduct& product = some.products.emplace_back();
         for (const auto& [name, value] : settings)

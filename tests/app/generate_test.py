@@ -95,6 +95,24 @@ class Generate(unittest.TestCase):
                 self.assertTrue(run.stderr.startswith("placedpar: ") or run.stderr.startswith("--"), run.stderr)
                 self.assertFalse(os.path.exists(path), words)
 
+    def test_names_of_files_stand_in_the_comment_so_that_the_command_can_be_repeated(self):
+        with tempfile.TemporaryDirectory() as folder:
+            def generated(tasks, *options):
+                path = os.path.join(folder, tasks)
+                os.makedirs(os.path.dirname(path), exist_ok=True)
+                with open(path, "w", encoding="utf-8") as file:
+                    file.write("task,cycles,successors\na,1,\n")
+                return placedpar("generate", "ring", "--size", "3", "--job", tasks, *options, folder=folder)
+            run = generated("my 'tasks'.csv")
+            self.assertIn("""generate ring --size 3 --job 'my '\\''tasks'\\''.csv' */""", run.stdout)
+            for tasks in ("all*/tasks.csv", "tasks\x07.csv"):
+                run = generated(tasks)
+                self.assertEqual((run.returncode, run.stdout), (1, ""), tasks)
+                self.assertIn("stand in a comment of the netlist", run.stderr)
+            run = generated("tasks.csv", "--problem", "ackley")
+            self.assertEqual((run.returncode, run.stdout), (1, ""))
+            self.assertIn("--problem ackley has no effect on the tasks of tasks.csv", run.stderr)
+
     def test_the_time_for_a_check_grows_with_the_ways_to_the_host(self):
         """The larger machine has four times the islands and routes, and its routes have twice the length. Its check
         takes about seven times the time; if each route needed a search of all processors, it would take twelve times."""

@@ -323,7 +323,18 @@ class TheSame(Optimise):
         self.assertRegex(told, rb"generation \d of 6: \d+ machines")
 
 
+class Prices(Optimise):
+    def test_the_price_of_a_machine_can_be_minimised(self):
+        study = STUDY.format(minimise='"price"').replace("[search]", "[price]\nlink = 20\n[search]")
+        out = self.optimise(self.write("priced.toml", study))
+        self.assertRegex(out, r"the best: .*--set wires=1 ")
+
+
 class Refused(Optimise):
+    def test_a_price_below_0(self):
+        self.refuses(STUDY.format(minimise='"time"'), "--price T800=-1: expected a number from 0 to 1e12",
+                     arguments=("--price", "T800=-1"))
+
     def test_what_is_no_search(self):
         self.refuses('netlist = "small.cfs"\n[set]\nwires = "1..2"\n', "the study has no table [search]")
         self.assertIn("a table [search]", self.optimise("small.cfs", code=1))
