@@ -39,7 +39,8 @@ struct FrontResult {
 /// Searches for the front of a problem with one or several objectives, with or without constraints. If several
 /// individuals are equal, all but the first count as infeasible. A survivor population of n needs front_settings(...,
 /// 2 * n) and makes n * (generations + 1) evaluations. Throws as SearchSettings::validate() and
-/// require_fitting_operators(), and UserError for a problem with a record, for 0 generations or for an elite that is not half the population.
+/// require_fitting_operators(), and UserError for a problem with a record, for 0 generations or for an elite that is
+/// not half the population.
 FrontResult search_front(const SearchProblem&, std::size_t generations, const SearchSettings&, RandomStream);
 
 } // namespace placedpar
