@@ -78,13 +78,6 @@ std::string meant_by(const DeclaredCommand& program, std::span<char*> words) {
     return is_file(first) && program.command("run") ? "run " + first : "";
 }
 
-std::vector<NamedMeaning> meanings_of_options(const DeclaredCommand& command) {
-    std::vector<NamedMeaning> meanings;
-    for (const std::string& name : command.names_of_options())
-        meanings.push_back({name, command.option(name)->about});
-    return meanings;
-}
-
 std::vector<NamedMeaning> meanings_of_commands(const DeclaredCommand& program) {
     std::vector<NamedMeaning> meanings;
     for (const DeclaredCommand& each : program.commands)
@@ -97,14 +90,16 @@ void require_command(const DeclaredCommand& program, std::span<char*> words) {
     std::string first = words.front();
     bool option = first.starts_with('-');
     std::string name = option ? first.substr(0, first.find('=')) : first;
-    std::vector<NamedMeaning> known = option ? meanings_of_options(program) : meanings_of_commands(program);
-    if (std::ranges::find(known, name, &NamedMeaning::name) != known.end())
+    const std::vector<std::string> known = option ? program.names_of_options() : program.names_of_commands();
+    if (std::ranges::find(known, name) != known.end())
         return;
     if (std::string meant = meant_by(program, words); !meant.empty())
         throw UserError(fmt::format("unknown command \"{}\"; did you mean {} {}?", name, program_name(), meant));
-    throw UserError(
-        unknown_meaning(option ? "option" : "command", name, known,
-                        fmt::format("{} --help lists the {}s", program_name(), option ? "option" : "command")));
+    if (option)
+        throw UserError(
+            unknown_name("option", name, known, fmt::format("{} --help lists the options", program_name())));
+    throw UserError(unknown_meaning("command", name, meanings_of_commands(program),
+                                    fmt::format("{} --help lists the commands", program_name())));
 }
 
 bool takes_option(const DeclaredCommand& command, const std::string& name) { return command.option(name) != nullptr; }
@@ -128,9 +123,8 @@ std::string how_to_set(const DeclaredCommand& command, const std::string& settin
     const std::string name = option.substr(std::min(option.find_first_not_of('-'), option.size()));
     const bool is_name = !name.empty() && std::isalpha(static_cast<unsigned char>(name.front()));
     std::string otherwise = is_name ? how_to_set(command, name + "=VALUE") : "";
-    if (otherwise.empty())
-        otherwise = fmt::format("{} --help lists the options", whose);
-    throw UserError(unknown_meaning("option", option, meanings_of_options(command), otherwise));
+    otherwise += fmt::format("{}{} --help lists the options", otherwise.empty() ? "" : "; ", whose);
+    throw UserError(unknown_name("option", option, command.names_of_options(), otherwise));
 }
 
 [[noreturn]] void refuse_argument(const DeclaredCommand& command, const std::string& argument,

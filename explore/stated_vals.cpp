@@ -1,44 +1,48 @@
 #include "explore/stated_vals.hpp"
 
+#include "netlist/language/names_in_text.hpp"
 #include "netlist/network/network.hpp"
+#include "text/load_source.hpp"
 
-#include <fstream>
+#include <algorithm>
 #include <string_view>
+#include <vector>
 
 namespace placedpar {
 
 namespace {
 
-constexpr std::string_view blank = " \t\r";
+using Vals = std::map<std::string, std::string>;
 
-std::string_view without_blanks(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(blank);
-    return first == text.npos ? "" : text.substr(first, text.find_last_not_of(blank) + 1 - first);
+/// Returns a text's part from one token to another, on one line or several.
+std::string text_between(const SourceFile& file, const Token& first, const Token& last) {
+    const char* const begin = file.line(first.at.line).data() + (first.at.column - 1);
+    return {begin, file.line(last.end.line).data() + (last.end.column - 1)};
 }
 
-/// Reads a line such as "val slaves 3; /* of each */".
-void add_val(std::map<std::string, std::string>& vals, std::string_view line) {
-    constexpr std::string_view word = "val ";
-    line = without_blanks(line);
-    if (!line.starts_with(word))
-        return;
-    line = without_blanks(line.substr(word.size()));
-    const std::size_t name = line.find_first_of(blank), end = line.find(';');
-    if (name != line.npos && end != line.npos && name < end)
-        vals[std::string(line.substr(0, name))] = without_blanks(line.substr(name, end - name));
+/// Adds the vals of a file that are outside of blocks: options can set no others.
+void add_vals(Vals& vals, const std::string& path) {
+    const std::shared_ptr<const SourceFile> file = load_source(path).file;
+    const std::vector<Token> tokens = tokens_of(file);
+    std::size_t depth = 0;
+    for (auto token = tokens.begin(); token != tokens.end(); ++token) {
+        depth += token->is("{") ? 1U : 0U;
+        depth -= token->is("}") && depth > 0 ? 1U : 0U;
+        if (depth > 0 || !token->is_word("val"))
+            continue;
+        const auto end = std::find_if(token, tokens.end(), [](const Token& each) { return each.is(";"); });
+        if (end != tokens.end() && end - token > 2)
+            vals[(token + 1)->text] = text_between(*file, *(token + 2), *(end - 1));
+    }
 }
 
 } // namespace
 
-std::map<std::string, std::string> stated_vals(const Network& network) {
-    std::map<std::string, std::string> vals;
-    std::vector<std::string> paths = network.included_paths;
-    paths.push_back(network.source_path);
-    for (const std::string& path : paths) {
-        std::ifstream file(path);
-        for (std::string line; std::getline(file, line);)
-            add_val(vals, line);
-    }
+Vals stated_vals(const Network& network) {
+    Vals vals;
+    for (const std::string& path : network.included_paths)
+        add_vals(vals, path);
+    add_vals(vals, network.source_path);
     for (const SetByOption& set : network.set)
         if (auto stated = vals.find(set.name); stated != vals.end() && set.elements.empty())
             stated->second = set.value;

@@ -1,5 +1,6 @@
 #include "gaprocs/front_search.hpp"
 
+#include "gaprocs/merit.hpp"
 #include "gaprocs/search.hpp"
 #include "text/user_error.hpp"
 

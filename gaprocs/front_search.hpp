@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gaprocs/merit.hpp"
+#include "gaprocs/objective.hpp"
 #include "gaprocs/search_problem.hpp"
 #include "gaprocs/settings.hpp"
 #include "runtime/random.hpp"
@@ -18,7 +18,8 @@ namespace placedpar {
 /// polynomial mutation, other strings uniform or order crossover; on average one character of each offspring mutates.
 SearchSettings front_settings(const Representation&, std::size_t population);
 
-/// Returns a fitness by order_of() for the better half; 0 for the other half, which has no offspring.
+/// Returns a fitness by order_of() (gaprocs/merit.hpp) for the better half; 0 for the other half, which has no
+/// offspring.
 std::vector<double> front_fitness(std::span<const Merit>);
 
 struct FrontIndividual {

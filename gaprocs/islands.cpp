@@ -1,5 +1,6 @@
 #include "gaprocs/islands.hpp"
 
+#include "gaprocs/search_progress.hpp"
 #include "gaprocs/usual_settings.hpp"
 #include "text/counted.hpp"
 #include "text/user_error.hpp"
@@ -146,7 +147,7 @@ bool Islands::ready() const {
 /// Sets which islands make the next generation.
 void Islands::choose_islands() {
     for (std::size_t i = 0; i < searches_.size(); ++i)
-        made_[i] = ready(i) && (progress_.empty() || !progress_[i].passes_over());
+        made_[i] = ready(i) && (progress_.empty() || !progress_[i]->passes_over());
 }
 
 void Islands::next_generation() {
@@ -183,7 +184,7 @@ void Islands::exchange_in_step() {
 
 void Islands::evaluate_one(std::size_t island) {
     if (!progress_.empty())
-        progress_[island].note_population(searches_[island]);
+        progress_[island]->note_population(searches_[island]);
     fitness_[island] = evaluate(problem_, searches_[island].population(), windows_[island].samples(),
                                 settings_.islands[island].window.bias);
 }
@@ -230,14 +231,14 @@ void Islands::breed(std::size_t island, std::span<Migration> arrivals) {
         tell_migrations(island, arrivals);
     if (progress_.empty())
         return;
-    progress_[island].note_best(searches_[island]);
-    progress_[island].keep(searches_[island]);
+    progress_[island]->note_best(searches_[island]);
+    progress_[island]->keep(searches_[island]);
 }
 
 void Islands::keep_by(Checkpoints& checkpoints) {
     const std::vector<std::string> names = island_names(searches_.size());
     for (std::size_t i = 0; i < searches_.size(); ++i)
-        progress_.emplace_back(searches_[i], names[i], &checkpoints);
+        progress_.push_back(std::make_shared<SearchProgress>(searches_[i], names[i], &checkpoints));
 }
 
 void Islands::observe_by(SearchObserver& observer) {
@@ -281,7 +282,7 @@ IslandsResult run_islands(const SearchProblem& problem, std::span<const Sample> 
     if (checkpoints)
         islands.keep_by(*checkpoints);
     for (std::size_t i = 0; i < islands.progress().size(); ++i)
-        add_earlier_best(result.islands[i], problem, islands.progress()[i], islands.searches()[i]);
+        add_earlier_best(result.islands[i], problem, *islands.progress()[i], islands.searches()[i]);
     for (std::size_t sample = 0; sample < record.size(); ++sample) {
         islands.push(record[sample]);
         if (!islands.ready())
@@ -294,7 +295,7 @@ IslandsResult run_islands(const SearchProblem& problem, std::span<const Sample> 
         add_estimates(problem, islands, sample, result);
     }
     for (std::size_t i = 0; i < islands.progress().size(); ++i)
-        islands.progress()[i].require_passed(islands.searches()[i]);
+        islands.progress()[i]->require_passed(islands.searches()[i]);
     end_result(islands, result);
     return result;
 }

@@ -7,7 +7,6 @@
 #include "gaprocs/search.hpp"
 #include "gaprocs/search_observer.hpp"
 #include "gaprocs/search_problem.hpp"
-#include "gaprocs/search_progress.hpp"
 #include "gaprocs/settings.hpp"
 #include "gaprocs/traditional.hpp"
 #include "gaprocs/window.hpp"
@@ -15,12 +14,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace placedpar {
+
+class SearchProgress; // gaprocs/search_progress.hpp
 
 /// The settings of several islands. By default they form a ring: after every third generation the best individual of
 /// each island replaces the worst of the next island.
@@ -98,7 +100,7 @@ public:
     /// Returns whether the last next_generation() made a generation of this island.
     bool has_made(std::size_t island) const { return made_[island]; }
     /// Returns the progress of each island; none without checkpoints.
-    const std::vector<SearchProgress>& progress() const { return progress_; }
+    const std::vector<std::shared_ptr<SearchProgress>>& progress() const { return progress_; }
 
     const std::vector<Search>& searches() const { return searches_; }
     /// Returns the migrations of the last next_generation(), sorted by destination. Migrations to the same island are
@@ -127,7 +129,7 @@ private:
     /// For the asynchronous schedule: emigrants that have been sent but not yet received, by destination and source.
     std::vector<std::map<std::size_t, std::vector<Migration>>> mail_;
     std::vector<char> made_; ///< see has_made()
-    std::vector<SearchProgress> progress_;
+    std::vector<std::shared_ptr<SearchProgress>> progress_;
     SearchObserver* observer_ = nullptr;
     std::vector<std::string> names_; ///< names of the islands for the observer
 };

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <map>
+#include <span>
 
 namespace placedpar::identification {
 
@@ -30,15 +33,25 @@ struct Sums {
     double scatter() const { return std::max(0.0, squares - values * values / weight); }
 };
 
+/// The neighbouring estimates of a series among which a change is looked for. The rest of the series tells the scatter,
+/// too: by the squares of its distances from its means, in squared standard errors, and their degrees of freedom.
+struct Part {
+    std::span<const UncertainValue> estimates;
+    double squares_elsewhere = 0;
+    std::size_t degrees_elsewhere = 0;
+};
+
 /// A place for a change: the estimates before it, and after it.
 struct Split {
     std::size_t at = 0;
     Sums before, after;
 
-    /// Returns the mean square of the distances from the two means, in squared standard errors: about 1 if these are
-    /// right. Two estimates do not tell it.
-    double scatter(std::size_t size) const {
-        return size > 2 ? (before.scatter() + after.scatter()) / static_cast<double>(size - 2) : 1;
+    /// Returns the mean square of the distances from the means, in squared standard errors: about 1 if these are right.
+    /// Two estimates do not tell it.
+    double scatter(const Part& part) const {
+        const std::size_t degrees = part.estimates.size() - 2 + part.degrees_elsewhere;
+        const double squares = before.scatter() + after.scatter() + part.squares_elsewhere;
+        return degrees > 0 ? squares / static_cast<double>(degrees) : 1;
     }
     /// Returns the difference of the means, divided by its standard error.
     double quotient() const {
@@ -55,80 +68,130 @@ struct BestSplit {
     double quotient = -1;
 };
 
-BestSplit best_split(const std::vector<UncertainValue>& series, ErrorsBy errors) {
+BestSplit best_split(const Part& part, ErrorsBy errors) {
     Sums all, before;
-    for (const UncertainValue& each : series)
+    for (const UncertainValue& each : part.estimates)
         all.add(each);
     BestSplit best;
-    for (std::size_t at = 1; at < series.size(); ++at) {
-        before.add(series[at - 1]);
+    for (std::size_t at = 1; at < part.estimates.size(); ++at) {
+        before.add(part.estimates[at - 1]);
         const Split split{at, before, all - before};
-        const double scatter = errors == ErrorsBy::scatter ? split.scatter(series.size()) : 1;
+        const double scatter = errors == ErrorsBy::scatter ? split.scatter(part) : 1;
         if (const double quotient = split.quotient() / std::sqrt(scatter); quotient > best.quotient)
             best = {split, quotient};
     }
     return best;
 }
 
-UncertainValue mean_of(const std::vector<UncertainValue>& series, std::size_t first, std::size_t last) {
-    Sums sums;
-    for (std::size_t i = first; i < last; ++i)
-        sums.add(series[i]);
-    return sums.mean();
-}
-
-/// Appends the changes among the estimates [first, last).
-void add_changes(const std::vector<UncertainValue>& series, std::size_t first, std::size_t last, double level,
-                 std::vector<Change>& all) {
-    const auto begin = series.begin();
-    const auto change =
-        find_change({begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last)}, level);
-    if (!change)
-        return;
-    const std::size_t at = first + change->at;
-    add_changes(series, first, at, level, all);
-    all.push_back(*change);
-    all.back().at = at;
-    add_changes(series, at, last, level, all);
-}
-
-} // namespace
-
-std::optional<Change> find_change(const std::vector<UncertainValue>& series, double level) {
-    if (series.size() < 2)
-        return std::nullopt;
-    std::vector<UncertainValue> centred = series; // about 0, so that the sums of squares lose no digits
-    for (UncertainValue& each : centred)
-        each.value -= series.front().value;
-    BestSplit best = best_split(centred, ErrorsBy::standard_errors);
-    const ErrorsBy errors = best.split.scatter(series.size()) > 1 ? ErrorsBy::scatter : ErrorsBy::standard_errors;
-    if (errors == ErrorsBy::scatter)
-        best = best_split(centred, errors);
+/// Returns the share of made-up parts without a change whose best split has at least the quotient; a share above
+/// `level` is not counted to its end.
+double probability_of(double quotient, const Part& part, ErrorsBy errors, double level) {
     RandomStream random(1, "series without a change");
+    std::vector<UncertainValue> estimates(part.estimates.begin(), part.estimates.end());
     std::size_t as_great = 0;
     const auto most = static_cast<std::size_t>(level * (made_up_series + 1));
     for (std::size_t i = 0; i < made_up_series && as_great < most; ++i) {
-        for (UncertainValue& each : centred)
+        for (UncertainValue& each : estimates)
             each.value = each.standard_error * random.normal();
-        as_great += best_split(centred, errors).quotient >= best.quotient;
+        Part made_up{estimates, 0, part.degrees_elsewhere};
+        for (std::size_t k = 0; errors == ErrorsBy::scatter && k < part.degrees_elsewhere; ++k) {
+            const double distance = random.normal();
+            made_up.squares_elsewhere += distance * distance;
+        }
+        as_great += best_split(made_up, errors).quotient >= quotient;
     }
-    const double probability = static_cast<double>(as_great + 1) / (made_up_series + 1);
-    if (probability > level)
-        return std::nullopt;
-    auto moved = [by = series.front().value](UncertainValue mean) {
-        return UncertainValue{mean.value + by, mean.standard_error};
-    };
-    return Change{best.split.at, moved(best.split.before.mean()), moved(best.split.after.mean()), probability};
+    return static_cast<double>(as_great + 1) / (made_up_series + 1);
 }
 
-std::vector<Change> find_changes(const std::vector<UncertainValue>& series, double level) {
-    std::vector<Change> all;
-    add_changes(series, 0, series.size(), level, all);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        all[i].before = mean_of(series, i == 0 ? 0 : all[i - 1].at, all[i].at);
-        all[i].after = mean_of(series, all[i].at, i + 1 == all.size() ? series.size() : all[i + 1].at);
+/// A series, and the changes that were found in it.
+class ChangingSeries {
+public:
+    explicit ChangingSeries(const std::vector<UncertainValue>& series)
+        : series_(series), zero_(series.empty() ? 0 : series.front().value) {
+        for (UncertainValue& each : series_) // about 0, so that the sums of squares lose no digits
+            each.value -= zero_;
     }
-    return all;
+
+    /// Looks for one more change, and returns whether there is one.
+    bool split(double level) {
+        for (std::size_t part = 0; part <= probabilities_.size(); ++part)
+            if (split_part(part, level))
+                return true;
+        return false;
+    }
+    std::vector<SeriesChange> changes() const {
+        const double factor = std::sqrt(std::max(1.0, scatter()));
+        auto mean = [&](std::size_t part) {
+            const UncertainValue found = sums_of(part).mean();
+            return UncertainValue{zero_ + found.value, factor * found.standard_error};
+        };
+        std::vector<SeriesChange> all;
+        for (const auto& [at, probability] : probabilities_)
+            all.push_back({at, mean(all.size()), mean(all.size() + 1), probability});
+        return all;
+    }
+
+private:
+    std::span<const UncertainValue> part(std::size_t number) const {
+        const auto next = std::next(probabilities_.begin(), static_cast<std::ptrdiff_t>(number));
+        const std::size_t first = number == 0 ? 0 : std::prev(next)->first;
+        return std::span(series_).subspan(first, (next == probabilities_.end() ? series_.size() : next->first) - first);
+    }
+    Sums sums_of(std::size_t number) const {
+        Sums sums;
+        for (const UncertainValue& each : part(number))
+            sums.add(each);
+        return sums;
+    }
+    double squares() const {
+        double sum = 0;
+        for (std::size_t number = 0; number <= probabilities_.size(); ++number)
+            sum += sums_of(number).scatter();
+        return sum;
+    }
+    /// Returns the mean square of the distances from the means of all parts; 1 for a series that is too short to tell.
+    double scatter() const {
+        const bool tells = series_.size() >= fewest_for_scatter && series_.size() > probabilities_.size() + 1;
+        return tells ? squares() / static_cast<double>(series_.size() - probabilities_.size() - 1) : 1;
+    }
+    bool split_part(std::size_t number, double level) {
+        const std::span<const UncertainValue> estimates = part(number);
+        if (estimates.size() < 2)
+            return false;
+        const Part tested{estimates, squares() - sums_of(number).scatter(),
+                          series_.size() - estimates.size() - probabilities_.size()};
+        BestSplit best = best_split(tested, ErrorsBy::standard_errors);
+        const bool scatters = series_.size() >= fewest_for_scatter && best.split.scatter(tested) > 1;
+        const ErrorsBy errors = scatters ? ErrorsBy::scatter : ErrorsBy::standard_errors;
+        if (scatters)
+            best = best_split(tested, errors);
+        const double probability = probability_of(best.quotient, tested, errors, level);
+        if (probability > level)
+            return false;
+        const auto first = static_cast<std::size_t>(estimates.data() - series_.data());
+        probabilities_[first + best.split.at] = probability;
+        return true;
+    }
+
+    std::vector<UncertainValue> series_;
+    double zero_;                                 ///< was subtracted from all values
+    std::map<std::size_t, double> probabilities_; ///< of the changes, by the index of the first estimate after each
+};
+
+} // namespace
+
+std::optional<SeriesChange> find_change(const std::vector<UncertainValue>& series, double level) {
+    ChangingSeries changing(series);
+    if (!changing.split(level))
+        return std::nullopt;
+    return changing.changes().front();
+}
+
+std::vector<SeriesChange> find_changes(const std::vector<UncertainValue>& series, double level) {
+    ChangingSeries changing(series);
+    while (changing.split(level))
+        continue;
+    return changing.changes();
 }
 
 } // namespace placedpar::identification

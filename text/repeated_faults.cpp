@@ -37,7 +37,8 @@ std::vector<Diagnostic> RepeatedFaults::take(std::vector<Diagnostic> faults) {
             firsts.push_back(std::move(fault));
             kinds.push_back(is_new ? std::move(kind) : "");
         } else {
-            ++found->second.more;
+            if (fault.location.line != found->second.last)
+                ++found->second.more;
             found->second.last = fault.location.line;
         }
     }
@@ -55,7 +56,8 @@ std::string RepeatedFaults::later() const {
     std::string text;
     for (const auto& [kind, each] : kinds_)
         if (each.more > 0)
-            text += fmt::format("... {} more like \"{}\", the last in line {}\n", each.more, each.message, each.last);
+            text += fmt::format("... {} more {} like \"{}\", the last is line {}\n", each.more,
+                                each.more == 1 ? "line" : "lines", each.message, each.last);
     return text;
 }
 

@@ -13,10 +13,10 @@ namespace placedpar {
 /// their lines differ.
 class RepeatedFaults {
 public:
-    /// Returns the first fault of each new kind; its message has the number of such faults among `faults`. Faults of
-    /// earlier kinds are only counted.
+    /// Returns the first fault of each new kind; its message has the number of other lines with such faults. Lines
+    /// with faults of earlier kinds are only counted. REQUIRES: the faults of a kind are in the order of their lines.
     std::vector<Diagnostic> take(std::vector<Diagnostic> faults);
-    /// Returns the faults that were only counted, as one line a kind; "" if there are none.
+    /// Returns the lines that were only counted, as one line a kind; "" if there are none.
     std::string later() const;
 
 private:

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <system_error>
@@ -106,8 +107,14 @@ std::string_view take_line(std::string_view& text) {
     return line;
 }
 
-bool is_comment(std::string_view line) {
-    return line.starts_with('#') && !line.starts_with("#N/A") && !line.starts_with("#NV");
+/// Returns whether the line begins with '#', and its first cell is not a spreadsheet's word for an error.
+bool is_comment(std::string_view line, char separator) {
+    constexpr std::array<std::string_view, 11> errors{"#N/A",  "#NV",    "#VALUE!", "#REF!",   "#DIV/0!", "#NAME?",
+                                                      "#NUM!", "#NULL!", "#WERT!",  "#BEZUG!", "#ZAHL!"};
+    if (!line.starts_with('#'))
+        return false;
+    const std::string first = trimmed(line.substr(0, line.find(separator)), 1).text;
+    return std::ranges::find(errors, first) == errors.end();
 }
 
 bool is_blank(std::string_view line) { return line.find_first_not_of(blanks) == std::string_view::npos; }
@@ -144,9 +151,9 @@ std::size_t append_lines(TextTable& table, std::string_view text, std::size_t nu
         std::string_view line = take_line(text);
         bool above_header = table.header.cells.empty();
         check_line_end(line, number, faults);
-        if (is_comment(line) && above_header)
+        if (is_comment(line, table.separator) && above_header)
             table.description += std::string(without_mark(line)) + "\n";
-        if (!is_blank(line) && !is_comment(line))
+        if (!is_blank(line) && !is_comment(line, table.separator))
             add_line(table, line, number, faults);
         bool was_header = above_header && !table.header.cells.empty();
         if (was_header && has_errors(faults)) // without a valid header the rows have no meaning

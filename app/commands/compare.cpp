@@ -6,7 +6,9 @@
 #include "explore/compare/comparison.hpp"
 #include "ranks/ranks.hpp"
 #include "text/nearest.hpp"
+#include "text/number.hpp"
 #include "text/output_file.hpp"
+#include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
@@ -26,9 +28,31 @@ struct CompareOptions {
     std::optional<double> tolerance;
 };
 
+bool is_report(const std::string& file) { return lower_case(file).ends_with(".json"); }
+
+/// Throws UserError if an option is typed that has no effect, since a report states the settings of its run.
+void require_effect(const CompareOptions& options, const Options& command) {
+    if (is_report(options.b) && command.is_given("--set-b"))
+        throw UserError(fmt::format("--set-b has no effect on {}: a report states the settings of its run; give a "
+                                    "netlist as B",
+                                    options.b));
+    for (const char* name : {"--set", "--seed", "-I", "--use", "--fault"})
+        if (is_report(options.a) && is_report(options.b) && command.is_given(name))
+            throw UserError(fmt::format("{} has no effect on {} and {}: a report states the settings of its run; give "
+                                        "a netlist as A or B",
+                                        name, options.a, options.b));
+}
+
+std::string not_a_percentage(const std::string& text) {
+    const auto percent = parse_number<double>(text);
+    return percent && std::isfinite(*percent) && *percent >= 0
+               ? ""
+               : fmt::format("\"{}\" is not a percentage: expected a number of at least 0", text);
+}
+
 /// Reads a report of a run, or a netlist with the options of the command.
 ComparedRun compared_run(const CompareOptions& options, const std::string& file, Overrides set) {
-    if (lower_case(file).ends_with(".json"))
+    if (is_report(file))
         return run_of_report(file, print_warnings);
     std::string name = file;
     for (const auto& [setting, value] : set)
@@ -81,8 +105,12 @@ Action declare_compare(Options& command, const std::string&) {
     command
         .add("--tolerance", options->tolerance,
              "ends with exit code 3 if the times differ by more than this share of A's time")
-        .type("PERCENT");
-    return [options] { return compare(*options); };
+        .type("PERCENT")
+        .check(not_a_percentage);
+    return [options, command] {
+        require_effect(*options, command);
+        return compare(*options);
+    };
 }
 
 } // namespace

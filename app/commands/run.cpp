@@ -425,7 +425,7 @@ Action declare_run(Options& command, const std::string& typed) {
 
 extern const Command run_command{
     .name = "run",
-    .about = "Runs a netlist and reports results and times",
+    .about = "Simulates a netlist, or runs it natively, and reports results and times",
     .place = 10,
     .declare = declare_run,
 };

@@ -5,9 +5,11 @@
 #include "app/signals.hpp"
 #include "app/standard_error.hpp"
 #include "explore/identify/identifying.hpp"
+#include "explore/identify/question.hpp"
 #include "hydraulics/data/clock_time.hpp"
 #include "identification/on_line/moving_identification.hpp"
 #include "identification/verdict/mean_deviation.hpp"
+#include "picture/gnuplot.hpp"
 #include "text/output_file.hpp"
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
@@ -16,6 +18,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -77,6 +80,40 @@ private:
     PerLink<LinkMovements> links_;
 };
 
+/// Returns by how much the error of the equations varies from record to record (identification/verdict/deviation.hpp).
+double repeat_error(double healthy_in3_per_psi) {
+    return repeats_within * WayUnits::of(healthy_in3_per_psi).compliance_in3_per_psi;
+}
+
+std::string_view name_of_source(AreasFrom areas) {
+    switch (areas) {
+    case AreasFrom::areas: return "from the areas as read";
+    case AreasFrom::spool: return "from the spool";
+    case AreasFrom::servo: return "from the servo-valve's voltage";
+    }
+    return "";
+}
+
+/// Throws UserError if a link's compliance is found from another source than in an earlier record, since sources have
+/// errors of their own, which would look like a change.
+void require_equal_sources(const std::vector<RecordAnswer>& before, const RecordAnswer& answer) {
+    for (Link link : all_links)
+        for (const RecordAnswer& each : before) {
+            const std::string_view here = answer.source[index_of(link)], there = each.source[index_of(link)];
+            if (!here.empty() && !there.empty() && here != there)
+                throw UserError(fmt::format(
+                    "{}: the compliance of the {} is found {}, but in {} {}: expected one source in all records, "
+                    "chosen by --areas-from, or by --configuration if only some have a configuration to recognise",
+                    answer.record, name_of(link), here, each.record, there));
+        }
+}
+
+/// Returns the date in the file's name, or else in its folder's name.
+std::optional<double> date_in_path(const std::filesystem::path& path) {
+    const auto of_file = date_in_name(path.filename().string());
+    return of_file ? of_file : date_in_name(path.parent_path().filename().string());
+}
+
 /// Reads the records one after another.
 class TrendReader {
 public:
@@ -91,18 +128,20 @@ public:
     RecordAnswer read(const std::string& path) {
         ++number_;
         RecordPieces pieces(path, needs_of_service(options_), print_warnings, [&] { return stopped(); });
-        RecordAnswer answer{std::filesystem::path(path).filename().string(), std::nullopt};
+        RecordAnswer answer{path, std::nullopt};
         if (auto first = pieces.next()) {
-            answer.date_s = pieces.begun_s() ? pieces.begun_s() : date_in_name(answer.record);
+            answer.date_s = pieces.begun_s() ? pieces.begun_s() : date_in_path(path);
             moves(options_, first->channels()) ? follow_moving(std::move(*first), pieces, answer)
                                                : follow(std::move(*first), pieces, answer);
         }
+        answer.warnings = pieces.warnings();
         progress_.clear();
         return answer;
     }
 
 private:
     void follow(Record first, RecordPieces& pieces, RecordAnswer& answer) {
+        const ChannelSet channels = first.channels();
         Identifying identifying(fixed_, first, print_warnings);
         MovementsOfRecord movements(identifying.diagnosis());
         for (std::optional<Record> piece = std::move(first); piece; piece = pieces.next()) {
@@ -111,9 +150,14 @@ private:
         }
         movements.take(identifying.end());
         movements.add_to(answer);
+        for (Link link : links_of(identifying.links()))
+            if (answer.of(link, TrendValue::compliance))
+                answer.source[index_of(link)] = name_of_source(areas_from(channels, link, areas_asked(options_)));
     }
 
     void follow_moving(Record first, RecordPieces& pieces, RecordAnswer& answer) {
+        require_no_fixed_settings(options_);
+        const LinkSet wanted = links_that_move(options_);
         MovingIdentification moving(
             load_machine(options_.machine, print_warnings),
             [&](std::size_t links) { return moving_way(options_, links); }, options_.seed);
@@ -121,10 +165,15 @@ private:
             moving.take(*piece);
             show_progress(pieces);
         }
-        if (!stopped())
-            for (const LinkIdentified& link : combined_links(moving.sets()))
+        if (stopped())
+            return;
+        for (const LinkIdentified& link : combined_links(moving.sets()))
+            if (link.flags.empty() && wanted.contains(link.link)) {
+                answer.source[index_of(link.link)] = "with the configuration recognised";
                 answer.links[index_of(link.link)][static_cast<std::size_t>(TrendValue::compliance)] = {
-                    link.compliance_in3_per_psi, link.standard_error};
+                    link.compliance_in3_per_psi,
+                    std::hypot(link.standard_error, repeat_error(moving.healthy_in3_per_psi(link.link)))};
+            }
     }
 
     void show_progress(const RecordPieces& pieces) {
@@ -143,11 +192,15 @@ private:
 
 ExitCode identify_trend(const IdentifyOptions& options, boost::json::object& json) {
     settings_of(options); // reports wrong settings before anything is read
+    if (!options.trend.empty())
+        require_gnuplot();
     std::vector<RecordAnswer> answers;
     TrendReader reader(options);
     for (const std::string& record : options.records) {
         try {
-            answers.push_back(reader.read(record));
+            RecordAnswer answer = reader.read(record);
+            require_equal_sources(answers, answer);
+            answers.push_back(std::move(answer));
         } catch (const UnfitRecord& unfit) {
             throw RefusedInput(fmt::format("{}: error: {}\n", shown_input(record), unfit.what()));
         }

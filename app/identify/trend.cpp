@@ -1,5 +1,6 @@
 #include "app/identify/trend.hpp"
 
+#include "explore/identify/question.hpp"
 #include "hydraulics/data/clock_time.hpp"
 #include "identification/on_line/population_sets.hpp"
 
@@ -17,15 +18,6 @@ using namespace identification;
 
 namespace {
 
-std::string_view unit_of(TrendValue value) {
-    switch (value) {
-    case TrendValue::compliance: return "in^3/psi";
-    case TrendValue::leak: return "in^3/(s psi)";
-    case TrendValue::offset: return "in";
-    }
-    return "";
-}
-
 std::string with_error(const std::optional<UncertainValue>& estimate, int decimals) {
     return estimate ? fmt::format("{:+.{}f} +- {:.{}f}", estimate->value, decimals, estimate->standard_error, decimals)
                     : "-";
@@ -37,8 +29,8 @@ std::string print_answer(const RecordAnswer& answer, Link link, std::size_t widt
     if (!found)
         return fmt::format("{:<{}}  {:<16}  no answer\n", answer.record, width, date);
     const double reach = errors_of_interval * found->standard_error;
-    return fmt::format("{:<{}}  {:<16}  {:>7.5f}  {:>7.5f} to {:>7.5f}  {:>18}  {:>18}\n", answer.record, width, date,
-                       found->value, found->value - reach, found->value + reach,
+    return fmt::format("{:<{}}  {:<16}  {:>7.5f}  {:<23}  {:>18}  {:>18}\n", answer.record, width, date, found->value,
+                       fmt::format("{:>7.5f} to {:>7.5f}", found->value - reach, found->value + reach),
                        with_error(answer.of(link, TrendValue::leak), 4),
                        with_error(answer.of(link, TrendValue::offset), 4));
 }
@@ -47,7 +39,7 @@ std::string print_change(const TrendChange& each, const Trend& trend) {
     const auto& [at, before, after, probability] = each.change;
     const double error = std::hypot(before.standard_error, after.standard_error), by = after.value - before.value;
     return fmt::format(
-        "{}: the {} {} by {:.3g} {}{}, interval {:.3g} to {:.3g}, between {} and {}: from {:.3g} to {:.3g}; without a "
+        "{}: the {} {} by {:.3g} {}{}, 95 % interval {:.3g} to {:.3g}, between {} and {}: from {:.3g} to {:.3g}; without a "
         "change, the probability of so large a difference is {}{:.2g}\n",
         name_of(each.link), name_of(each.value), by > 0 ? "rises" : "falls", std::abs(by), unit_of(each.value),
         each.value == TrendValue::compliance ? fmt::format(" ({:+.0f} %)", 100 * by / before.value) : "",
@@ -66,10 +58,17 @@ std::string print_changes(const Trend& trend, Link link) {
     return text;
 }
 
+/// Returns whether a link has too few records to show that its standard errors are too small.
+bool is_short(const Trend& trend) {
+    return std::ranges::any_of(links_of(trend.links()), [&](Link link) {
+        return trend.records_of(link, TrendValue::compliance).size() < fewest_for_scatter;
+    });
+}
+
 boost::json::value estimate_json(const std::optional<UncertainValue>& estimate) {
     if (!estimate)
         return nullptr;
-    return boost::json::object{{"by", estimate->value}, {"standard_error", estimate->standard_error}};
+    return boost::json::object{{"value", estimate->value}, {"standard_error", estimate->standard_error}};
 }
 
 boost::json::object answer_json(const RecordAnswer& answer, LinkSet links) {
@@ -82,7 +81,8 @@ boost::json::object answer_json(const RecordAnswer& answer, LinkSet links) {
                                 {"offset_in", estimate_json(answer.of(link, TrendValue::offset))}});
     return {{"record", answer.record},
             {"date", answer.date_s ? boost::json::value(date_text(*answer.date_s)) : nullptr},
-            {"links", std::move(all)}};
+            {"links", std::move(all)},
+            {"warnings", warnings_json(answer.warnings)}};
 }
 
 } // namespace
@@ -96,6 +96,15 @@ std::string_view name_of(TrendValue value) {
     return "";
 }
 
+std::string_view unit_of(TrendValue value) {
+    switch (value) {
+    case TrendValue::compliance: return "in^3/psi";
+    case TrendValue::leak: return "in^3/(s psi)";
+    case TrendValue::offset: return "in";
+    }
+    return "";
+}
+
 Trend::Trend(std::vector<RecordAnswer> answers) : answers_(std::move(answers)) {
     if (dated())
         std::ranges::stable_sort(answers_, {}, &RecordAnswer::date_s);
@@ -105,7 +114,7 @@ Trend::Trend(std::vector<RecordAnswer> answers) : answers_(std::move(answers)) {
             std::vector<UncertainValue> series;
             for (std::size_t record : records)
                 series.push_back(*answers_[record].of(link, value));
-            for (const Change& change : find_changes(series, trend_false_alarms / all_trend_values.size()))
+            for (const SeriesChange& change : find_changes(series, trend_false_alarms / all_trend_values.size()))
                 changes_.push_back({link, value, records[change.at - 1], records[change.at], change});
         }
 }
@@ -137,14 +146,16 @@ std::string print_trend(const Trend& trend) {
     std::string text;
     for (Link link : links_of(trend.links())) {
         text +=
-            fmt::format("{:<{}}  {:<16}  {:>7}  {:<18}  {:>18}  {:>18}\n", "record", width, "date",
-                        fmt::format("C_{}i", symbol_of(link)), "interval, in^3/psi", "leak, in^3/(s psi)", "spool, in");
+            fmt::format("{:<{}}  {:<16}  {:>7}  {:<23}  {:>18}  {:>18}\n", "record", width, "date",
+                        fmt::format("C_{}i", symbol_of(link)), "95 % interval, in^3/psi", "leak, in^3/(s psi)", "spool, in");
         for (const RecordAnswer& each : trend.answers())
             text += print_answer(each, link, width);
         text += "\n";
     }
     for (Link link : links_of(trend.links()))
         text += print_changes(trend, link);
+    if (is_short(trend))
+        text += fmt::format("with fewer than {} records the standard errors alone decide\n", fewest_for_scatter);
     return text + fmt::format("{}the test reports a change for {:.0f} % of the links that do not change\n",
                               trend.dated() ? ""
                                             : "not every record has a date, so they are in the order of the "

@@ -2,6 +2,7 @@
 
 #include "hydraulics/data/link.hpp"
 #include "identification/change_test.hpp"
+#include "text/diagnostic.hpp"
 
 #include <boost/json/fwd.hpp>
 
@@ -22,15 +23,20 @@ inline constexpr std::array<TrendValue, 3> all_trend_values{TrendValue::complian
                                                             TrendValue::offset};
 
 std::string_view name_of(TrendValue value);
+std::string_view unit_of(TrendValue value);
 
 /// An interval of 95 % extends so many standard errors to each side.
 inline constexpr double errors_of_interval = 1.96;
 
 /// The answers of one record; a value is missing if the record does not tell it.
 struct RecordAnswer {
-    std::string record;           ///< name of the file
+    std::string record;           ///< path as typed
     std::optional<double> date_s; ///< since 1970
     hydraulics::PerLink<std::array<std::optional<identification::UncertainValue>, all_trend_values.size()>> links = {};
+
+    std::vector<Diagnostic> warnings = {}; ///< about the record
+    /// From what each link's compliance is found, such as "from the spool"; "" without an answer.
+    hydraulics::PerLink<std::string_view> source = {};
 
     const std::optional<identification::UncertainValue>& of(hydraulics::Link link, TrendValue value) const {
         return links[index_of(link)][static_cast<std::size_t>(value)];
@@ -42,7 +48,7 @@ struct TrendChange {
     hydraulics::Link link;
     TrendValue value;
     std::size_t before, after; ///< indices of the neighbouring records
-    identification::Change change;
+    identification::SeriesChange change;
 };
 
 /// The probability that a link that does not change is reported as changed, as far as the standard errors are right.

@@ -66,13 +66,12 @@ std::vector<Series> means_of(const Trend& trend, Link link, TrendValue value, co
     return means;
 }
 
-std::string_view plain_unit(TrendValue value) {
-    switch (value) {
-    case TrendValue::compliance: return "in³/psi";
-    case TrendValue::leak: return "in³/(s psi)";
-    case TrendValue::offset: return "in";
-    }
-    return "";
+/// Returns the unit as plots write it: "in³/psi".
+std::string plain_unit(TrendValue value) {
+    std::string unit(unit_of(value));
+    if (const std::size_t cube = unit.find("^3"); cube != unit.npos)
+        unit.replace(cube, 2, "³");
+    return unit;
 }
 
 /// Returns "rises by 41 % after 2024-03-05".
@@ -92,7 +91,8 @@ std::string title_of(const Trend& trend, Link link, TrendValue value) {
     for (const TrendChange& each : trend.changes())
         if (each.link == link && each.value == value)
             changes += (changes.empty() ? " " : ", and ") + print_short(each, trend);
-    return fmt::format("{}: the {}{}", name_of(link), name_of(value), changes.empty() ? " does not change" : changes);
+    return changes.empty() ? fmt::format("{}: no change of the {} is found", name_of(link), name_of(value))
+                           : fmt::format("{}: the {}{}", name_of(link), name_of(value), changes);
 }
 
 Panel trend_panel(const Trend& trend, Link link, TrendValue value) {

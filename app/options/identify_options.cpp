@@ -111,7 +111,8 @@ void declare_identify_options(Options& command, IdentifyOptions& options) {
              "with several records: draws the compliance of each over its date as SVG", "FILE.svg");
     add_file(command, "--json", options.json, "writes the result as JSON");
     command.add_flag("--strict", options.strict,
-                     "exit code 3 if an answer is flagged as doubtful or an alarm is raised");
+                     "exit code 3 if an answer is flagged as doubtful or an alarm is raised; with several records, "
+                     "if a change is found");
     command.add_footer(
         "For each movement the command prints each link's compliance and its standard error, which the noise of "
         "the record\ncauses, in both systems of units. At the end it judges each link: sound, or which fault it "

@@ -32,6 +32,11 @@ double count_wires(const Network& network, std::string_view kind, std::string_vi
     }));
 }
 
+double population_of_an_island(const Network& network) {
+    const auto& island = *std::ranges::find(network.processes, one_island, &ProcessInstance::name);
+    return static_cast<double>(std::get<std::int64_t>(island.parameters.at("population")));
+}
+
 /// Returns the machine as appendix E describes it, beside the netlist's.
 Comparison structure_of(const Network& network) {
     Comparison table{.name = "Figure E.2, the machine"};
@@ -44,9 +49,7 @@ Comparison structure_of(const Network& network) {
     add("slaves of an island", 3, slaves / islands);
     add("links from a master to its slaves", 1, count_wires(network, "ga.island", "ga.slave") / islands);
     add("links that join the islands in a ring", 4, count_wires(network, "ga.island", "ga.island"));
-    const auto& island = *std::ranges::find(network.processes, one_island, &ProcessInstance::name);
-    add("individuals of an island", 30,
-        static_cast<double>(std::get<std::int64_t>(island.parameters.at("population"))));
+    add("individuals of an island", 30, population_of_an_island(network));
     return table;
 }
 

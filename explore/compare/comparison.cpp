@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace placedpar {
 
@@ -142,21 +143,49 @@ private:
         return load_silently(ParsedNetlist::of_text(print_cfs(network), network.source_path), set);
     }
 
+    /// Returns A with one section of B. Elements that A has keep their settings, which are differences of their own.
+    Network with_section(Section section) const {
+        const Network swapped = load_silently(
+            ParsedNetlist::of_text(with_section_of(result_.a, result_.b, section), result_.a.source_path), {});
+        Overrides of_a;
+        for (const SettingDifference& each : setting_differences(swapped, result_.a))
+            of_a.insert(each.set.begin(), each.set.end());
+        return with_settings(swapped, of_a);
+    }
+
+    /// Returns the part of a difference that elements of A have: the vals of B may make more elements.
+    SettingDifference within_a(const SettingDifference& difference) const {
+        const std::set<std::string> known = names_of_elements(result_.a);
+        SettingDifference own{difference.name, difference.a, difference.b, {}, {}};
+        for (const std::string& element : difference.elements)
+            if (known.contains(element)) {
+                own.elements.push_back(element);
+                own.set[fmt::format("{}.{}", element, own.name)] = own.b;
+            }
+        return own;
+    }
+
+    static std::set<std::string> names_of_elements(const Network& network) {
+        std::set<std::string> names;
+        std::ranges::transform(network.nodes, std::inserter(names, names.end()), &Node::name);
+        std::ranges::transform(network.connections, std::inserter(names, names.end()), &LinkConnection::name);
+        std::ranges::transform(network.processes, std::inserter(names, names.end()), &ProcessInstance::name);
+        return names;
+    }
+
     void try_changes() {
         std::vector<Attempt> attempts;
         result_.alone.reserve(result_.settings.size() + result_.structure.size() + 3); // attempts point into it
         for (const SettingDifference& each : result_.settings)
-            add(attempts, what_of(each), each.set, [this, &each] {
-                return each.elements.empty() ? load_silently(a_.parsed, with(each.set))
-                                             : with_settings(result_.a, each.set);
-            });
+            if (each.elements.empty())
+                add(attempts, what_of(each), each.set,
+                    [this, &each] { return load_silently(a_.parsed, with(each.set)); });
+            else if (const SettingDifference own = within_a(each); !own.elements.empty())
+                add(attempts, what_of(own), own.set, [this, set = own.set] { return with_settings(result_.a, set); });
         for (const StructureDifference& each : result_.structure)
             if (!result_.following.contains(each.section))
-                add(attempts, fmt::format("the {} of B", name_of(each.section)), {}, [this, &each] {
-                    return load_silently(ParsedNetlist::of_text(with_section_of(result_.a, result_.b, each.section),
-                                                                result_.a.source_path),
-                                         {});
-                });
+                add(attempts, fmt::format("the {} of B", name_of(each.section)), {},
+                    [this, &each] { return with_section(each.section); });
         add_run_settings(attempts);
         if (result_.settings.size() > 1)
             add_together(attempts);

@@ -81,9 +81,9 @@ std::string print_verdict(const NetlistComparison& compared, Time sum) {
     const Time rest = compared.difference() - sum;
     if (compared.alone.empty())
         return "";
-    if (std::chrono::abs(rest) * 1000 <= std::chrono::abs(compared.difference()))
-        return "The differences add up: none changes the effect of another.\n";
     const bool all_ran = std::ranges::all_of(compared.alone, &OneChange::completed);
+    if (all_ran && std::chrono::abs(rest) * 1000 <= std::chrono::abs(compared.difference()))
+        return "The differences add up: none changes the effect of another.\n";
     return fmt::format("{:+.6f} ms remain: {}.\n", in_milliseconds(rest),
                        all_ran ? "the differences interact, and have this effect only together"
                                : "the effect of differences that could not be made alone, and of interactions");

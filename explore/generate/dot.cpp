@@ -136,11 +136,13 @@ private:
             return (each >= 'a' && each <= 'z') || (each >= 'A' && each <= 'Z') || (each >= '0' && each <= '9') ||
                    each == '_' || each == '.' || (static_cast<unsigned char>(each) & 0x80) != 0;
         };
-        std::size_t end = left_.front() == '-' ? 1 : 0;
+        auto begins_number = [](char each) { return (each >= '0' && each <= '9') || each == '.'; };
+        std::size_t end = left_.front() == '-' && left_.size() > 1 && begins_number(left_[1]) ? 1 : 0;
         while (end < left_.size() && belongs(left_[end]))
             ++end;
         if (end == 0)
-            refuse(fmt::format("\"{}\" is not expected here", left_.substr(0, 1)));
+            refuse(fmt::format("\"{}\" is not expected here", left_.substr(0, 1)),
+                   left_.front() == '-' ? "an edge is written \"--\" or \"->\"; a name with \"-\" needs quotes" : "");
         std::string text(left_.substr(0, end));
         drop(end);
         return text;
@@ -220,24 +222,37 @@ private:
             return {};
         }
         while (words_.peek().is("--") || words_.peek().is("->")) {
-            words_.take();
+            take_edge_mark();
             ends.push_back(read_end(defaults));
         }
         if (ends.size() > 1) {
+            builder_.count_copy(defaults.edge, line);
             GraphAttributes attributes = defaults.edge;
             read_attributes(attributes);
             add_edges(ends, attributes, line);
         } else if (words_.peek().is("[")) {
             GraphAttributes attributes;
             read_attributes(attributes);
-            for (const std::size_t node : ends.front())
+            for (const std::size_t node : ends.front()) {
+                builder_.count_copy(attributes, line);
                 for (const auto& [name, value] : attributes)
                     builder_.graph().nodes[node].attributes[name] = value;
+            }
         }
         Nodes all;
         for (Nodes& each : ends)
             all.merge(each);
         return all;
+    }
+
+    void take_edge_mark() {
+        const bool directed = builder_.graph().directed;
+        if (words_.peek().is(directed ? "--" : "->"))
+            words_.refuse(directed ? "the edge of a digraph is written \"--\""
+                                   : "the edge of a graph is written \"->\"",
+                          directed ? "write \"->\", or begin the file with \"graph\""
+                                   : "write \"--\", or begin the file with \"digraph\"");
+        words_.take();
     }
 
     /// Reads a node, or a subgraph.
@@ -247,8 +262,12 @@ private:
             if (!words_.peek().is_mark)
                 words_.take();
         }
-        if (words_.take_if("{"))
+        const std::size_t line = words_.peek().line;
+        if (words_.take_if("{")) {
+            builder_.count_copy(defaults.node, line);
+            builder_.count_copy(defaults.edge, line);
             return read_statements(defaults);
+        }
         const DotWord name = words_.take();
         if (name.is_mark)
             words_.refuse(name.is_end() ? "the graph is not closed: \"}\" is missing"
@@ -259,8 +278,10 @@ private:
             return {};
         const bool is_new = !builder_.has(name.text);
         const std::size_t node = builder_.node(name.text, name.line);
-        if (is_new)
+        if (is_new) {
+            builder_.count_copy(defaults.node, name.line);
             builder_.graph().nodes[node].attributes = defaults.node;
+        }
         return {node};
     }
 
@@ -284,8 +305,10 @@ private:
                 for (const std::size_t to : ends[i + 1]) {
                     if (++pairs_ > 10 * most_graph_elements)
                         words_.refuse("the graph joins too many pairs of nodes");
-                    if (!strict_ || known_.insert(pair_of(from, to)).second)
-                        builder_.add_edge({from, to, attributes, line});
+                    if (strict_ && !known_.insert(pair_of(from, to)).second)
+                        continue;
+                    builder_.count_copy(attributes, line);
+                    builder_.add_edge({from, to, attributes, line});
                 }
     }
 

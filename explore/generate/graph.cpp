@@ -33,6 +33,15 @@ void GraphBuilder::add_edge(GraphEdge edge) {
     graph_.edges.push_back(std::move(edge));
 }
 
+void GraphBuilder::count_copy(const GraphAttributes& attributes, std::size_t line) {
+    for (const auto& [name, value] : attributes)
+        attributes_ += 1 + (name.size() + value.size()) / 100;
+    if (attributes_ > most_graph_attributes)
+        refuse_graph(file_, line,
+                     fmt::format("the defaults give the graph more than {} attributes", most_graph_attributes),
+                     "a long attribute counts once for each hundred bytes");
+}
+
 void GraphBuilder::require_room(std::size_t line) const {
     if (graph_.nodes.size() + graph_.edges.size() >= most_graph_elements)
         refuse_graph(file_, line, fmt::format("the graph has more than {} nodes and edges", most_graph_elements));

@@ -33,6 +33,8 @@ struct Graph {
 /// These limits keep hostile input from costing time; a generated machine is smaller.
 inline constexpr std::size_t most_graph_elements = 100'000; ///< nodes and edges together
 inline constexpr std::size_t deepest_graph = 64;            ///< elements, brackets or subgraphs inside each other
+/// With all copies of defaults; an attribute counts once for each hundred bytes that it has.
+inline constexpr std::size_t most_graph_attributes = 10 * most_graph_elements;
 
 // These functions read a graph. Throw RefusedText, which shows the place of the error.
 
@@ -55,6 +57,8 @@ public:
     std::size_t node(const std::string& name, std::size_t line);
     bool has(const std::string& name) const { return numbers_.contains(name); }
     void add_edge(GraphEdge);
+    /// Counts attributes that are about to be copied. Throws RefusedText if there are too many.
+    void count_copy(const GraphAttributes&, std::size_t line);
     Graph& graph() { return graph_; }
 
 private:
@@ -63,6 +67,7 @@ private:
     std::shared_ptr<const SourceFile> file_;
     Graph graph_;
     std::map<std::string, std::size_t> numbers_;
+    std::size_t attributes_ = 0; ///< counted so far
 };
 
 } // namespace placedpar::generate

@@ -33,13 +33,26 @@ std::shared_ptr<const SourceFile> load_graph_text(const std::string& path) {
     return loaded.file;
 }
 
+/// Throws RefusedText if an edge and its opposite state different values for their wire.
+void require_equal(const GraphEdge& edge, const GraphEdge& opposite, const std::shared_ptr<const SourceFile>& file) {
+    for (const char* name : {"linkspeed", "speed", "length"}) {
+        const auto here = edge.attributes.find(name), there = opposite.attributes.find(name);
+        if (here != edge.attributes.end() && there != opposite.attributes.end() && here->second != there->second)
+            refuse_graph(file, edge.line,
+                         fmt::format("{} is {} here, but {} for the edge in the opposite direction, in line {}", name,
+                                     here->second, there->second, opposite.line),
+                         "both edges are one wire");
+    }
+}
+
 /// Joins pairs of edges in opposite directions, since a link carries both.
-void join_directions(Graph& graph) {
+void join_directions(Graph& graph, const std::shared_ptr<const SourceFile>& file) {
     std::multimap<std::pair<std::size_t, std::size_t>, std::size_t> single; // edges that no opposite edge has joined
     std::vector<GraphEdge> kept;
     for (GraphEdge& edge : graph.edges) {
         const auto opposite = single.find({edge.to, edge.from});
         if (opposite != single.end()) {
+            require_equal(edge, kept[opposite->second], file);
             kept[opposite->second].attributes.merge(edge.attributes);
             single.erase(opposite);
         } else {
@@ -158,14 +171,30 @@ private:
         std::set<std::string> types;
         for (const GraphNode& node : graph_.nodes) {
             const auto type = node.attributes.find("type");
-            const bool known = type != node.attributes.end() && catalogue_.node_types().contains(type->second);
-            types.insert(known ? type->second : made_.type);
+            if (type != node.attributes.end())
+                require_transputer(node, type->second);
+            types.insert(type == node.attributes.end() ? made_.type : type->second);
             if (types.size() > 1)
                 refuse_graph(file_, node.line,
                              fmt::format("the nodes are of different types: {}", fmt::join(types, ", ")),
                              "give all nodes the same attribute \"type\", or none");
         }
         made_.type = *types.begin();
+    }
+
+    void require_transputer(const GraphNode& node, const std::string& type) const {
+        const auto found = catalogue_.node_types().find(type);
+        if (found != catalogue_.node_types().end()) {
+            const NodeType& known = found->second;
+            const DeviceKind& kind = *known.preset.kind;
+            if (kind.has_executive() && kind.attribute("channelcall") && !known.needs_type &&
+                static_cast<std::size_t>(known.links) >= links_of_a_node)
+                return;
+        }
+        refuse_graph(file_, node.line,
+                     fmt::format("the node \"{}\" has the type \"{}\", which is not a transputer of four links",
+                                 node.name, type),
+                     "a type such as T800 or T414; rename the attribute if it does not state the transputer");
     }
 
     std::string entries_of(const GraphAttributes& attributes, const std::map<std::string, std::string>& known,
@@ -197,10 +226,10 @@ private:
             const auto label = node.attributes.find("label");
             const bool labelled =
                 label != node.attributes.end() && label->second != node.name && label->second != "\\N";
-            made_.attributes +=
-                fmt::format("{} /* {}{} */\n",
-                            entries.empty() ? fmt::format("/* t[{}] */", i) : fmt::format("t[{}]{};", i, entries),
-                            for_comment(node.name), labelled ? ": " + for_comment(label->second) : "");
+            if (!entries.empty())
+                made_.attributes += fmt::format("t[{}]{}; ", i, entries);
+            made_.attributes += fmt::format("/* t[{}] is {}{} */\n", i, for_comment(node.name),
+                                            labelled ? ": " + for_comment(label->second) : "");
         }
     }
 
@@ -212,6 +241,8 @@ private:
         for (const GraphEdge& edge : graph_.edges) {
             const std::string owner =
                 fmt::format("the edge from {} to {}", graph_.nodes[edge.from].name, graph_.nodes[edge.to].name);
+            if (edge.attributes.contains("speed") && edge.attributes.contains("linkspeed"))
+                refuse_graph(file_, edge.line, owner + " has both \"speed\" and \"linkspeed\"", "give it one of them");
             Wires wire{.loops = {}, .from = end_at(edge.from), .to = end_at(edge.to)};
             if (const std::string entries = entries_of(edge.attributes, known, owner, edge.line); !entries.empty()) {
                 wire.name = fmt::format("wire[{}]", named++);
@@ -262,7 +293,7 @@ Topology topology_of_graph(const TopologyRequest& request, const Catalogue& cata
     if (graph.nodes.empty())
         refuse_graph(file, 0, "the graph has no nodes", "each node becomes a processor");
     if (graph.directed)
-        join_directions(graph);
+        join_directions(graph, file);
     if (request.split) {
         require_edges(graph, file, 2 * (links_of_a_node - 1),
                       "two processors have six links beside the wire between them");

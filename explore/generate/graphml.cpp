@@ -23,10 +23,13 @@ public:
         read_xml(file_, *this);
         if (!has_graph_)
             refuse_graph(file_, 0, "the file has no element <graph>", "GraphML as networkx or yEd writes it");
-        for (Element& edge : edges_)
+        const GraphAttributes of_edges = defaults_of("edge"), of_nodes = defaults_of("node");
+        for (Element& edge : edges_) {
+            add_defaults(edge.attributes, of_edges, edge.line);
             add_edge(edge);
+        }
         for (GraphNode& node : builder_.graph().nodes)
-            add_defaults(node.attributes, "node");
+            add_defaults(node.attributes, of_nodes, node.line);
         return std::move(builder_.graph());
     }
 
@@ -118,7 +121,6 @@ private:
     }
 
     void add_edge(Element& edge) {
-        add_defaults(edge.attributes, "edge");
         for (const char* end : {"source", "target"})
             if (!builder_.has(edge.stated[end]))
                 refuse_graph(file_, edge.line,
@@ -127,10 +129,18 @@ private:
                            builder_.node(edge.stated["target"], edge.line), std::move(edge.attributes), edge.line});
     }
 
-    void add_defaults(GraphAttributes& attributes, const std::string& of) const {
+    GraphAttributes defaults_of(const std::string& of) const {
+        GraphAttributes defaults;
         for (const auto& [id, key] : keys_)
             if (!key.by_default.empty() && !key.name.empty() && (key.of == of || key.of == "all"))
-                attributes.emplace(key.name, key.by_default);
+                defaults.emplace(key.name, key.by_default);
+        return defaults;
+    }
+
+    /// Adds the defaults for attributes that the element does not state.
+    void add_defaults(GraphAttributes& attributes, const GraphAttributes& defaults, std::size_t line) {
+        builder_.count_copy(defaults, line);
+        attributes.insert(defaults.begin(), defaults.end());
     }
 
     std::shared_ptr<const SourceFile> file_;

@@ -21,6 +21,7 @@ namespace placedpar::generate {
 namespace {
 
 constexpr std::size_t most_tasks = 100'000;
+constexpr std::size_t most_faults = 20;
 
 struct Message {
     std::size_t to;
@@ -36,7 +37,8 @@ struct Task {
 
 class TaskTable {
 public:
-    TaskTable(const std::string& path, std::size_t processors) : processors_(processors), file_(load(path)) {
+    TaskTable(const std::string& path, std::size_t processors) : processors_(processors) {
+        load(path);
         find_columns();
         for (const TextRow& row : table_.rows)
             add_name(row, row.cells[task_]);
@@ -50,17 +52,16 @@ public:
     const std::vector<Task>& tasks() const { return tasks_; }
 
 private:
-    std::shared_ptr<const SourceFile> load(const std::string& path) {
+    void load(const std::string& path) {
         LoadedSource loaded = load_input(path);
         file_ = loaded.file;
         faults_ = std::move(loaded.problems);
         refuse_if_faulty();
-        table_ = split_table(loaded.file->text(), faults_);
+        table_ = split_table(file_->text(), faults_);
         if (table_.header.cells.empty() || table_.rows.empty() || table_.rows.size() > most_tasks)
             faults_.push_back(error_at(0, 0, fmt::format("expected a header and 1 to {} tasks", most_tasks),
                                        "the columns are task, cycles, successors and processor"));
         refuse_if_faulty();
-        return loaded.file;
     }
 
     void refuse_if_faulty() {
@@ -68,12 +69,15 @@ private:
             return;
         for (Diagnostic& each : faults_)
             each.location.file = file_;
-        faults_.resize(std::min<std::size_t>(faults_.size(), 20));
+        faults_.resize(std::min(faults_.size(), most_faults));
         throw RefusedText(faults_);
     }
 
+    /// Refuses the table at once if it has many faults, since the search for the nearest name takes long.
     void fault(const TextRow& row, const TextCell& cell, std::string message, std::string hint) {
         faults_.push_back(error_at(row.line, cell.column, std::move(message), std::move(hint)));
+        if (faults_.size() >= most_faults)
+            refuse_if_faulty();
     }
 
     void add_name(const TextRow& row, const TextCell& cell) {
@@ -98,8 +102,8 @@ private:
             if (const auto found = column(name))
                 *place = *found;
             else
-                fault(table_.header, table_.header.cells.front(), fmt::format("the table has no column \"{}\"", name),
-                      "the columns are task, cycles, successors and, optionally, processor");
+                faults_.push_back(error_at(table_.header.line, 1, fmt::format("the table has no column \"{}\"", name),
+                                           "the columns are task, cycles, successors and, optionally, processor"));
         }
         processor_ = column("processor");
         refuse_if_faulty();

@@ -41,6 +41,10 @@ bool moves(const IdentifySettings& settings, const hydraulics::ChannelSet& there
 hydraulics::RecordNeeds needs_of_service(const IdentifySettings& settings);
 /// Returns how a machine whose configuration is recognised is identified.
 identification::WholeWay moving_way(const IdentifySettings& settings, std::size_t links);
+/// Throws UserError if a setting was given that needs a configuration.
+void require_no_fixed_settings(const IdentifySettings& settings);
+/// Returns the links whose compliance is wanted from a record whose configuration is recognised.
+hydraulics::LinkSet links_that_move(const IdentifySettings& settings);
 /// Throws UnfitRecord: no movement was found.
 [[noreturn]] void refuse_rest(const Identifying& identifying);
 

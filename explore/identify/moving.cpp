@@ -119,13 +119,21 @@ WholeWay moving_way(const IdentifySettings& settings, std::size_t links) {
     return whole;
 }
 
-IdentifyEnd identify_moving(const IdentifySettings& settings, Record first, RecordStream& pieces,
-                            const IdentifyOutput& output) {
+void require_no_fixed_settings(const IdentifySettings& settings) {
     if (settings.window || !settings.areas.empty() || !settings.offset.empty())
         throw UserError("--window, --areas-from and --offset need --configuration: without it the configuration is "
                         "recognised from the areas as read, and all samples of a population set count");
+}
+
+LinkSet links_that_move(const IdentifySettings& settings) {
+    return settings.links.empty() ? LinkSet::all() : links_of(settings.links);
+}
+
+IdentifyEnd identify_moving(const IdentifySettings& settings, Record first, RecordStream& pieces,
+                            const IdentifyOutput& output) {
+    require_no_fixed_settings(settings);
     PerLink<double> healthy;
-    const LinkSet wanted = settings.links.empty() ? LinkSet::all() : links_of(settings.links);
+    const LinkSet wanted = links_that_move(settings);
     MovingIdentification moving(
         load_machine(settings.machine, output.warn),
         [&settings](std::size_t links) { return moving_way(settings, links); }, settings.seed);

@@ -95,8 +95,17 @@ private:
         auto is_named = [&](const PolicyNumberDescription& number) { return number.name == name; };
         auto found = std::find_if(policy_.numbers.begin(), policy_.numbers.end(), is_named);
         if (found == policy_.numbers.end())
-            throw UserError(fmt::format("{} has no number \"{}\"; {}", policy_.name, name, takes()));
+            refuse_name(name);
         return static_cast<std::size_t>(found - policy_.numbers.begin());
+    }
+
+    [[noreturn]] void refuse_name(std::string_view name) const {
+        std::vector<std::string> names;
+        for (const PolicyNumberDescription& number : policy_.numbers)
+            names.push_back(number.name);
+        const std::string meant = did_you_mean(name, names);
+        throw UserError(fmt::format("{} has no number \"{}\"; {}{}", policy_.name, name,
+                                    meant.empty() ? "" : meant + " ", takes()));
     }
 
     std::string takes() const {

@@ -41,7 +41,7 @@ std::optional<std::int64_t> day_ns(std::string_view text) {
     const int in_year = number_of(text, 0, 4);
     const year_month_day date{year(in_year), month(static_cast<unsigned>(number_of(text, 4, 2))),
                               day(static_cast<unsigned>(number_of(text, 6, 2)))};
-    if (!has_shape(text, {"0000-00-00", "00000000"}) || in_year < 1700 || in_year > 2200 || !date.ok())
+    if (!has_shape(text, {"0000-00-00", "00000000"}) || in_year < 1900 || in_year > 2100 || !date.ok())
         return std::nullopt;
     return sys_days(date).time_since_epoch().count() * 86400 * ns_per_s;
 }

@@ -14,7 +14,7 @@ struct ClockTime {
 };
 
 /// Reads a text such as "2024-03-05T14:30:00.020Z", "2024-03-05 14:30:00,020" or "20240305T143000.02+0100": a date from
-/// 1700 to 2200, a "T" or a blank, and a time. Seconds and their fraction may be missing, and digits after nanoseconds
+/// 1900 to 2100, a "T" or a blank, and a time. Seconds and their fraction may be missing, and digits after nanoseconds
 /// are ignored. Returns nullopt for any other text.
 std::optional<ClockTime> clock_time(std::string_view text);
 

@@ -210,11 +210,18 @@ void RecordReader::take_units_row() {
     table_.rows.erase(table_.rows.begin(), first_sample);
 }
 
+/// Returns whether the first cell of a column that is not missing is a date with a time.
+bool RecordReader::has_dates(std::size_t index) const {
+    const auto row =
+        std::ranges::find_if(table_.rows, [index](const TextRow& each) { return !is_missing(each.cells[index]); });
+    return row != table_.rows.end() && clock_time(row->cells[index].text);
+}
+
 /// Returns the column's unit, or null after a fault.
 const Unit* RecordReader::unit_of(std::size_t index, const RecordChannel& channel,
                                   std::vector<Diagnostic>& faults) const {
     const TextCell& cell = table_.header.cells[index];
-    if (!channel.sensor && !table_.rows.empty() && clock_time(table_.rows.front().cells[index].text))
+    if (!channel.sensor && has_dates(index))
         return unit_named("s");
     const ColumnName* typed = typed_name(needs_.names, cell.text);
     const auto [name, in_header] = name_and_unit(cell.text);
@@ -308,8 +315,8 @@ void RecordReader::read_header(std::vector<Diagnostic>& faults) {
         faults.push_back(error_at(table_.header.line, 1, "no column of a sensor",
                                   "LINK.SENSOR, such as boom.inlet_pressure [psi]; or name it: --column "
                                   "boom.inlet_pressure=NAME"));
-    else if (!table_.rows.empty())
-        time->is_clock = clock_time(table_.rows.front().cells[time->index].text).has_value();
+    else
+        time->is_clock = has_dates(time->index);
 }
 
 } // namespace placedpar::hydraulics

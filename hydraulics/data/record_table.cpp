@@ -16,15 +16,6 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// Returns whether the cell is one of the words that loggers write for a missing reading.
-bool is_missing(const TextCell& cell) {
-    constexpr std::array<std::string_view, 15> words{"",     "-",        "--",        "nan",     "-nan",
-                                                     "na",   "n/a",      "#n/a",      "#nv",     "none",
-                                                     "null", "nan(ind)", "-nan(ind)", "1.#qnan", "-1.#ind"};
-    return cell.text.size() <= words.back().size() + 2 &&
-           std::ranges::find(words, lower_case(cell.text)) != words.end();
-}
-
 /// Returns the number of decimals, 3 to 9, that shows all times without rounding.
 int time_decimals(const Record& record) {
     int decimals = 3;
@@ -43,7 +34,38 @@ std::string print_number(double value, int decimals) {
     return zero && text.front() == '-' ? text.substr(1) : text;
 }
 
+/// Returns whether a number could have commas that separate thousands, as "1,567" and "-12,000" could.
+bool has_thousands(std::string_view text) {
+    auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    text.remove_prefix(text.starts_with('-') || text.starts_with('+') ? 1 : 0);
+    const std::size_t first = text.find(',');
+    if (first == text.npos || first == 0 || first > 3 || text.front() == '0' || text.size() % 4 != first)
+        return false;
+    for (std::size_t i = 0; i < text.size(); ++i)
+        if (i % 4 == first ? text[i] != ',' : !is_digit(text[i]))
+            return false;
+    return true;
+}
+
+Diagnostic thousands_fault(const TextCell& cell, std::size_t line) {
+    std::string without = cell.text, point = cell.text;
+    std::erase(without, ',');
+    point[point.rfind(',')] = '.';
+    std::erase(point, ',');
+    return error_at(line, cell.column, fmt::format("{} may be {} or {}", cell.text, without, point),
+                    "write numbers without separators of thousands; one number such as 0,5 shows that commas are "
+                    "decimal");
+}
+
 } // namespace
+
+bool RecordReader::is_missing(const TextCell& cell) {
+    constexpr std::array<std::string_view, 15> words{"",     "-",        "--",        "nan",     "-nan",
+                                                     "na",   "n/a",      "#n/a",      "#nv",     "none",
+                                                     "null", "nan(ind)", "-nan(ind)", "1.#qnan", "-1.#ind"};
+    return cell.text.size() <= words.back().size() + 2 &&
+           std::ranges::find(words, lower_case(cell.text)) != words.end();
+}
 
 void RecordReader::find_needs() {
     ChannelSet there;
@@ -55,31 +77,37 @@ void RecordReader::find_needs() {
         column.needed = !column.sensor || needed.contains(column.link, *column.sensor);
 }
 
-void RecordReader::skip_missing(std::vector<Diagnostic>& faults) {
+/// Removes the rows that lack a needed reading.
+void RecordReader::skip_missing() {
     auto lacks = [&](const TextRow& row) {
         return std::ranges::any_of(
             columns_, [&](const Column& column) { return column.needed && is_missing(row.cells[column.index]); });
     };
-    auto first = std::ranges::find_if(table_.rows, lacks);
-    if (first == table_.rows.end())
-        return;
-    const std::size_t line = first->line, skipped = std::erase_if(table_.rows, lacks);
-    faults.push_back(warning_at(line, 1, skipped == 1 ? "a reading is missing" : "readings are missing",
-                                fmt::format("{} left out; this is the first of them", counted(skipped, "row"))));
+    if (auto first = std::ranges::find_if(table_.rows, lacks); skipped_ == 0 && first != table_.rows.end())
+        first_skipped_line_ = first->line;
+    skipped_ += std::erase_if(table_.rows, lacks);
 }
 
 /// Finds out whether numbers have decimal commas: the last comma or point of the first number that has one decides.
-void RecordReader::find_decimal_sign() {
+/// Commas are not clear if each is followed by three digits.
+void RecordReader::find_decimal_sign(std::vector<Diagnostic>& faults) {
+    const TextCell* unclear = nullptr;
+    std::size_t line = 0;
     for (const TextRow& row : table_.rows)
         for (const Column& column : columns_) {
             const TextCell& cell = row.cells[column.index];
             const std::size_t sign =
                 column.is_clock || is_missing(cell) ? cell.text.npos : cell.text.find_last_of(".,");
-            if (sign != cell.text.npos) {
-                decimal_sign_ = cell.text[sign];
+            if (sign == cell.text.npos || (unclear && cell.text[sign] != ','))
+                continue;
+            decimal_sign_ = cell.text[sign];
+            if (!has_thousands(cell.text))
                 return;
-            }
+            if (!unclear)
+                unclear = &cell, line = row.line;
         }
+    if (unclear)
+        faults.push_back(thousands_fault(*unclear, line));
 }
 
 /// Returns the seconds from the first date.
@@ -125,7 +153,7 @@ void RecordReader::read_rows(Record& record, std::vector<Diagnostic>& faults) {
         return [&column](const TextRow& row) { return is_missing(row.cells[column.index]); };
     };
     if (!decimal_sign_)
-        find_decimal_sign();
+        find_decimal_sign(faults);
     for (const TextRow& row : table_.rows)
         if (configuration_) {
             const std::string& cell = row.cells[*configuration_].text;
@@ -229,7 +257,7 @@ ReadRecord RecordReader::read(std::string_view lines) {
         return read;
     drop_repeated_rows(table_, before_, read.faults);
     if (needs_.skip_missing)
-        skip_missing(read.faults);
+        skip_missing();
     Record record = read_piece(read.faults);
     forget_told(read.faults);
     std::ranges::stable_sort(read.faults, {}, [](const Diagnostic& fault) { return fault.location.line; });
@@ -240,6 +268,10 @@ ReadRecord RecordReader::read(std::string_view lines) {
 
 std::vector<Diagnostic> RecordReader::finish() const {
     std::vector<Diagnostic> faults;
+    if (skipped_ > 0)
+        faults.push_back(warning_at(first_skipped_line_, 1,
+                                    skipped_ == 1 ? "a reading is missing" : "readings are missing",
+                                    fmt::format("{} left out; this is the first of them", counted(skipped_, "row"))));
     for (const Column& column : columns_)
         if (column.sensor && column.least <= column.greatest)
             check_channel(column.name, *column.sensor, *column.unit, column.least, column.greatest,

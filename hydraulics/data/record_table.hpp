@@ -83,7 +83,7 @@ public:
     /// Reads the next whole lines of the text. The first piece determines the period. Warnings about the header are
     /// given once. If a fault makes the piece unusable, there is no record, and the reader must not be used any more.
     ReadRecord read(std::string_view lines);
-    /// Returns the warnings about whole channels at the end of the text.
+    /// Returns the warnings about whole channels, and about all rows that were left out, at the end of the text.
     std::vector<Diagnostic> finish() const;
     /// Returns the date of the time 0, in s since 1970, if the file has dates and a piece was read.
     std::optional<double> begun_s() const;
@@ -103,19 +103,23 @@ private:
         std::vector<double>& of(Record& record) const { return sensor ? record.of(link, *sensor) : record.time_s; }
     };
 
+    /// Returns whether the cell is one of the words that loggers write for a missing reading.
+    static bool is_missing(const TextCell& cell);
+
     bool read_table(std::string_view lines, std::vector<Diagnostic>& faults);
     Record read_piece(std::vector<Diagnostic>& faults);
     std::string find_table(std::string_view text);
     void take_units_row();
+    bool has_dates(std::size_t index) const;
     const Unit* unit_of(std::size_t index, const RecordChannel& channel, std::vector<Diagnostic>& faults) const;
     void read_column(std::size_t index, std::vector<std::string>& unused, std::vector<Diagnostic>& faults);
     void note_unused(const std::vector<std::string>& unused, std::vector<Diagnostic>& faults) const;
     void require_names(std::vector<Diagnostic>& faults) const;
     void read_header(std::vector<Diagnostic>& faults);
     void find_needs();
-    void find_decimal_sign();
+    void find_decimal_sign(std::vector<Diagnostic>& faults);
     double clock_s(const TextRow& row, const Column& column, std::vector<Diagnostic>& faults);
-    void skip_missing(std::vector<Diagnostic>& faults);
+    void skip_missing();
     double value_in(const TextRow& row, const Column& column, std::vector<Diagnostic>& faults);
     void read_rows(Record& record, std::vector<Diagnostic>& faults);
     void check(Record& record, std::vector<Diagnostic>& faults);
@@ -127,10 +131,11 @@ private:
     std::size_t line_ = 1;           ///< number of the next line
     std::vector<std::string> units_; ///< the cells of a row of units below the header
     std::vector<Column> columns_;
-    std::optional<char> decimal_sign_;         ///< nullopt until a number has one
-    std::optional<std::int64_t> begun_ns_;     ///< the first date, in ns since 1970
-    bool has_zone_ = false;                    ///< whether the dates have a zone
-    std::optional<std::size_t> configuration_; ///< index of the column of the configurations
+    std::optional<char> decimal_sign_;                 ///< nullopt until a number has one
+    std::optional<std::int64_t> begun_ns_;             ///< the first date, in ns since 1970
+    bool has_zone_ = false;                            ///< whether the dates have a zone
+    std::optional<std::size_t> configuration_;         ///< index of the column of the configurations
+    std::size_t skipped_ = 0, first_skipped_line_ = 0; ///< rows that lack a reading
     std::optional<RowBefore> before_;
     std::optional<double> period_s_;
     std::set<std::size_t> told_; ///< positions in the header of the columns about which a warning has been given

@@ -134,8 +134,9 @@ struct DraftConnectionPlacement {
 
 struct Draft {
     std::vector<Node> nodes;
-    std::vector<int> links;                ///< number of links of each node
-    std::map<std::size_t, Location> ranks; ///< places of statements such as `t[1] (rank = 0);`, by node
+    std::vector<int> links; ///< number of links of each node
+    /// Places of attributes that follow a declaration, such as `t[1] (rank = 0);`, by node and name.
+    std::map<std::pair<std::size_t, std::string>, Location> node_settings;
     std::vector<DraftConnection> connections;
     std::vector<DraftEdgeChannel> edge_channels;
     std::vector<DraftProcess> processes;

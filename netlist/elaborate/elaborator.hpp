@@ -105,6 +105,7 @@ private:
     void extend(ProcessType& type, const std::vector<Setting>& settings, const DeclarationAttributes& attributes);
     /// Executes `name (stacksize = 4k);` for a type of processes.
     void set_type(const ProcessType& type, const ParameterSetting& form);
+    [[noreturn]] void refuse_after_declaration(const Setting& setting, const Node& node);
     void set_nodes(const Elements& range, const std::vector<Setting>& settings);
     void set_connections(const Elements& range, const std::vector<Setting>& settings);
     void set_processes(const Elements& range, const std::vector<Setting>& settings, const Location& at);

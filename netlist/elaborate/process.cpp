@@ -1,5 +1,6 @@
 #include "netlist/elaborate/elaborator.hpp"
 #include "text/nearest.hpp"
+#include "text/program_name.hpp"
 
 #include <fmt/format.h>
 
@@ -118,17 +119,21 @@ void Elaborator::set_connections(const Elements& range, const std::vector<Settin
     }
 }
 
-/// Only the rank can be given after a declaration, because it differs among the elements of an array.
+void Elaborator::refuse_after_declaration(const Setting& setting, const Node& node) {
+    refuse(setting.at,
+           fmt::format("the attribute \"{}\" cannot be given after the declaration of \"{}\"", setting.name, node.name),
+           setting.name == "type" ? "write the type into the declaration"
+                                  : fmt::format("{} kinds {} lists its attributes", program_name(), node.type));
+}
+
+/// Attributes may follow a declaration, because they may differ among the elements of an array.
 void Elaborator::set_nodes(const Elements& range, const std::vector<Setting>& settings) {
     for (std::size_t i = range.first; i < range.first + range.count; ++i)
         for (const Setting& setting : settings) {
             Node& node = draft_.nodes[i];
-            if (setting.name != "rank" || !has_node_attribute(node, setting.name))
-                refuse(setting.at,
-                       fmt::format("the attribute \"{}\" cannot be given after the declaration of \"{}\"", setting.name,
-                                   node.name),
-                       "only its rank can: write other attributes into the declaration");
-            if (auto [known, is_new] = draft_.ranks.emplace(i, setting.at); !is_new)
+            if (!has_node_attribute(node, setting.name))
+                refuse_after_declaration(setting, node);
+            if (auto [known, is_new] = draft_.node_settings.emplace(std::pair(i, setting.name), setting.at); !is_new)
                 refuse_given_twice(reporter_, setting, "attribute", node.name, known->second);
             apply_node_attribute(node, setting, reporter_);
         }

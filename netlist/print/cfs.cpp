@@ -17,25 +17,10 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
-std::string print_entry(std::string_view name, const Value& value) {
-    return fmt::format("{} = {}", name, print_constant(value));
-}
-
 std::vector<std::string> print_others(const std::map<std::string, Value>& others) {
     std::vector<std::string> entries;
     for (const auto& [name, value] : others)
         entries.push_back(print_entry(name, value));
-    return entries;
-}
-
-/// Returns the attributes that differ from the kind's defaults, then the attributes that only the INMOS tool uses.
-std::vector<std::string> print_attributes(const Node& node) {
-    std::vector<std::string> entries;
-    for (const auto& attribute : node.kind->attributes)
-        if (const auto& value = node.attributes.at(attribute.value.name); value != attribute.value.default_value)
-            entries.push_back(print_entry(attribute.value.name, value));
-    for (auto& other : print_others(node.other))
-        entries.push_back(std::move(other));
     return entries;
 }
 
@@ -137,6 +122,9 @@ private:
                 continue;
             auto attributes = print_attributes(node);
             line("{} {}{}{};", node.type, print_list(attributes), attributes.empty() ? "" : " ", range.declarator);
+            for (std::size_t i = range.first + 1; i < range.first + range.count; ++i)
+                if (const auto others = print_attributes(n_.nodes[i], &node); !others.empty())
+                    line("{} {};", n_.nodes[i].name, print_list(others));
         }
         for (const Node& node : n_.nodes)
             if (node.rank)

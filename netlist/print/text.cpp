@@ -1,5 +1,6 @@
 #include "netlist/print/text.hpp"
 
+#include "netlist/kinds/device_kind.hpp"
 #include "netlist/network/names.hpp"
 
 #include <fmt/format.h>
@@ -58,6 +59,24 @@ std::string print_constant(const Value& value) {
     if (const auto* real = std::get_if<double>(&value))
         return print_real(*real);
     return print_string(std::get<std::string>(value));
+}
+
+std::string print_entry(std::string_view name, const Value& value) {
+    return fmt::format("{} = {}", name, print_constant(value));
+}
+
+std::vector<std::string> print_attributes(const Node& node, const Node* first) {
+    std::vector<std::string> entries;
+    for (const auto& attribute : node.kind->attributes) {
+        const std::string& name = attribute.value.name;
+        const auto& value = node.attributes.at(name);
+        if (value != (first ? first->attributes.at(name) : attribute.value.default_value))
+            entries.push_back(print_entry(name, value));
+    }
+    for (const auto& [name, value] : node.other)
+        if (!first || !first->other.contains(name) || first->other.at(name) != value)
+            entries.push_back(print_entry(name, value));
+    return entries;
 }
 
 std::vector<ElementRange> element_ranges(std::size_t count, const std::function<std::string_view(std::size_t)>& name) {

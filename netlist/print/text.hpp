@@ -12,6 +12,13 @@ namespace placedpar {
 /// Prints a constant in the netlist language; the text reads back to the same value.
 std::string print_constant(const Value& value);
 
+/// Returns "name = value".
+std::string print_entry(std::string_view name, const Value& value);
+
+/// Returns the attributes that differ from those of the first element of the node's array, or from the kind's defaults
+/// if `first` is null; then the attributes that only the INMOS tool uses.
+std::vector<std::string> print_attributes(const Node& node, const Node* first = nullptr);
+
 /// Describes consecutive elements of one array, or a single thing.
 struct ElementRange {
     std::string declarator; ///< "t[4][4]"

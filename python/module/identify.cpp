@@ -1,4 +1,5 @@
 #include "python/module/identify.hpp"
+#include "python/module/interpreter.hpp"
 
 #include "explore/identify/identify_record.hpp"
 #include "hydraulics/data/record_table.hpp"
@@ -99,8 +100,7 @@ py::tuple identify(std::string_view text, IdentifySettings settings, bool heeds_
     } catch (const UnfitTable& unfit) {
         raise("RecordError", "", as_dicts(unfit.faults));
     }
-    if (PyErr_CheckSignals() != 0)
-        throw py::error_already_set();
+    heed_signals();
     return py::make_tuple(boost::json::serialize(json), printed, as_dicts(warnings), of_machine);
 }
 

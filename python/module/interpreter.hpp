@@ -88,6 +88,13 @@ private:
     boost::context::fiber stack_;
 };
 
+/// Lets Python handle the signals that have come, such as that of Ctrl-C, and throws what its handlers raise. REQUIRES:
+/// the caller holds the lock.
+inline void heed_signals() {
+    if (PyErr_CheckSignals() != 0)
+        throw pybind11::error_already_set();
+}
+
 /// Returns the type and the text of a Python exception, as Python's last line of a traceback: "ValueError: too long".
 /// REQUIRES: the caller holds the lock.
 std::string text_of(pybind11::handle exception);

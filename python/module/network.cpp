@@ -1,4 +1,5 @@
 #include "python/module/network.hpp"
+#include "python/module/interpreter.hpp"
 
 #include "explore/problems.hpp"
 #include "explore/study/measure.hpp"
@@ -247,8 +248,7 @@ FinishedRun LoadedNetwork::run(const RunOptions& options, TraceSink* trace) cons
                          .trace = trace,
                          .observer = &observer};
     RunReport report = run_unlocked(settings, options);
-    if (PyErr_CheckSignals() != 0)
-        throw py::error_already_set();
+    heed_signals();
     if (report.result.ending == Ending::interrupted) {
         PyErr_SetNone(PyExc_KeyboardInterrupt);
         throw py::error_already_set();

@@ -1,4 +1,5 @@
 #include "python/module/search.hpp"
+#include "python/module/interpreter.hpp"
 
 #include "explore/checkpoint_file.hpp"
 #include "explore/problems.hpp"
@@ -169,8 +170,7 @@ public:
         if (!progress_.is_none())
             progress_(made_, all_);
         { const py::gil_scoped_release turn_of_other_threads; }
-        if (PyErr_CheckSignals() != 0)
-            throw py::error_already_set();
+        heed_signals();
         if (interruption_.requested())
             throw UserError("the search ends early, since Python ends");
     }

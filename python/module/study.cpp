@@ -1,4 +1,5 @@
 #include "python/module/study.hpp"
+#include "python/module/interpreter.hpp"
 
 #include "explore/explain/answers.hpp"
 #include "explore/study/sweep.hpp"
@@ -114,8 +115,7 @@ py::list sweep(const LoadedNetwork& network, const SweepOptions& options) {
                                                 ? std::make_unique<StudyResults>(source)
                                                 : std::make_unique<StudyResults>(options.store, source);
     make_runs(study, *results, options);
-    if (PyErr_CheckSignals() != 0)
-        throw py::error_already_set();
+    heed_signals();
     return rows_of(study, *results);
 }
 
@@ -138,8 +138,7 @@ py::tuple explain(const LoadedNetwork& network, std::uint64_t seed, std::optiona
                      [&progress](std::size_t ended, std::size_t all) { tell(progress, ended, all); }},
                     interruption);
     }
-    if (PyErr_CheckSignals() != 0)
-        throw py::error_already_set();
+    heed_signals();
     return py::make_tuple(boost::json::serialize(explanation_json(explanation, network.network())),
                           print_explanation(explanation, network.network()));
 }

@@ -9,7 +9,8 @@ import unittest
 from program import EXAMPLES, FIGURE_E2, placedpar
 
 ASKED = ("pipeline --size 4", "ring --size 5", "tree --size 7", "mesh --size 2x3", "torus --size 2x4", "hypercube --size 8",
-         "cube-connected-cycles --size 24", "star --size 5", "chordal-ring --size 8", "figure-e2 --size 2x2")
+         "cube-connected-cycles --size 24", "star --size 5", "chordal-ring --size 8", "figure-e2 --size 2x2", "mesh --size 2x3x4",
+         "mesh --size 1x1x2")
 
 
 def end_of(run):
@@ -32,6 +33,11 @@ class Generate(unittest.TestCase):
                     run = placedpar(*command, path)
                     self.assertEqual((run.returncode, run.stderr), (0, ""), words)
 
+    def test_a_mesh_of_three_dimensions_has_its_known_wires_and_diameter(self):
+        for size, heading in (("2x3x4", "48 processors, 70 links between them, at most 4 at one processor, diameter 9"),
+                              ("1x1x2", "4 processors, 3 links between them, at most 2 at one processor, diameter 3")):
+            self.assertIn(heading, placedpar("generate", "mesh", "--size", size).stdout)
+
     def test_a_problem_is_searched_by_every_job(self):
         with tempfile.TemporaryDirectory() as folder:
             for machine in ("ring --size 4 --job islands", "ring --size 4 --job farm", "figure-e2 --size 2x2"):
@@ -44,6 +50,11 @@ class Generate(unittest.TestCase):
                         self.assertRegex(run.stdout, r"best_string +[0-4]( [0-4]){4}\n")
                     if machine.endswith("islands") and problem != "plant":
                         self.assertRegex(run.stdout, r"best of all: \S+, first found by island\[\d\] in generation \d+\n")
+
+    def test_a_problem_with_several_objectives_is_refused(self):
+        run = placedpar("run", EXAMPLES / "genetic/islands/islands.cfs", "--set", "problem=zdt1")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn('"zdt1" has 2 objectives, but a process searches for the best value of one', run.stderr)
 
     def test_ready_islands_search_for_another_problem(self):
         run = placedpar("run", EXAMPLES / "genetic/islands/islands.cfs", "--set", "problem=ackley")
@@ -77,7 +88,7 @@ class Generate(unittest.TestCase):
             path = os.path.join(folder, "refused.cfs")
             for words in ("torus --size 4x4", "ring --size 0", "hypercube --size 12", "moebius --size 8", "ring --size -3",
                           "tree --size 9 --branches 4", "mesh --size 4", "ring", "ring --size 8 --job nobody", "ring --size 8 --host sun",
-                          "ring --size 8 --problem rastrign",
+                          "ring --size 8 --problem rastrign", "torus --size 2x2x2",
                           "ring --size 4 --job csp.identity --output out --input in --problem sphere"):
                 run = placedpar("generate", *words.split(), "-o", path)
                 self.assertEqual((run.returncode, run.stdout), (1, ""), words)

@@ -112,7 +112,7 @@ class Loggers(unittest.TestCase):
         run = placedpar("identify", path)
         self.assertEqual(run.returncode, 0, run.stderr)
         first, later = re.search(r"repeats line 128 \(and (\d+) more lines", run.stderr), \
-            re.search(r"\.\.\. (\d+) more like \"repeats line 128\", the last in line 100127", run.stderr)
+            re.search(r"\.\.\. (\d+) more lines like \"repeats line 128\", the last is line 100127", run.stderr)
         self.assertTrue(first and later, run.stderr)
         self.assertEqual(1 + int(first[1]) + int(later[1]), 50_000)
 

@@ -1,6 +1,5 @@
-"""Tests graphs of tasks: the simulated times are those of an independent longest path, and of a list schedule."""
+"""Tests graphs of tasks: the simulated times are those of an independent longest path, or make a list schedule."""
 
-import heapq
 import json
 import os
 import random
@@ -13,14 +12,14 @@ CLOCK_MHZ = 20
 
 
 def random_graph(random_source, tasks, most_degree):
-    """Returns the edges (from, to, bytes) of a graph without circles, and the cycles of its tasks."""
+    """Returns the edges (from, to, bytes) of a connected graph without circles, and the cycles of its tasks."""
     degree, edges = [0] * tasks, []
     for to in range(1, tasks):
-        for source in random_source.sample(range(to), min(to, 2)):
-            if degree[source] < most_degree and degree[to] < most_degree:
-                edges.append((source, to, random_source.randrange(1, 20000)))
-                degree[source] += 1
-                degree[to] += 1
+        free = [source for source in range(to) if degree[source] < most_degree]
+        for source in random_source.sample(free, min(len(free), 2)):
+            edges.append((source, to, random_source.randrange(1, 20000)))
+            degree[source] += 1
+            degree[to] += 1
     return edges, [random_source.randrange(1000, 400000) for _ in range(tasks)]
 
 
@@ -42,32 +41,6 @@ def longest_path(edges, cycles, message_ms):
     return max(done)
 
 
-def list_schedule(edges, cycles, processors):
-    """Returns when the last task is done if messages take no time, and a processor runs ready tasks in order of arrival."""
-    missing = [sum(to == task for _, to, _ in edges) for task in range(len(cycles))]
-    queues = {processor: [] for processor in processors}
-    running, done, now = [], 0.0, 0.0
-    busy = dict.fromkeys(processors, False)
-    for task, count in enumerate(missing):
-        if count == 0:
-            queues[processors[task]].append(task)
-    while True:
-        for processor, queue in queues.items():
-            if queue and not busy[processor]:
-                busy[processor] = True
-                task = queue.pop(0)
-                heapq.heappush(running, (now + cycles[task] / CLOCK_MHZ / 1000, task))
-        if not running:
-            return done
-        now, task = heapq.heappop(running)
-        done, busy[processors[task]] = now, False
-        for source, to, _ in edges:
-            if source == task:
-                missing[to] -= 1
-                if missing[to] == 0:
-                    queues[processors[to]].append(to)
-
-
 class TaskGraph(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -87,11 +60,19 @@ class TaskGraph(unittest.TestCase):
         text = netlist.stdout.replace("process task_", "process (priority = HIGH) task_") if high else netlist.stdout
         return self.file("machine.cfs", text)
 
-    def done(self, netlist):
+    def done_by_task(self, netlist):
         run = placedpar("run", netlist, "--json", self.path("run.json"))
         self.assertEqual((run.returncode, run.stderr), (0, ""))
         with open(self.path("run.json"), encoding="utf-8") as report:
-            return max(each["value"] for each in json.load(report)["measurements"] if each["name"] == "done")
+            return {each["process"]: each["value"] for each in json.load(report)["measurements"] if each["name"] == "done"}
+
+    def times(self, netlist):
+        """Returns when each task of table() is done, in ms."""
+        done = self.done_by_task(netlist)
+        return [done[f"task_t{task}"] for task in range(len(done))]
+
+    def done(self, netlist):
+        return max(self.done_by_task(netlist).values())
 
     def on_own_processors(self, edges, cycles):
         """Each task has a processor, and each edge a wire: the graph of tasks is the graph of the machine."""
@@ -110,14 +91,26 @@ class TaskGraph(unittest.TestCase):
             expected = longest_path(edges, cycles, lambda size: short + (long - short) * (size - 1) / 19999)
             self.assertAlmostEqual(self.done(self.on_own_processors(edges, cycles)) / expected, 1, delta=0.005, msg=f"seed {seed}")
 
-    def test_random_graphs_on_few_processors_follow_a_list_schedule(self):
+    def test_random_graphs_on_few_processors_run_as_a_list_schedule(self):
+        """A processor computes one task at a time, and none before its predecessors."""
         for seed in range(6):
             source = random.Random(seed)
             edges, cycles = random_graph(source, 24, 4)
             edges = [(a, b, 1) for a, b, _ in edges]
             processors = [source.randrange(3) for _ in cycles]
-            netlist = self.generated(["ring", "--size", "3"], table(edges, cycles, processors), high=True)
-            self.assertAlmostEqual(self.done(netlist) / list_schedule(edges, cycles, processors), 1, delta=0.01, msg=f"seed {seed}")
+            done = self.times(self.generated(["ring", "--size", "3"], table(edges, cycles, processors), high=True))
+            begun = [end - each / CLOCK_MHZ / 1000 for end, each in zip(done, cycles)]
+            for task, start in enumerate(begun):
+                self.assertGreaterEqual(start, max((done[a] for a, b, _ in edges if b == task), default=0), (seed, task))
+                for other in range(task):
+                    if processors[other] == processors[task]:
+                        self.assertTrue(done[other] <= start or done[task] <= begun[other], (seed, task, other))
+
+    def test_one_processor_takes_as_long_as_all_tasks(self):
+        edges, cycles = random_graph(random.Random(7), 24, 4)
+        edges = [(a, b, 1) for a, b, _ in edges]
+        one = self.generated(["ring", "--size", "3"], table(edges, cycles, [0] * len(cycles)), high=True)
+        self.assertAlmostEqual(max(self.times(one)) / (sum(cycles) / CLOCK_MHZ / 1000), 1, delta=0.005)
 
     def test_the_critical_path_is_that_of_the_graph(self):
         edges = [(0, 1, 4), (0, 2, 4), (1, 3, 4), (2, 3, 4)]
@@ -148,6 +141,11 @@ class TaskGraph(unittest.TestCase):
             self.assertEqual((run.returncode, run.stdout), (1, ""), text)
             self.assertIn(message, run.stderr)
             self.assertIn("bad.csv:", run.stderr)
+
+    def test_many_unknown_successors_are_refused_at_once(self):
+        tasks = "task,cycles,successors\n" + "".join(f"a{i},1,b{i}:4\n" for i in range(50000))
+        run = placedpar("generate", "ring", "--size", "4", "--job", self.file("bad.csv", tasks))
+        self.assertEqual((run.returncode, run.stderr.count("error: unknown task")), (1, 20))
 
     def test_lengths_that_do_not_fit_the_successors_are_refused(self):
         netlist = self.file("bad.cfs", 'T800 a; process p; use "csp.task" for p; p (bytes = "3"); place p on a;')

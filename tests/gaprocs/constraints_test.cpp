@@ -1,7 +1,7 @@
 // Tests constraints, several objectives, and what the headers say of individuals without a usable value.
 
 #include "gaprocs/front_search.hpp"
-#include "gaprocs/islands.hpp"
+#include "gaprocs/merit.hpp"
 #include "gaprocs/problem_registry.hpp"
 #include "gaprocs/traditional.hpp"
 #include "gaprocs/usual_settings.hpp"
@@ -48,7 +48,7 @@ struct Schaffer {
     std::vector<double> constraints(std::span<const double> x) const { return {least - x[0]}; }
 };
 
-/// Of 8 individuals 5 are feasible. The others have objectives that are not finite numbers.
+/// 5 of 8 individuals are feasible. The others have objectives that are not finite numbers.
 struct HalfKnown {
     ParameterCoding representation() const { return ParameterCoding(1, {0, 8, 3}); }
     std::vector<std::string> objective_names() const { return {"low", "high"}; }

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 using namespace placedpar;
 using namespace placedpar::identification;
 
@@ -33,13 +35,34 @@ std::size_t false_alarms(std::size_t size, double real_errors) {
 
 TEST_CASE("the test of change keeps its rate of false alarms") {
     // The rate is 5 %; of 300 series, 4 to 28 have a change with a probability of 99.9 %.
-    for (std::size_t size : {2, 12}) {
+    for (std::size_t size : {2U, 12U}) {
         const std::size_t count = false_alarms(size, 1);
         CHECK(count >= 4);
         CHECK(count <= 28);
     }
     CHECK(false_alarms(12, 0.5) <= 15); // the standard errors are too large
-    CHECK(false_alarms(12, 3) <= 28);   // the standard errors are too small, which the scatter shows
+    for (std::size_t size : {fewest_for_scatter, std::size_t{12}})
+        CHECK(false_alarms(size, 3) <= 28); // the standard errors are too small, which the scatter shows
+    for (std::size_t size : {3U, 4U})
+        CHECK(false_alarms(size, 3) > 28); // a scatter of so few estimates does not show it
+}
+
+TEST_CASE("after a change, the scatter of the whole series judges the parts") {
+    // Two parts are tested at 5 % each: of 300 series, up to 47 have a second change with a probability of 99.9 %.
+    std::size_t second = 0, covered = 0;
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        RandomStream random(seed, "one change");
+        const std::vector<SeriesChange> changes = find_changes(series_of(random, 12, 6, 60, 3), 0.05);
+        REQUIRE(!changes.empty());
+        second += changes.size() > 1;
+        const auto& [at, before, after, probability] = changes.front();
+        const double error = std::hypot(before.standard_error, after.standard_error);
+        covered += std::abs(after.value - before.value - 60) <= 1.96 * error;
+    }
+    CHECK(second <= 47);
+    CHECK(covered >=
+          255); // an interval of 95 % that takes the scatter of 12 estimates as exact; by standard errors 49 %
+    CHECK(covered < 300);
 }
 
 TEST_CASE("a change is found at its place, with its size") {
@@ -61,7 +84,7 @@ TEST_CASE("two changes are found, and the means extend from change to change") {
     std::vector<UncertainValue> series = series_of(random, 15, 5, 20);
     for (std::size_t i = 10; i < 15; ++i)
         series[i].value += 30;
-    const std::vector<Change> changes = find_changes(series, 0.01);
+    const std::vector<SeriesChange> changes = find_changes(series, 0.01);
     REQUIRE(changes.size() == 2);
     CHECK(changes[0].at == 5);
     CHECK(changes[1].at == 10);

@@ -25,8 +25,20 @@ TEST_CASE("faults that differ only in numbers are one message with its count") {
     CHECK(repeated.later().empty());
     CHECK(repeated.take(gaps(9, 11)).empty());
     CHECK(repeated.take(gaps(12, 12)).empty());
-    CHECK(repeated.later() == "... 4 more like \"the step is 3.5e-3 s\", the last in line 12\n");
+    CHECK(repeated.later() == "... 4 more lines like \"the step is 3.5e-3 s\", the last is line 12\n");
     CHECK(RepeatedFaults().take(gaps(3, 4))[0].message == "the step is 3.5e-3 s (and line 4)");
+}
+
+TEST_CASE("two faults of one kind in a line are one line") {
+    RepeatedFaults repeated;
+    std::vector<Diagnostic> faults;
+    for (std::size_t line : {4U, 4U, 5U, 5U})
+        faults.push_back(warning_at(line, 1, "the step is 1 s", "a hint"));
+    CHECK(repeated.take(faults)[0].message == "the step is 1 s (and line 5)");
+    for (Diagnostic& each : faults)
+        each.location.line += 2;
+    CHECK(repeated.take(faults).empty());
+    CHECK(repeated.later() == "... 2 more lines like \"the step is 1 s\", the last is line 7\n");
 }
 
 TEST_CASE("faults of one line, of other words or of other names stay apart") {

@@ -64,7 +64,7 @@ TEST_CASE("a table may have another separator, a separator at the end of its row
     std::vector<Diagnostic> faults;
     TextTable table;
     table.separator = ';';
-    append_lines(table, "a;b\n1,5;\"x;y\";\n#N/A;2\n# comment\n", 1, faults);
+    append_lines(table, "a;b\n1,5;\"x;y\";\n#N/A;2\n# comment\n#NVM 3;4\n#N/A of 5;6\n", 1, faults);
     CHECK(faults.empty());
     REQUIRE(table.rows.size() == 2);
     CHECK(table.rows[0].cells[1].text == "x;y");
@@ -74,6 +74,15 @@ TEST_CASE("a table may have another separator, a separator at the end of its row
     CHECK(number_in({"1.5", 1}, 2, faults, ',') == 0);
     REQUIRE(faults.size() == 1);
     CHECK(faults[0].hint.find("decimal commas") != std::string::npos);
+}
+
+TEST_CASE("a row whose first cell is a spreadsheet's error is not a comment") {
+    for (const char* word : {"#VALUE!", "#REF!", "#DIV/0!", "#NAME?", "#WERT!", "#BEZUG!", "#NV", "#N/A"}) {
+        std::vector<Diagnostic> faults;
+        const TextTable table = split_table(std::string("a,b\n") + word + ",2\n# " + word + ",2\n", faults);
+        REQUIRE(table.rows.size() == 1);
+        CHECK(table.rows[0].cells[0].text == word);
+    }
 }
 
 TEST_CASE("an empty text is an empty table") {

@@ -74,6 +74,20 @@ std::vector<KnownMachine> grids() {
     return known;
 }
 
+/// Returns meshes of three dimensions, each of whose nodes is two processors. Diameters were computed from the wires by
+/// another program.
+std::vector<KnownMachine> boxes() {
+    struct Box {
+        std::size_t planes, rows, columns, degree, diameter;
+    };
+    std::vector<KnownMachine> known;
+    for (const auto& [p, r, c, degree, diameter] :
+         {Box{1, 1, 1, 1, 1}, Box{1, 1, 2, 2, 3}, Box{1, 4, 1, 2, 7}, Box{4, 1, 1, 3, 5}, Box{2, 3, 4, 4, 9}})
+        known.push_back({sized("mesh", std::to_string(p) + "x" + by(r, c)), 2 * p * r * c,
+                         p * r * c + p * r * (c - 1) + p * (r - 1) * c + (p - 1) * r * c, degree, diameter});
+    return known;
+}
+
 std::vector<KnownMachine> trees() {
     std::vector<KnownMachine> known{{sized("tree", "1"), 1, 0, 0, 0},    {sized("tree", "3"), 3, 2, 2, 2},
                                     {sized("tree", "7"), 7, 6, 3, 4},    {sized("tree", "10"), 10, 9, 3, 5},
@@ -121,7 +135,7 @@ std::vector<KnownMachine> chordal_rings() {
 
 std::vector<KnownMachine> all_known() {
     std::vector<KnownMachine> all;
-    for (const auto& some : {lines_and_rings(), grids(), trees(), cubes(), chordal_rings()})
+    for (const auto& some : {lines_and_rings(), grids(), boxes(), trees(), cubes(), chordal_rings()})
         all.insert(all.end(), some.begin(), some.end());
     return all;
 }
@@ -250,12 +264,14 @@ TEST_CASE("a topology that needs more than four links of a processor is refused 
 TEST_CASE("sizes that a topology does not have are refused, with the reason") {
     for (const std::string& topology : generate::names_of_topologies())
         for (const char* size :
-             {"0", "-1", "", "x", "4x", "x4", "0x4", "4x0", "4x4x4", "1.5", "8 ", "99999999999999999999", "99999999999",
-              "4294967296x4294967296", "1e3", "0x10000000000000001"}) {
+             {"0", "-1", "", "x", "4x", "x4", "0x4", "4x0", "4x4x4x4", "1.5", "8 ", "99999999999999999999",
+              "99999999999", "4294967296x4294967296", "1e3", "0x10000000000000001"}) {
             INFO(topology << " " << size);
             CHECK(says(sized(topology, size), "of size " + std::string(size) + ": "));
         }
     CHECK(says(sized("ring", "2"), "from 3 to 4096"));
+    CHECK(says(sized("torus", "2x2x2"), "a node of three dimensions needs six links, but a transputer has 4"));
+    CHECK(says(sized("mesh", "2x0x2"), "expected three numbers such as 2x3x4"));
     CHECK(says(sized("ring", "4097"), "at most 4096"));
     CHECK(says(sized("mesh", "1024x1024"), "at most 4096"));
     CHECK(says(sized("mesh", "16"), "expected two numbers"));

@@ -20,7 +20,7 @@ using namespace placedpar::generate;
 namespace {
 
 std::string graph_path(const std::string& name) {
-    return (std::filesystem::path(__FILE__).parent_path() / "graphs" / name).string();
+    return (std::filesystem::path(PLACEDPAR_SOURCE_DIR) / "tests/explore/generate/graphs" / name).string();
 }
 
 std::shared_ptr<const SourceFile> in_memory(const std::string& text) {
@@ -43,13 +43,18 @@ bool refuses(Graph (*read)(const std::string&), const std::string& text, const s
     return refusal_of(read, text).find(message) != std::string::npos;
 }
 
-Network network_of(const std::string& file, bool split = false) {
+std::string text_of_graph(const std::string& file, bool split = false) {
     const ProblemRegistry problems = known_problems(0);
-    const Catalogue kinds = known_kinds(problems);
     TopologyRequest request;
     request.topology = graph_path(file);
     request.split = split;
-    ReadResult result = read_netlist_text(generate::generate(request, kinds).text, kinds);
+    return generate::generate(request, known_kinds(problems)).text;
+}
+
+Network network_of(const std::string& file, bool split = false) {
+    const ProblemRegistry problems = known_problems(0);
+    const Catalogue kinds = known_kinds(problems);
+    ReadResult result = read_netlist_text(text_of_graph(file, split), kinds);
     REQUIRE(result.network.has_value());
     return std::move(*result.network);
 }
@@ -72,6 +77,22 @@ TEST_CASE("a file of networkx gives processors and wires with its attributes") {
     CHECK(network.count_wires() == 5);
     CHECK(wire_between(network, "t[0]", "t[1]").bits_per_second == 10'000'000);
     CHECK(wire_between(network, "t[1]", "t[2]").bits_per_second == 20'000'000);
+}
+
+TEST_CASE("types that are not transputers, and speeds that contradict each other, are refused with their line") {
+    auto refused = [](const std::string& text, const std::string& message) {
+        const std::string path = (std::filesystem::temp_directory_path() / "placedpar_refused_graph.dot").string();
+        std::ofstream(path) << text;
+        TopologyRequest request;
+        request.topology = path;
+        CHECK_THROWS_WITH_AS(topology_of_graph(request, Catalogue()), doctest::Contains(message.c_str()), UserError);
+        std::filesystem::remove(path);
+    };
+    for (const char* type : {"T8OO", "C004", "T400", "workstation"})
+        refused(std::string("graph { a\nb [type=") + type + "] }",
+                "dot:2:1: error: the node \"b\" has the type \"" + std::string(type) + "\"");
+    refused("digraph { a -> b [speed=10M]\nb -> a [speed=20M] }", "dot:2:1: error: speed is 20M here, but 10M");
+    refused("graph { a -- b [speed=10M, linkspeed=20M] }", "the edge from a to b has both \"speed\" and \"linkspeed\"");
 }
 
 TEST_CASE("opposite edges of a directed graph are one wire") {
@@ -142,8 +163,7 @@ TEST_CASE("hostile graphs are refused in words") {
     CHECK(refuses(graphml_of, "<graphml><graph><node id=\"&a;\"/></graph></graphml>", "undefined entity"));
     CHECK(refuses(graphml_of, "<graphml><graph><node id='&#x110000;'/></graph></graphml>",
                   "reference to invalid character number"));
-    CHECK(refuses(graphml_of, "<graphml><graph></graphml>",
-                  "graph:1: error: this is not well-formed XML: mismatched tag"));
+    CHECK(refuses(graphml_of, "<graphml><graph></graphml>", "this is not well-formed XML: mismatched tag"));
     CHECK(refuses(graphml_of, "<graphml><graph>", "no element found"));
     CHECK(
         refuses(graphml_of, "<graphml><graph><edge source='a' target='b'/></graph></graphml>", "\"a\" is not a node"));
@@ -156,6 +176,11 @@ TEST_CASE("hostile graphs are refused in words") {
     CHECK(refuses(dot_of, "graph { a [label=<<b> }", "is not closed"));
     CHECK(refuses(dot_of, "graph { a -- ", "\"}\" is missing"));
     CHECK(refuses(dot_of, "graph { a [=] }", "expected an attribute"));
+    CHECK(refuses(dot_of, "graph { a - b }", "\"-\" is not expected here"));
+    CHECK(refuses(dot_of, "graph { my-node }", "a name with \"-\" needs quotes"));
+    CHECK(refuses(dot_of, "graph { a -> b }", "the edge of a graph is written \"->\""));
+    CHECK(refuses(dot_of, "digraph { a -- b }", "the edge of a digraph is written \"--\""));
+    CHECK(dot_of("graph { -1.5 -- -.5 }").nodes.size() == 2);
     CHECK(refuses(dot_of, "chart { }", "expected \"graph\" or \"digraph\""));
     CHECK(refuses(dot_of, "", "expected \"graph\" or \"digraph\""));
 }
@@ -168,6 +193,32 @@ TEST_CASE("a graph that joins very many pairs is refused, not built") {
     for (int i = 0; i < 2000; ++i)
         many += " b" + std::to_string(i);
     CHECK(refuses(dot_of, many + "} }", "more than 100000 nodes and edges"));
+}
+
+TEST_CASE("defaults that would be copied to very many nodes or edges are refused with the line") {
+    std::string list, keys, many, elements;
+    for (int i = 0; i < 1000; ++i) {
+        const std::string number = std::to_string(i);
+        list += "a" + number + "=1 ";
+        keys += "<key id='k" + number + "' for='node' attr.name='a" + number + "'><default>1</default></key>";
+    }
+    for (int i = 0; i < 1001; ++i) {
+        many += "n" + std::to_string(i) + "\n";
+        elements += "<node id='" + std::to_string(i) + "'/>\n";
+    }
+    const std::string refused = "error: the defaults give the graph more than 1000000 attributes";
+    CHECK(refuses(dot_of, "graph { node [" + list + "] " + many + "}", "graph:1001:1: " + refused));
+    CHECK(refuses(dot_of, "graph { node [label=\"" + std::string(9'000'000, 'x') + "\"]\n" + many + "}",
+                  "graph:13:1: " + refused));
+    CHECK(refuses(dot_of, "graph { edge [" + list + "]\n{" + many + "} -- b }", refused));
+    CHECK(refuses(dot_of, "graph { edge [" + list + "]\n" + std::string(4000, '{') + "}", "nested deeper than 64"));
+    std::string subgraphs;
+    for (int i = 0; i < 1001; ++i)
+        subgraphs += "{}";
+    CHECK(refuses(dot_of, "graph { edge [" + list + "]\n" + subgraphs + "}", "graph:2:1: " + refused));
+    CHECK(refuses(graphml_of, "<graphml>" + keys + "<graph>" + elements + "</graph></graphml>",
+                  "graph:1001:1: " + refused));
+    CHECK(dot_of("graph { node [" + list + "] " + many.substr(0, 3000) + "}").nodes.size() > 600);
 }
 
 TEST_CASE("characters by number are read, in UTF-8") {

@@ -28,6 +28,10 @@ TEST_CASE("dates and times of ISO 8601 are read") {
     CHECK(ns_of("2024-03-05T16:30+02") == half_past_two_ns);
     CHECK(ns_of("2024-02-29T00:00:00") == ns_of("2024-02-28T00:00:00") + 24 * hour_ns);
     CHECK(ns_of("1969-12-31T23:59:59Z") == -second_ns);
+    // By date -ud. The difference of any two dates fits 64 bits of ns.
+    CHECK(ns_of("1900-01-01T00:00-2359") == -2208988800 * second_ns + 23 * hour_ns + 59 * 60 * second_ns);
+    CHECK(ns_of("2100-12-31T23:59:59") == 4133980799 * second_ns);
+    CHECK(ns_of("2100-12-31T23:59:59") - ns_of("1900-01-01T00:00") == 6342969599 * second_ns);
     CHECK(clock_time("2024-03-05T14:30Z")->has_zone);
     CHECK(!clock_time("2024-03-05T14:30")->has_zone);
 }
@@ -50,7 +54,8 @@ TEST_CASE("other texts are not dates and times of ISO 8601") {
                              "2024-03-05T14:30Z1",
                              "2024-03-05T14:30+",
                              "2024-03-05T14:30+1",
-                             "1699-01-01T00:00",
+                             "1899-12-31T23:59",
+                             "2101-01-01T00:00",
                              "05.03.2024 14:30:00",
                              "2024-03-05X14:30",
                              "99999-03-05T14:30",

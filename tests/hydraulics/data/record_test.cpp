@@ -368,6 +368,32 @@ TEST_CASE("rows without a needed reading are skipped on request; an unneeded rea
     CHECK(!read_record(text, {all_but_spool, false}).record); // the pressure of line 7 is needed
 }
 
+TEST_CASE("rows that are left out in several pieces are counted together") {
+    RecordReader reader({{}, true});
+    REQUIRE(reader.read(boom_columns + rows(0, 5)).record);
+    const ReadRecord second = reader.read("0.100,-,20,0.2\n" + rows(6, 11) + "0.220,1600,20,\n");
+    REQUIRE(second.record);
+    CHECK(all_faults(second.faults).find("missing before") != std::string::npos);
+    CHECK(all_faults(second.faults).find("readings are missing") == std::string::npos);
+    REQUIRE(reader.read("0.240,1600,-,0.2\n" + rows(13, 15)).record);
+    const std::vector<Diagnostic> at_end = reader.finish();
+    REQUIRE(!at_end.empty());
+    CHECK(at_end.front().location.line == 7);
+    CHECK(at_end.front().message == "readings are missing");
+    CHECK(at_end.front().hint == "3 rows left out; this is the first of them");
+}
+
+TEST_CASE("the first time that is not missing tells whether times are dates") {
+    std::string text = "time,boom.angle [deg]\n#N/A,20\n";
+    for (int i = 0; i < 8; ++i)
+        text += fmt::format("2024-03-05T14:30:00.{:02},{}\n", 2 * i, 20 + i);
+    const ReadRecord skipped = read_record(text, {{}, true});
+    REQUIRE(skipped.record);
+    CHECK(skipped.record->size() == 8);
+    CHECK(skipped.record->period_s == doctest::Approx(0.02));
+    CHECK(all_faults(read_record(text).faults).starts_with("2:\"#N/A\" is not a reading"));
+}
+
 TEST_CASE("a column of configurations is read, and a cell without a known letter is unknown") {
     std::string text = "time [s],boom.angle [deg],configuration\n";
     for (int i = 0; i < 6; ++i)
@@ -431,6 +457,10 @@ TEST_CASE("a name that the file lacks is refused, and so are thousands separator
           "8:\"1.007,5\" is not a finite number ");
     CHECK(faults_with("time [s];boom.angle [deg]\n0.00;1,007\n0.02;2,000\n0.04;3,000\n0.06;4\n0.08;5\n", {})
               .starts_with("2:\"1,007\" is not a finite number"));
+    const std::string whole = "time [s];boom.inlet_pressure [psi]\n0;1,567\n1;-2,345,678\n2;999\n3;12,000\n";
+    CHECK(faults_with(whole + "4;1,568\n", {}).find("2:1,567 may be 1567 or 1.567 ") != std::string::npos);
+    for (const char* clear : {"4;0,568\n", "4;1568,123\n", "4;1,5\n", "4,5;1568\n"})
+        CHECK(faults_with(whole + clear, {}).find("may be") == std::string::npos);
 }
 
 TEST_CASE("a row of units, and lines of words below it, are not samples") {

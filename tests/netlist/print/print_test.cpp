@@ -57,6 +57,21 @@ TEST_CASE("a printed network loads again for every number of slaves") {
     }
 }
 
+TEST_CASE("elements of an array can differ in their attributes") {
+    const std::string array = "T800 (clock = 25M) t[3]; connect t[0].link[0] to t[1].link[0];";
+    const auto changed =
+        read_netlist_text(array + "t[1] (clock = 20M, memory = 2M); t[2] (rank = 1);", small_catalogue());
+    REQUIRE(changed.network);
+    CHECK(changed.network->nodes[0].integer("clock") == 25'000'000);
+    CHECK(changed.network->nodes[1].integer("clock") == 20'000'000); // the default of a T800, but not of the array
+    CHECK(changed.network->nodes[1].integer("memory") == 2 << 20);
+    check_round_trip(*changed.network);
+    const auto set = read_netlist_text(array, small_catalogue(), {{"t[1].clock", "20M"}});
+    REQUIRE(set.network);
+    check_round_trip(*set.network);
+    CHECK(set.network->hash != read_netlist_text(array, small_catalogue()).network.value().hash);
+}
+
 TEST_CASE("the hash depends on the network, not on the file") {
     auto hash = [](const std::string& text) { return read_netlist_text(text, small_catalogue()).network.value().hash; };
     CHECK(hash("T800 a, b; connect a.link[0] to b.link[0];") ==
