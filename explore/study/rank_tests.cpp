@@ -13,6 +13,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace placedpar {
@@ -89,12 +90,12 @@ std::optional<TestedRow> tested(const StudySummary& summary, std::size_t axis, c
                      *test};
 }
 
-Row row_of_test(const TestedRow& row) {
+Row row_of_test(const TestedRow& row, bool has_others) {
     const std::string effect = fmt::format("{} {:.2f}", row.is_of_two ? "A" : "epsilon²", row.test.effect);
     const std::string p = row.test.p < 1e-4 ? "< 0.0001" : fmt::format("{:.4f}", row.test.p);
     return {Field::left(0, "setting", row.setting),
             Field::left(0, "of", row.values),
-            Field::left(0, "with", row.others),
+            Field::left(0, "with", row.others).shown_if(has_others),
             Field::left(0, "measure", row.measure),
             Field::right(0, "p", p),
             Field::left(0, "effect", effect),
@@ -110,7 +111,9 @@ std::string print_rank_tests(const StudySummary& summary) {
             for (std::size_t measure = 0; measure < summary.measures.size(); ++measure)
                 if (auto row = tested(summary, axis, compared, measure))
                     rows.push_back(std::move(*row));
-    return rows.empty() ? "" : "\nRank tests\n" + table_of(rows, row_of_test).text();
+    const bool has_others = summary.axes.size() > 1;
+    auto row_of = [&](const TestedRow& row) { return row_of_test(row, has_others); };
+    return rows.empty() ? "" : "\nRank tests\n" + table_of(rows, row_of).text();
 }
 
 } // namespace placedpar

@@ -28,6 +28,15 @@ class Report(InFolder):
             self.assertAlmostEqual(float(row[4]), 4.302652729911275 * deviation / 3 ** 0.5)
             self.assertEqual([float(row[5]), float(row[6])], [min(values), max(values)])
 
+    def test_a_row_for_each_run(self):
+        shown = self.report("figure-e2.cfs", "--csv", "runs.csv", "--runs")
+        self.assertIn("Kruskal-Wallis", shown)
+        header, *table = [line.split(",") for line in (self.folder / "runs.csv").read_text().splitlines()]
+        self.assertEqual(header, ["slaves", "master.trials", "seed", "ended", "max(master.best_fitness)"])
+        self.assertEqual([row[:4] for row in table],
+                         [[slaves, "10", seed, "completed"] for slaves in ("0", "2", "10") for seed in "123"])
+        self.assertEqual([float(row[4]) for row in table], sum((self.best()[slaves] for slaves in ("0", "2", "10")), []))
+
     def best(self):
         found = {}
         for row in rows(self.folder / "figure-e2.sqlite"):
@@ -80,6 +89,7 @@ class Report(InFolder):
     def test_what_no_run_has_is_refused(self):
         for arguments, message in (
                 (["--measure", "master.T_ex"], 'unknown measure "master.T_ex"; did you mean "master.T_exe"?'),
+                (["--runs"], "--runs writes a row for each run as comma-separated values: add --csv FILE"),
                 (["--over", "slaves"], "--over names the horizontal axis of a plot, but no plot was asked for")):
             with self.subTest(arguments=arguments):
                 done = placedpar("report", "figure-e2.sqlite", *arguments, folder=self.folder)

@@ -2,6 +2,7 @@
 
 #include "explore/study/summary.hpp"
 
+#include "explore/study/study_report.hpp"
 #include "explore/study/summary_cells.hpp"
 #include "tests/explore/study/cell_of.hpp"
 
@@ -110,4 +111,44 @@ TEST_CASE("equal values have one line, however they are spelled") {
     const StudySummary summary = summary_of(results, {"master.rate"});
     REQUIRE(summary.lines.size() == 1);
     CHECK(summary.lines[0].runs == 2);
+}
+
+TEST_CASE("in long form each run has a row, with settings, seed, ending and measures") {
+    StudyResults results(StudySource{});
+    CHECK(runs_csv(summary_of(add_runs(results, {"10", "2", "9"}, 2), {"master.rate"})) ==
+          "slaves,samples,seed,ended,master.rate [1/s]\n2,12,1,completed,2.1\n2,12,2,completed,2.2\n"
+          "9,12,1,deadlock,\n9,12,2,deadlock,\n10,12,1,completed,10.1\n10,12,2,completed,10.2\n");
+}
+
+TEST_CASE("rank tests compare the values of a setting") {
+    // Ranks 1 to 5 and 6 to 10 come in 2 of 252 orders. With three groups of three in order, H is 7.2, p = exp(-3.6).
+    StudyResults two(StudySource{}), three(StudySource{}), single(StudySource{});
+    CHECK(print_rank_tests(summary_of(add_runs(two, {"1", "2"}, 5), {"master.rate"})) ==
+          "\nRank tests\n"
+          "setting  of    measure                 p  effect  test\n"
+          "slaves   1, 2  master.rate [1/s]  0.0079  A 0.00  Mann-Whitney\n");
+    CHECK(print_rank_tests(summary_of(add_runs(three, {"1", "2", "10", "9"}, 3), {"master.rate"})) ==
+          "\nRank tests\n"
+          "setting  of        measure                 p  effect         test\n"
+          "slaves   3 values  master.rate [1/s]  0.0273  epsilon² 0.90  Kruskal-Wallis\n");
+    CHECK(print_rank_tests(summary_of(add_runs(single, {"1", "2"}, 1), {"master.rate"})).empty());
+}
+
+TEST_CASE("rank tests hold the other settings, and leave out figures that no seed changes") {
+    StudyResults results(StudySource{});
+    for (std::uint64_t seed = 1; seed <= 3; ++seed)
+        for (const char* links : {"1", "4"})
+            for (const char* slaves : {"2", "3"})
+                results.keep({{{"slaves", slaves}, {"links", links}}, seed},
+                             {.ended = "completed",
+                              .figures = {{"time", {std::stod(links) * std::stod(slaves), "ms"}},
+                                          {"rate", {std::stod(slaves) + 2 * static_cast<double>(seed), ""}}}});
+    // Of the nine pairs, slaves = 2 has the greater rate in three.
+    CHECK(print_rank_tests(summary_of(results, {"time", "rate"})) ==
+          "\nRank tests\n"
+          "setting  of    with        measure       p  effect  test\n"
+          "links    1, 4  slaves = 2  rate     1.0000  A 0.50  Mann-Whitney\n"
+          "links    1, 4  slaves = 3  rate     1.0000  A 0.50  Mann-Whitney\n"
+          "slaves   2, 3  links = 1   rate     0.7000  A 0.33  Mann-Whitney\n"
+          "slaves   2, 3  links = 4   rate     0.7000  A 0.33  Mann-Whitney\n");
 }
