@@ -82,10 +82,8 @@ std::string print_finder(const GenerationLog& log) {
         const auto found =
             std::ranges::find(log.of(search), log.of_all().back().best_so_far, &LoggedGeneration::best_so_far);
         const auto generation = static_cast<std::size_t>(found - log.of(search).begin());
-        if (found != log.of(search).end() && generation < earliest) {
-            finder = search;
-            earliest = generation;
-        }
+        if (found != log.of(search).end() && generation < earliest)
+            finder = search, earliest = generation;
     }
     return fmt::format("best of all: {:.6g}, first found by {} in generation {}\n", log.of_all().back().best_so_far,
                        log.searches()[finder], log.first() + earliest);

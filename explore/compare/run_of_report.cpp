@@ -45,6 +45,11 @@ ComparedRun run_of_manifest(const object& manifest, const std::string& name) {
 
 } // namespace
 
+static std::string netlist_has_changed(const std::string& path, const Network& network) {
+    return fmt::format("{}: warning: {} has changed since this run; the new netlist is compared\n", path,
+                       network.source_path);
+}
+
 ComparedRun run_of_report(const std::string& path, const std::function<void(const std::string&)>& warn) {
     const auto file = load_text(path);
     try {
@@ -52,8 +57,7 @@ ComparedRun run_of_report(const std::string& path, const std::function<void(cons
         ComparedRun run = run_of_manifest(manifest, path);
         const Network network = load_compared(run);
         if (hex(network.hash) != std::string(manifest.at("netlist_hash").as_string()))
-            warn(fmt::format("{}: warning: {} has changed since this run; the new netlist is compared\n", path,
-                             network.source_path));
+            warn(netlist_has_changed(path, network));
         return run;
     } catch (const UserError&) {
         throw;

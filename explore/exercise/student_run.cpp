@@ -125,6 +125,15 @@ const char* name_of(StudentRun::End end, const std::string& wrong) {
     return "interrupted";
 }
 
+namespace {
+
+std::string only_in_order(std::uint64_t order, const std::string& wrong) {
+    return fmt::format("it is right in the usual order of its processes, but not in all orders\nwith --shuffle {}, {}",
+                       order, wrong);
+}
+
+} // namespace
+
 SolutionVerdict check_solution(const Network& network, const Exercise& exercise, Interruption& interruption) {
     Time usual{};
     for (std::uint64_t order = 0; order <= other_orders; ++order) {
@@ -133,9 +142,7 @@ SolutionVerdict check_solution(const Network& network, const Exercise& exercise,
         usual = order == 0 ? made.time : usual;
         std::string wrong = what_is_wrong(made, exercise.expected);
         if (order > 0 && !wrong.empty())
-            wrong = fmt::format("it is right in the usual order of its processes, but not in all orders\nwith "
-                                "--shuffle {}, {}",
-                                order, wrong);
+            wrong = only_in_order(order, wrong);
         if (!wrong.empty() || made.end == StudentRun::End::interrupted)
             return {made.end, wrong, usual};
     }

@@ -131,14 +131,15 @@ private:
         return text;
     }
 
+    static bool belongs_to_name(char each) {
+        return (each >= 'a' && each <= 'z') || (each >= 'A' && each <= 'Z') || (each >= '0' && each <= '9') ||
+               each == '_' || each == '.' || (static_cast<unsigned char>(each) & 0x80) != 0;
+    }
+
     std::string plain() {
-        auto belongs = [](char each) {
-            return (each >= 'a' && each <= 'z') || (each >= 'A' && each <= 'Z') || (each >= '0' && each <= '9') ||
-                   each == '_' || each == '.' || (static_cast<unsigned char>(each) & 0x80) != 0;
-        };
         auto begins_number = [](char each) { return (each >= '0' && each <= '9') || each == '.'; };
         std::size_t end = left_.front() == '-' && left_.size() > 1 && begins_number(left_[1]) ? 1 : 0;
-        while (end < left_.size() && belongs(left_[end]))
+        while (end < left_.size() && belongs_to_name(left_[end]))
             ++end;
         if (end == 0)
             refuse(fmt::format("\"{}\" is not expected here", left_.substr(0, 1)),

@@ -216,6 +216,13 @@ private:
         return entries.empty() ? "" : fmt::format(" ({})", fmt::join(entries, ", "));
     }
 
+    /// Returns ": label" if the label says more than the node's name; Graphviz writes "\\N" for the name.
+    static std::string label_of(const GraphNode& node) {
+        const auto label = node.attributes.find("label");
+        const bool says_more = label != node.attributes.end() && label->second != node.name && label->second != "\\N";
+        return says_more ? ": " + for_comment(label->second) : "";
+    }
+
     void add_nodes() {
         std::map<std::string, std::string> known;
         for (const AttributeDescription& each : catalogue_.node_types().at(made_.type).preset.kind->attributes)
@@ -223,13 +230,9 @@ private:
         for (std::size_t i = 0; i < graph_.nodes.size(); ++i) {
             const GraphNode& node = graph_.nodes[i];
             const std::string entries = entries_of(node.attributes, known, node.name, node.line);
-            const auto label = node.attributes.find("label");
-            const bool labelled =
-                label != node.attributes.end() && label->second != node.name && label->second != "\\N";
             if (!entries.empty())
                 made_.attributes += fmt::format("t[{}]{}; ", i, entries);
-            made_.attributes += fmt::format("/* t[{}] is {}{} */\n", i, for_comment(node.name),
-                                            labelled ? ": " + for_comment(label->second) : "");
+            made_.attributes += fmt::format("/* t[{}] is {}{} */\n", i, for_comment(node.name), label_of(node));
         }
     }
 

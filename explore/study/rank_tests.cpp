@@ -53,7 +53,7 @@ std::vector<double> figures_of_runs(const StudyLine& line, std::size_t measure) 
 }
 
 /// Returns the test; nothing if fewer than two combinations have several figures, or if all figures of each are equal,
-/// so that a seed makes no difference and its runs are no sample.
+/// since seeds then make no difference.
 std::optional<RankTest> test_of(const std::vector<std::vector<double>>& groups) {
     const bool varies = std::ranges::any_of(
         groups, [](const auto& group) { return std::ranges::min(group) != std::ranges::max(group); });

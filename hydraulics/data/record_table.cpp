@@ -114,10 +114,8 @@ void RecordReader::find_decimal_sign(std::vector<Diagnostic>& faults) {
 double RecordReader::clock_s(const TextRow& row, const Column& column, std::vector<Diagnostic>& faults) {
     const TextCell& cell = row.cells[column.index];
     const std::optional<ClockTime> time = clock_time(cell.text);
-    if (time && !begun_ns_) {
-        begun_ns_ = time->since_1970_ns;
-        has_zone_ = time->has_zone;
-    }
+    if (time && !begun_ns_)
+        begun_ns_ = time->since_1970_ns, has_zone_ = time->has_zone;
     if (time && time->has_zone == has_zone_)
         return static_cast<double>(time->since_1970_ns - *begun_ns_) / 1e9;
     faults.push_back(error_at(row.line, cell.column,

@@ -143,7 +143,7 @@ TEST_CASE("rank tests hold the other settings, and leave out figures that no see
                              {.ended = "completed",
                               .figures = {{"time", {std::stod(links) * std::stod(slaves), "ms"}},
                                           {"rate", {std::stod(slaves) + 2 * static_cast<double>(seed), ""}}}});
-    // Of the nine pairs, slaves = 2 has the greater rate in three.
+    // slaves = 2 has the greater rate in three of the nine pairs.
     CHECK(print_rank_tests(summary_of(results, {"time", "rate"})) ==
           "\nRank tests\n"
           "setting  of    with        measure       p  effect  test\n"
