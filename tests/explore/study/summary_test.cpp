@@ -129,8 +129,8 @@ TEST_CASE("rank tests compare the values of a setting") {
           "slaves   1, 2  master.rate [1/s]  0.0079  A 0.00  Mann-Whitney\n");
     CHECK(print_rank_tests(summary_of(add_runs(three, {"1", "2", "10", "9"}, 3), {"master.rate"})) ==
           "\nRank tests\n"
-          "setting  of        measure                 p  effect         test\n"
-          "slaves   3 values  master.rate [1/s]  0.0273  epsilon² 0.90  Kruskal-Wallis\n");
+          "setting  of        measure                 p  effect          test\n"
+          "slaves   3 values  master.rate [1/s]  0.0273  epsilon² 0.90   Kruskal-Wallis\n");
     CHECK(print_rank_tests(summary_of(add_runs(single, {"1", "2"}, 1), {"master.rate"})).empty());
 }
 
