@@ -53,7 +53,8 @@ bool fits(const WordsOfText& wanted, const NamedMeaning& candidate) {
         return std::ranges::any_of(has.words, [&](const std::string& each) { return are_inflected(word, each); });
     };
     return std::ranges::all_of(wanted.words, has_word) &&
-           (wanted.numbers.empty() || !std::ranges::search(has.numbers, wanted.numbers).empty());
+           (wanted.numbers.empty() || std::search(has.numbers.begin(), has.numbers.end(), wanted.numbers.begin(),
+                                                  wanted.numbers.end()) != has.numbers.end());
 }
 
 std::vector<std::string> names_of(const std::vector<NamedMeaning>& meanings) {
