@@ -40,11 +40,12 @@ WordsOfText words_of(std::string_view text) {
     return out;
 }
 
-/// Returns whether the words are equal but for their endings: they share at least four letters, and two thirds of
-/// the shorter word.
+/// Returns whether the words are equal but for their endings: they share at least four letters, two thirds of the
+/// shorter word, and more than half of the longer one.
 bool are_inflected(std::string_view a, std::string_view b) {
     const auto common = static_cast<std::size_t>(std::ranges::mismatch(a, b).in1 - a.begin());
-    return a == b || (common >= 4 && 3 * common >= 2 * std::min(a.size(), b.size()));
+    return a == b ||
+           (common >= 4 && 3 * common >= 2 * std::min(a.size(), b.size()) && 2 * common > std::max(a.size(), b.size()));
 }
 
 bool fits(const WordsOfText& wanted, const NamedMeaning& candidate) {

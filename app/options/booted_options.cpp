@@ -78,6 +78,12 @@ bool is_empty_program(const std::filesystem::path& file) {
            std::filesystem::is_regular_file(file, error) && std::filesystem::is_empty(file, error);
 }
 
+[[noreturn]] void refuse_program_argument(const std::string& argument) {
+    const bool sets = argument.find('=') != std::string::npos;
+    throw UserError(fmt::format("run takes no further argument: \"{}\"{}", argument,
+                                sets ? "; a value of the netlist is set by --set " + argument : ""));
+}
+
 void refuse_for_netlists(const Options& typed, const NetlistOptions& netlist, const BootedOptions& options,
                          const Network& network) {
     for (const char* option : machine_options)
@@ -94,7 +100,7 @@ void refuse_for_netlists(const Options& typed, const NetlistOptions& netlist, co
     if (has_bootable_file(network))
         return;
     if (!options.arguments.empty())
-        throw UserError(fmt::format("run takes no further argument: \"{}\"", options.arguments.front()));
+        refuse_program_argument(options.arguments.front());
     for (const char* option : {"--host-folder", "--keys", "--env", "--host-limit"})
         if (typed.is_given(option))
             throw UserError(fmt::format("{}: the netlist boots no transputer, so no program uses this", option));

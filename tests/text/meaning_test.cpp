@@ -33,6 +33,7 @@ TEST_CASE("all words must be there, in any inflection") {
     CHECK(names_by_meaning("speedup of pipelines", experiments_to_find) == Names{"figures-4-6-4-7"});
     CHECK(names_by_meaning("identification", experiments_to_find) == Names{"figure-4-9"});
     CHECK(names_by_meaning("speedup of islands", experiments_to_find).empty());
+    CHECK(names_by_meaning("everything", {{"pga-2", "every generation"}}).empty());
     CHECK(names_by_meaning("", experiments_to_find).empty());
     CHECK(names_by_meaning("4-6", experiments_to_find).empty()); // of what?
 }
