@@ -1,5 +1,6 @@
 """Tests records: their content, that they are reproducible, and messages about wrong options."""
 
+import itertools
 import json
 import pathlib
 import re
@@ -195,6 +196,11 @@ class Records(unittest.TestCase):
         path = self.folder / "wrong.csv"
         text = (RECORDS / "boom-4deg.csv").read_text(encoding="utf-8")
         path.write_text(re.sub(r"^0\.\d+,", "x,", text, flags=re.MULTILINE), encoding="utf-8")
+        said = self.refused("identify", path)
+        self.assertEqual(said.count(": error: "), 1)
+        self.assertIn('"x" is not a finite number (and 49 more lines, the last is line 55)', said)
+        numbers = itertools.count()
+        path.write_text(re.sub(r"^0\.\d+,", lambda _: f"x{next(numbers)},", text, flags=re.MULTILINE), encoding="utf-8")
         said = self.refused("identify", path)
         self.assertEqual(said.count(": error: "), 20)
         self.assertIn("... 30 more errors not shown", said)

@@ -94,7 +94,7 @@ class Streams(unittest.TestCase):
         for arguments in (["identify", "-", "--way", "thesis", "--on", "-"], ["identify", "-", "--machine", "-"]):
             run = self.fed("", *arguments)
             self.assertEqual((run.returncode, run.stderr), (1,
-                "placedpar: standard input can be read only once: at most one of RECORD, --machine and --on can be \"-\"\n"))
+                "placedpar: standard input can be read only once: at most one of RECORD, --machine, --columns-from and --on can be \"-\"\n"))
 
     def test_what_is_written_to_standard_output_stands_there_alone(self):
         plain = placedpar("run", COMMSTIME, "--set", "count=5")
