@@ -113,18 +113,32 @@ std::string data_blocks(const Panel& panel, std::size_t number) {
     return out;
 }
 
+/// Returns commands that set Left to the margin which the y axes need: the numbers at an axis that is narrow beside its
+/// values, such as 1.0005e-09, need more than the usual margin. REQUIRES: all panels have been drawn on trial.
+std::string left_margin_commands(const Plot& plot) {
+    constexpr int usual_letters = 7;
+    std::string out = fmt::format("Letters = {}\n", usual_letters);
+    for (std::size_t i = 0; i < plot.panels.size(); ++i)
+        if (!plot.panels[i].y.logarithmic)
+            for (const char* end : {"from", "to"})
+                out += fmt::format("step = 10**floor(log10((Yto{0}-Yfrom{0})/10)); "
+                                   "text = sprintf('%g', step*floor(Y{1}{0}/step+.5))\n"
+                                   "Letters = strlen(text) > Letters ? strlen(text) : Letters\n",
+                                   i, end);
+    return out + fmt::format("Left = ({}+(Letters-{})*{})/{}.\n", left_margin, usual_letters, legend_letter, plot_width);
+}
+
 /// Returns the commands that place the panel. Gnuplot's screen has its origin at the bottom left, and its width and
 /// height are 1.
 std::string place_commands(std::size_t number, int legend, int height) {
     int top = title_height + static_cast<int>(number) * panel_height;
     auto from_bottom = [&](int pixels) { return static_cast<double>(height - pixels) / height; };
     double right = static_cast<double>(plot_width - legend) / plot_width;
-    return fmt::format("set lmargin at screen {}\nset rmargin at screen {}\nset tmargin at screen {}\n"
+    return fmt::format("set lmargin at screen Left\nset rmargin at screen {}\nset tmargin at screen {}\n"
                        "set bmargin at screen {}\nset key at screen {}, screen {} left top Left reverse "
                        "samplen 2 spacing 1.25\n",
-                       static_cast<double>(left_margin) / plot_width, right, from_bottom(top + top_margin),
-                       from_bottom(top + panel_height - bottom_margin), right + 0.01,
-                       from_bottom(top + top_margin - 4));
+                       right, from_bottom(top + top_margin), from_bottom(top + panel_height - bottom_margin),
+                       right + 0.01, from_bottom(top + top_margin - 4));
 }
 
 /// Returns a gnuplot position at the distance `inside` from the edge, in panel widths or heights.
@@ -243,6 +257,7 @@ std::string script_of(const Plot& plot, XAxes x_axes) {
     std::string out = "set encoding utf8\nset samples 2\nset terminal unknown\n";
     for (std::size_t i = 0; i < plot.panels.size(); ++i)
         out += trial_commands(plot.panels[i], i);
+    out += left_margin_commands(plot);
     out +=
         fmt::format("set terminal svg noenhanced size {},{} font 'Helvetica,Arial,sans-serif,15' background '#ffffff'\n"
                     "set border linecolor rgb '#404040'\nset grid linecolor rgb '#d8d8d8' linetype 1 linewidth 0.7\n"

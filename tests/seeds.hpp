@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tests/sanitized.hpp"
+
 #include <doctest/doctest.h>
 
 #include <fmt/format.h>
@@ -16,14 +18,14 @@ namespace placedpar::test {
 inline const char* seed_asked_for() { return std::getenv("PLACEDPAR_SEED"); }
 
 /// Whether a test runs all of its cases, and so may judge the totals.
-inline bool all_seeds() { return !seed_asked_for(); }
+inline bool all_seeds() { return !sanitized && !seed_asked_for(); }
 
-/// Returns the seeds of a random test: `count` of them, or only the one in PLACEDPAR_SEED. With
-/// `INFO(test::replay(seed))`, a failing case prints the command that repeats it.
+/// Returns the seeds of a random test: `count` of them, a tenth of them under sanitizers, or only the one in
+/// PLACEDPAR_SEED. With `INFO(test::replay(seed))`, a failing case prints the command that repeats it.
 inline std::vector<std::uint64_t> seeds(std::size_t count, std::uint64_t first = 0) {
     if (const char* one = seed_asked_for())
         return {std::strtoull(one, nullptr, 10)};
-    std::vector<std::uint64_t> all(count);
+    std::vector<std::uint64_t> all(sanitized ? (count + 9) / 10 : count);
     std::iota(all.begin(), all.end(), first);
     return all;
 }

@@ -67,7 +67,7 @@ const char* const few_samples = "problem = \"line\", samples = 5";
 
 TEST_CASE("every form, number of slaves and way of sharing the work gives the traditional generations") {
     std::string traditional = populations_without_slaves({.form = {}, .host_parameters = few_samples});
-    test::EveryNth sampled(5);
+    test::EveryNth sampled(17);
     for (std::size_t slaves : {1u, 2u, 3u, 4u, 7u, 11u}) {
         std::set<SlaveForm> forms{chain_of(slaves), star_of(slaves), tree_of(slaves, 2), tree_of(slaves, 3),
                                   chains_of(slaves, 2)};

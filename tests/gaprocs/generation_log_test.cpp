@@ -201,7 +201,7 @@ TEST_CASE("the log of islands on the machine equals the library's log apart from
 
 TEST_CASE(
     "with any topology and policies, the log of islands on the machine equals the library's log apart from the times") {
-    test::EveryNth sampled(5);
+    test::EveryNth sampled(21);
     for (const char* topology : {"ring(2)", "star", "complete", "none"})
         for (const char* schedule : {"broadcast(2)", "sequential(1)"})
             for (const char* emigration : {"best", "random(2)"})

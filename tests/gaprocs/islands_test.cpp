@@ -113,7 +113,7 @@ TEST_CASE("islands that exchange have other populations than islands that do not
 }
 
 TEST_CASE("island processes have the library's generations with every topology, schedule, emigration and acceptance") {
-    test::EveryNth sampled(11);
+    test::EveryNth sampled(41);
     for (bool different : {false, true})
         for (const Topology& topology : topologies())
             for (const char* schedule : {"broadcast(2)", "sequential(1)"})
@@ -133,7 +133,7 @@ TEST_CASE("island processes have the library's generations with every topology, 
 
 TEST_CASE("generations do not depend on placement or on the speed of links and processors") {
     using On = IslandNetlist::On;
-    test::EveryNth sampled(5);
+    test::EveryNth sampled(13);
     for (const Topology& topology : topologies())
         for (const char* schedule : {"broadcast(1)", "sequential(2)"}) {
             if (sampled.passes_over())
@@ -198,8 +198,11 @@ TEST_CASE("asynchronous exchange ends in every topology and placement, and the s
     IslandNetlist without{different_islands()};
     without.settings.topology = NoTopology{};
     std::string alone = run_on_line(without.text()).measured_text("island[0]", "populations");
+    test::EveryNth sampled(5);
     for (const Topology& topology : topologies())
         for (On on : {On::one_transputer, On::four_transputers, On::workstations}) {
+            if (sampled.passes_over())
+                continue;
             IslandNetlist netlist{different_islands(), on};
             netlist.settings.topology = topology;
             netlist.settings.schedule = AsynchronousSchedule{1};
@@ -214,7 +217,7 @@ TEST_CASE("asynchronous exchange ends in every topology and placement, and the s
             CHECK((report.measured_text("island[0]", "populations") != alone) == topology.exchanges());
             runs.insert(report.measured_text("island[0]", "populations"));
         }
-    CHECK(runs.size() > 8); // the result depends on the machine
+    CHECK(runs.size() > (test::sanitized ? 1 : 8)); // the result depends on the machine
 }
 
 TEST_CASE("asynchronous islands may have slaves") {

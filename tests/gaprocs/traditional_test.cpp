@@ -1,6 +1,7 @@
 #include "gaprocs/traditional.hpp"
 #include "gaprocs/window.hpp"
 #include "tests/gaprocs/line_problem.hpp"
+#include "tests/sanitized.hpp"
 #include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
@@ -33,7 +34,7 @@ std::vector<double> evaluate_in_parts(std::span<const Genome> population, std::s
 
 TEST_CASE("a line is found with 99.9 % of the greatest possible fitness, from every seed") {
     auto record = line_record(20);
-    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    for (std::uint64_t seed = 1; seed <= (test::sanitized ? 3 : 30); ++seed) {
         SearchResult result = run_traditional(*line, record, {}, RandomStream(seed, "line"));
         REQUIRE(result.estimates.size() == 16);
         CHECK(result.generations == 80); // 16 samples, from the fifth on, with 5 trials each

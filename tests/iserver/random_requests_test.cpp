@@ -86,7 +86,7 @@ std::string well_formed(const Bytes& reply) {
 } // namespace
 
 TEST_CASE("megabytes of random requests get replies and reach nothing outside the folder") {
-    for (std::uint64_t seed : test::seeds(test::sanitized ? 2 : 8)) {
+    for (std::uint64_t seed : test::seeds(8)) {
         INFO(test::replay(seed));
         ScratchFolder folder;
         lay_traps(folder);
@@ -111,7 +111,7 @@ TEST_CASE("megabytes of random requests get replies and reach nothing outside th
 }
 
 TEST_CASE("random bytes of a link are requests or are refused, and every request gets a reply") {
-    for (std::uint64_t seed : test::seeds(test::sanitized ? 20 : 200)) {
+    for (std::uint64_t seed : test::seeds(200)) {
         INFO(test::replay(seed));
         Attacker attacker(seed);
         ServedProgram program;

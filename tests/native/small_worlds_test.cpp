@@ -2,6 +2,7 @@
 
 #include "tests/native/native_world.hpp"
 #include "tests/runtime/every_world.hpp"
+#include "tests/sanitized.hpp"
 
 #include <doctest/doctest.h>
 
@@ -37,6 +38,8 @@ std::size_t check_all(const Bounds& bounds) {
 } // namespace
 
 TEST_CASE("every world of up to two actions a process takes a course that CSP allows, on two and on three threads") {
+    if (test::sanitized)
+        return void(check_all({1}));
     CHECK(check_all({2}) == 1233);
     CHECK(check_all({.longest = 2, .any_guards = true}) > 1233);
 }

@@ -136,7 +136,7 @@ std::string mutate(const std::string& text, const std::vector<std::string>& othe
 TEST_CASE("reading a mutated netlist ends") {
     const auto texts = seeds();
     REQUIRE(texts.size() > 60);
-    constexpr int mutations = test::sanitized ? 2000 : 10000;
+    constexpr int mutations = 10000;
     int networks = 0;
     for (std::uint64_t number : test::seeds(mutations)) {
         INFO(test::replay(number));

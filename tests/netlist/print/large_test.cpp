@@ -31,7 +31,7 @@ std::string message_for(const std::string& text) {
 
 // In these two networks, edges bring the size to the limit.
 
-TEST_CASE("a network of processes with every parameter of their kind loads again") {
+TEST_CASE("a network of processes with every parameter of their kind loads again" * doctest::skip(test::sanitized)) {
     check_loads_again("val n 5000; T800 t; edge e[214000]; process m[n], s[n];\n"
                       "use \"ga.master\" for m; use \"ga.slave\" for s; m (population = 30);\n"
                       "rep i = 0 for n { connect m[i].out to s[i].in; connect s[i].out to m[i].back;\n"
@@ -48,7 +48,7 @@ TEST_CASE("a network of the largest size loads again" * doctest::skip(test::sani
     check_loads_again("T800 t; process p[249997]; rep i = 0 for 249997 place p[i] on t; connect t.link[0] to host;");
 }
 
-TEST_CASE("a network with arrays of long strings and of many numbers loads again") {
+TEST_CASE("a network with arrays of long strings and of many numbers loads again" * doctest::skip(test::sanitized)) {
     std::string row(1900, 'x'), escaped;
     for (int i = 0; i < 1900; ++i)
         escaped += "\\1";
@@ -84,7 +84,7 @@ TEST_CASE("a network whose routes are too long is refused with its size before i
     CHECK(message_for("val n 1200;" + pipeline).starts_with("the network is too large: written out it would have"));
 }
 
-TEST_CASE("a netlist whose printed form would be too large is refused") {
+TEST_CASE("a netlist whose printed form would be too large is refused" * doctest::skip(test::sanitized)) {
     std::string program(1900, 'x');
     CHECK(message_for("T800 t; rep i = 0 for 10000 { process p; use \"" + program + ".lku\" for p; place p on t; }")
               .starts_with("the network is too large: written out it would have"));

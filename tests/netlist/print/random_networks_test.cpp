@@ -5,6 +5,7 @@
 #include "netlist/read.hpp"
 #include "tests/netlist/numbers.hpp"
 #include "tests/netlist/small_catalogue.hpp"
+#include "tests/sanitized.hpp"
 
 #include <doctest/doctest.h>
 
@@ -206,7 +207,7 @@ bool same_interfaces(const Network& a, const Network& b) {
 } // namespace
 
 TEST_CASE("printed random networks load again") {
-    for (std::uint64_t number = 0; number < 400; ++number) {
+    for (std::uint64_t number = 0; number < (test::sanitized ? 20u : 400u); ++number) {
         CAPTURE(number);
         auto text = RandomNetlist(number).text();
         auto result = read_netlist_text(text, small_catalogue());

@@ -238,7 +238,7 @@ void compare_all_pairs(const LinkTiming& timing, const Pauses& pauses, Busy busy
 } // namespace
 
 TEST_CASE("bytes by counts, all pairs from 1 to 8 with either end first, take the time of a circuit of bits") {
-    EveryNth some(9);
+    EveryNth some(40);
     for (bool overlapped : {true, false})
         for (bool alternates : {false, true})
             for (Busy busy : {Busy::from_a, Busy::from_b, Busy::both})
@@ -250,7 +250,7 @@ TEST_CASE("bytes by counts, all pairs from 1 to 8 with either end first, take th
 // At 10 Mbit/s an acknowledge and a byte may need the same wire. If both directions are busy, only the receivers pause.
 // Otherwise a simultaneous give and take would compete for a wire, and the order of their events would decide.
 TEST_CASE("bytes by counts with pauses between the transfers take the time of a circuit of bits") {
-    EveryNth some(5);
+    EveryNth some(40);
     for (bool overlapped : {true, false})
         for (bool alternates : {false, true}) {
             LinkTiming timing = at(10'000'000, overlapped);
@@ -265,7 +265,7 @@ TEST_CASE("bytes by counts with pauses between the transfers take the time of a 
 }
 
 TEST_CASE("transfers by counts that processes begin take the time of a circuit of bits") {
-    EveryNth some(9);
+    EveryNth some(40);
     for (const Pauses& pauses : orders)
         if (!some.passes_over())
             compare_all_pairs(at(20'000'000, true), pauses, Busy::both, false, Begins::in_process);

@@ -125,7 +125,7 @@ LinkTiming random_timing(RandomStream& random) {
 } // namespace
 
 TEST_CASE("random traffic over a link takes the time of a circuit of bits, to the picosecond") {
-    for (std::uint64_t seed : test::seeds(test::sanitized ? 60 : 300)) {
+    for (std::uint64_t seed : test::seeds(300)) {
         INFO(test::replay(seed));
         RandomStream random(seed, "link against bits");
         LinkTiming timing = random_timing(random);
@@ -144,7 +144,7 @@ TEST_CASE("random traffic over a link takes the time of a circuit of bits, to th
 }
 
 TEST_CASE("the closed form gives the times and the order of the single bytes, to the picosecond") {
-    for (std::uint64_t seed : test::seeds(test::sanitized ? 400 : 2000)) {
+    for (std::uint64_t seed : test::seeds(2000)) {
         INFO(test::replay(seed));
         RandomStream random(seed, "closed form against bytes");
         LinkTiming timing = random_timing(random);
@@ -209,7 +209,7 @@ TEST_CASE("random traffic over a link with faults goes as far and takes the time
 }
 
 TEST_CASE("the closed form gives the times of the single bytes on a link with faults") {
-    for (std::uint64_t seed : test::seeds(test::sanitized ? 600 : 3000)) {
+    for (std::uint64_t seed : test::seeds(3000)) {
         INFO(test::replay(seed));
         RandomStream random(seed, "closed form against bytes, with faults");
         LinkTiming timing = random_timing(random);

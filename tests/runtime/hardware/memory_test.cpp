@@ -365,7 +365,7 @@ TEST_CASE("memory that takes no time, or has words of another size, is refused")
 }
 
 TEST_CASE("the bytes moved by links are known at every moment as if each byte were an event") {
-    for (std::uint64_t seed : seeds(sanitized ? 40 : 400)) {
+    for (std::uint64_t seed : seeds(400)) {
         INFO(replay(seed));
         CHECK(observed(seed, false) == observed(seed, true));
     }

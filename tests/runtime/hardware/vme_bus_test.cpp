@@ -5,6 +5,7 @@
 #include "runtime/hardware/processor.hpp"
 #include "runtime/simulation.hpp"
 #include "runtime/timer.hpp"
+#include "tests/sanitized.hpp"
 
 #include <doctest/doctest.h>
 
@@ -78,12 +79,15 @@ BusWorld world_of(BusWorld::Rule rule, const std::array<int, 3>& levels, int rel
 TEST_CASE("every small world of three masters has the times of a model that moves words one by one") {
     using Rule = BusWorld::Rule;
     const std::vector<std::array<int, 3>> levels{{3, 3, 3}, {3, 2, 2}, {0, 1, 3}, {2, 2, 3}};
+    test::EveryNth some(20);
     for (Rule rule : {Rule::priority, Rule::round_robin, Rule::single_level})
         for (const auto& of_masters : levels) {
             if (rule == Rule::single_level && of_masters != levels.front())
                 continue;
             for (int releases = 0; releases < 8; ++releases)
                 for (int chosen = 0; chosen < programs * programs * programs; ++chosen) {
+                    if (some.passes_over())
+                        continue;
                     BusWorld world = world_of(rule, of_masters, releases, chosen);
                     if (run(world) != ends_of_blocks(world))
                         FAIL(world.text());

@@ -216,6 +216,7 @@ bool is_defined(std::string_view name, Word a, Word b) {
 
 TEST_CASE("the engine executes each operation as the plain transputer does, at the edges of operands") {
     const auto values = edges();
+    test::EveryNth some(10);
     for (std::size_t model = 0; model < std::size(core_models); ++model) {
         Both both(model, 8192, 3, 20);
         for (const auto name : register_operations(both.plain)) {
@@ -227,7 +228,7 @@ TEST_CASE("the engine executes each operation as the plain transputer does, at t
                 for (const Word b : values)
                     for (const Word c : {0U, 1U, 0x80000000U, 0xFFFFFFFFU, 0x12345678U}) {
                         const bool chosen = model == 4 || (a + b + c) % 5 == model; // all triples on one model
-                        if (!chosen || !is_defined(name, a, b))
+                        if (!chosen || !is_defined(name, a, b) || some.passes_over())
                             continue;
                         both.set({0x80000200, workspace_at, a, b, c, ((a ^ b) & 1) != 0});
                         const auto difference = both.step();
@@ -260,8 +261,11 @@ TEST_CASE("the engine executes direct functions and accesses to memory as the pl
          {"j", "ldlp", "ldnl", "ldc", "ldnlp", "ldl", "adc", "call", "cj", "ajw", "eqc", "stl", "stnl"})
         for (const Word operand : edges())
             instructions.push_back(fmt::format("{} #{:X}", function, operand));
+    test::EveryNth some(5);
     for (const std::string& instruction : instructions)
         for (const Word a : {0U, 1U, 0x7FFFFFFFU, 0x80000000U, 0x80000C03U, 0x80001FFCU, 0x80002001U, 0xFFFFFFFFU}) {
+            if (some.passes_over())
+                continue;
             Both both(3, 8192, 4, 20);
             both.poke(0x80000200, transputer::assemble(instruction).bytes);
             both.poke(workspace_at, {0x10, 0x32, 0x54, 0x06});
