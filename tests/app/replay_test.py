@@ -119,29 +119,27 @@ class Replay(unittest.TestCase):
         self.assertTrue(document["within_tolerance"])
 
     def test_the_evidence_is_every_constant_and_every_published_figure_with_its_source(self):
-        _, evidence = replay("evidence", self.folder)
-        self.assertTrue(evidence["within_tolerance"])
-        figures = {}
-        for experiment in ("emulated", "links", "poznan", "processor", "ray-farm"):
-            _, document = replay(experiment, self.folder)
-            for part in [document, *document["other_readings"]]:
-                figures.update((c["row"], c["simulated"]) for c in part["cells"])
-        self.assertEqual({c["row"]: c["simulated"] for c in evidence["cells"]}, figures)
-        self.assertTrue(all(c["source"] for c in evidence["cells"]))
-        constants = {c["name"]: c for c in evidence["constants"]}
-        self.assertEqual({c["mark"] for c in evidence["constants"]},
-                         {"published", "workload", "calibrated", "ours", "fitted"})
-        self.assertTrue(all(c["source"] for c in evidence["constants"]))
-        self.assertEqual(constants["preparing a word of measurements"]["value"], 134)
-
-    def test_constants_that_a_netlist_states_are_those_of_the_netlist(self):
+        # A constant that a netlist states is the netlist's. The farm takes as long as all others: its page runs it.
         examples = pathlib.Path(self.folder) / "examples"
         shutil.copytree(EXAMPLES, examples)
         workload = examples / "thesis" / "workload.inc"
         text = workload.read_text(encoding="utf-8")
         workload.write_text(text.replace("cycles_per_measurement_word 134", "cycles_per_measurement_word 135"))
         _, evidence = replay("evidence", self.folder, environment={"PLACEDPAR_EXAMPLES": str(examples)})
-        self.assertIn(135, [c["value"] for c in evidence["constants"] if c["mark"] == "calibrated"])
+        self.assertTrue(evidence["within_tolerance"])
+        figures = {}
+        for experiment in ("emulated", "links", "poznan", "processor"):
+            _, document = replay(experiment, self.folder)
+            for part in [document, *document["other_readings"]]:
+                figures.update((c["row"], c["simulated"]) for c in part["cells"])
+        self.assertEqual({c["row"]: c["simulated"] for c in evidence["cells"] if not c["row"].startswith("farm of")}, figures)
+        self.assertEqual(len(evidence["cells"]), len(figures) + 9)
+        self.assertTrue(all(c["source"] for c in evidence["cells"]))
+        constants = {c["name"]: c for c in evidence["constants"]}
+        self.assertEqual({c["mark"] for c in evidence["constants"]},
+                         {"published", "workload", "calibrated", "ours", "fitted"})
+        self.assertTrue(all(c["source"] for c in evidence["constants"]))
+        self.assertEqual(constants["preparing a word of measurements"]["value"], 135)
 
     def test_studies_of_chapter_6_hold_over_few_seeds(self):
         for experiment in ("coarse-fine", "encoding", "crossover-by-difference"):

@@ -221,8 +221,8 @@ void check_sound(std::size_t movements, std::size_t machines, std::uint64_t firs
 
 } // namespace
 
-TEST_CASE("a fast logger causes no false alarm over the socket, for two machines of each plant") {
-    check_sound(3, 2, 51'000);
+TEST_CASE("a fast logger causes no false alarm over the socket, for a machine of each plant") {
+    check_sound(3, 1, 51'000);
 }
 
 // This takes an hour: ctest -C studies -R studies/rates

@@ -60,7 +60,7 @@ void check_random_program(std::uint64_t seed, std::size_t& errors) {
 
 TEST_CASE("random programs do what an interpreter does, compiled in every way") {
     std::size_t errors = 0;
-    const std::size_t count = sanitized ? 5 : 40;
+    const std::size_t count = 20;
     for (const std::uint64_t seed : seeds(count))
         check_random_program(seed, errors);
     MESSAGE(errors);

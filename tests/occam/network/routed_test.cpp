@@ -194,8 +194,10 @@ test::RunOfNetwork run_shuffled(const std::filesystem::path& netlist, std::optio
 
 } // namespace
 
-TEST_CASE("random programs give the same on several processors as on one, and as a model") {
-    for (const std::uint64_t seed : test::seeds(220)) {
+namespace {
+
+void check_random_traffic(std::size_t programs) {
+    for (const std::uint64_t seed : test::seeds(programs)) {
         INFO(test::replay(seed));
         const test::RandomTraffic traffic = test::random_traffic(seed);
         const test::FilesOfNetwork files(traffic.files);
@@ -203,6 +205,16 @@ TEST_CASE("random programs give the same on several processors as on one, and as
         const auto shuffle = seed % 2 == 0 ? std::nullopt : std::optional(seed);
         CHECK(run_shuffled(files.path("many.cfs"), shuffle).screen == traffic.printed);
     }
+}
+
+} // namespace
+
+TEST_CASE("random programs give the same on several processors as on one, and as a model") {
+    check_random_traffic(50);
+}
+
+TEST_CASE("a thousand random programs give the same on several processors as on one" * doctest::skip()) {
+    check_random_traffic(1000);
 }
 
 TEST_CASE("nine processes on a grid send to all others at once") {
