@@ -154,10 +154,6 @@ std::string print_answer(const Answer& answer, Time whole) {
     return answer.why.empty() ? out : out + fmt::format("{:>24}slower by {}\n", "", answer.why);
 }
 
-bool differs(const Answer& answer, Time whole) {
-    return !answer.completed() || std::chrono::abs(answer.time - whole) >= whole / 1000;
-}
-
 std::string remark_on_slower(bool any) {
     return any ? "A run can be slower although a part is faster: messages then arrive in another order, and the users "
                  "of a shared\nprocessor, link or bus take turns in another order (Graham's anomaly, Braess's "

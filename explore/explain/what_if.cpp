@@ -44,7 +44,8 @@ std::string greatest_increase(const std::vector<PathPart>& before, const std::ve
 void try_out(Answer& answer, const std::vector<PathPart>& path, const WhatIfs& what_ifs, Interruption& interruption) {
     try {
         run(answer, what_ifs, interruption, nullptr);
-        if (!answer.completed() || path.empty() || answer.time <= path.back().end)
+        if (!answer.completed() || path.empty() || answer.time <= path.back().end ||
+            !differs(answer, path.back().end))
             return;
         CriticalPath changed;
         run(answer, what_ifs, interruption, &changed);
@@ -58,6 +59,10 @@ void try_out(Answer& answer, const std::vector<PathPart>& path, const WhatIfs& w
 auto rank(const Answer& answer) { return std::tuple(!answer.refused.empty(), answer.ending, answer.time); }
 
 } // namespace
+
+bool differs(const Answer& answer, Time unchanged) {
+    return !answer.completed() || std::chrono::abs(answer.time - unchanged) >= unchanged / 1000;
+}
 
 std::vector<Answer> try_out(const std::vector<Change>& changes, const std::vector<PathPart>& path,
                             const WhatIfs& what_ifs) {
