@@ -47,8 +47,13 @@ void add_messages(pybind11::module_& module) {
                  return Packet{number, bytes};
              }),
              pybind11::arg("number") = 0, pybind11::arg("bytes") = 4)
-        .def_readwrite("number", &Packet::number)
-        .def_readwrite("bytes", &Packet::bytes)
+        .def(pybind11::init(refusal<Packet>("Packet(number=0, bytes=4)")))
+        .def_property(
+            "number", [](const Packet& packet) { return packet.number; },
+            [](Packet& packet, Given<std::int64_t, "number"> number) { packet.number = number; })
+        .def_property(
+            "bytes", [](const Packet& packet) { return packet.bytes; },
+            [](Packet& packet, Given<std::uint32_t, "bytes"> bytes) { packet.bytes = bytes; })
         .def("__eq__", [](const Packet& packet, const Packet& other) { return packet == other; })
         .def("__repr__", [](const Packet& packet) {
             return "Packet(" + std::to_string(packet.number) + ", bytes=" + std::to_string(packet.bytes) + ")";
@@ -57,10 +62,12 @@ void add_messages(pybind11::module_& module) {
     pybind11::class_<ChannelEnd, End>(module, "ChannelEnd")
         .def(
             "input", [](End end) { return of_end(Kind::input, std::move(end)); }, "Inputs a message: yield it.")
+        .def("input", refusal("input()"))
         .def(
             "output",
             [](End end, pybind11::object message) { return of_end(Kind::output, std::move(end), std::move(message)); },
             "Outputs the message: yield it.")
+        .def("output", refusal("output(message)"))
         .def_property_readonly("channel", [](const ChannelEnd& end) {
             end.require_attached();
             return end.channel().name();
