@@ -23,9 +23,6 @@ public:
     std::optional<Objective> objective() const override { return plain_->objective(); }
     std::vector<std::string> objective_names() const override { return plain_->objective_names(); }
     std::optional<Merit> merit(const Genome& genome) const override { return plain_->merit(read(genome)); }
-    std::vector<Merit> merits(std::span<const Genome> population) const override {
-        return plain_->merits(read(population));
-    }
     bool has_constraints() const override { return plain_->has_constraints(); }
     double error(const Genome& genome, std::span<const double> sample) const override {
         return plain_->error(read(genome), sample);
@@ -39,7 +36,9 @@ public:
     }
     void fitness_of(std::span<const Genome> population, std::span<const Sample> samples, double bias,
                     std::span<double> out) const override {
-        plain_->fitness_of(read(population), samples, bias, out);
+        std::vector<Genome> strings;
+        std::ranges::transform(population, std::back_inserter(strings), [&](const Genome& each) { return read(each); });
+        plain_->fitness_of(strings, samples, bias, out);
     }
     std::vector<double> decode(const Genome& genome) const override { return plain_->decode(read(genome)); }
     std::vector<std::string> parameter_names() const override { return plain_->parameter_names(); }
@@ -51,11 +50,6 @@ public:
 private:
     std::shared_ptr<const SearchProblem> coded_plainly(Coding coding) const override { return plain_->coded(coding); }
     Genome read(const Genome& genome) const { return unstuffed(genome, coding_.dont_care()); }
-    std::vector<Genome> read(std::span<const Genome> population) const {
-        std::vector<Genome> strings;
-        std::ranges::transform(population, std::back_inserter(strings), [&](const Genome& each) { return read(each); });
-        return strings;
-    }
 
     std::shared_ptr<const SearchProblem> plain_;
     Coding coding_;

@@ -87,11 +87,17 @@ void add_operations(pybind11::module_& module) {
     module.def("wait", [](std::int64_t ps) { return with_number(Kind::wait, ps); });
     module.def("until", [](std::int64_t ps) { return with_number(Kind::until, ps); });
     module.def("after", [](Given<std::int32_t, "ticks"> ticks) { return with_number(Kind::after, ticks); });
+    module.def("after", refusal("after(ticks)"));
     module.def("stop", [] { return with_number(Kind::stop, 0); });
+    module.def("stop", refusal("stop()"));
     module.def("skip", [] { return with_number(Kind::skip, 0); });
+    module.def("skip", refusal("skip()"));
     module.def("never", [] { return with_number(Kind::never, 0); });
+    module.def("never", refusal("never()"));
     module.def("alt", [](pybind11::args guards) { return with_value(Kind::alt, std::move(guards)); });
+    module.def("alt", refusal("alt(*guards)"));
     module.def("par", [](pybind11::args components) { return with_value(Kind::par, std::move(components)); });
+    module.def("par", refusal("par(*components)"));
 }
 
 } // namespace placedpar::python

@@ -62,7 +62,7 @@ Values numbers_of(const py::object& returned, const char* what) {
 Table table_of(const py::object& returned, const py::array& population, const char* what) {
     const Values values = numbers_of(returned, what);
     const auto count = population.shape(0);
-    if ((values.ndim() != 1 && values.ndim() != 2) || values.shape(0) != count)
+    if ((values.ndim() != 1 && values.ndim() != 2) || values.shape(0) != count || values.size() == 0)
         throw UserError(fmt::format(
             "the {} of a population of shape ({}, {}) must have the shape ({},) or ({}, k), but "
             "have the shape {}",
@@ -131,14 +131,12 @@ Rated PythonProblem::rate(std::span<const Genome> population) const {
         to = std::ranges::copy(parameters_->decode(genome), to).out;
     Rated rated = rated_of(function_.get()(rows), rows);
     const std::pair columns(rated.objectives.columns, rated.constraints.columns);
-    if (!columns_)
-        columns_ = columns;
-    if (columns.first == 0 || *columns_ != columns)
-        throw UserError(fmt::format("the function returned {} objectives and {} constraints for each individual, "
-                                    "expected {}, as in each call",
-                                    columns.first, columns.second,
-                                    columns.first == 0 ? "at least 1 objective"
-                                                       : fmt::format("{} and {}", columns_->first, columns_->second)));
+    if (columns_.value_or(columns) != columns)
+        throw UserError(
+            fmt::format("the function returned {} objectives and {} constraints for each individual, but {} "
+                        "and {} in its first call",
+                        columns.first, columns.second, columns_->first, columns_->second));
+    columns_ = columns;
     return rated;
 }
 

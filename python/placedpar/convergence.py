@@ -24,10 +24,9 @@ def convergence(searches: Union[Searches, Mapping[str, Searches]], title: str = 
     curves = [_curve(name, [some] if isinstance(some, Found) else list(some)) for name, some in settings.items()]
     if not curves:
         raise Error("no searches, expected at least 1")
-    counts = sorted({len(runs) for _, _, runs in curves})
-    most = f"{counts[-1]} search" + "es" * (counts[-1] > 1)
-    said = f"medians and quartiles of {most if len(counts) == 1 else f'{counts[0]} to {most}'}"
-    return Drawing(_core.convergence_svg(title or f"best value so far, {said}", curves, logarithmic))
+    counts = " or ".join(map(str, sorted({len(runs) for _, _, runs in curves})))
+    return Drawing(_core.convergence_svg(title or f"best value so far: medians and quartiles of {counts} searches",
+                                         curves, logarithmic))
 
 
 def _curve(name: str, searches: Sequence[Found]) -> tuple[str, int, list[list[float]]]:

@@ -41,8 +41,6 @@ def _of_pymoo(problem: Any) -> tuple[Function, Bounds, int]:
 
     unequal = getattr(problem, "n_ieq_constr", getattr(problem, "n_constr", 0))
     equations = getattr(problem, "n_eq_constr", 0)
-    if getattr(problem, "vtype", float) in (int, bool):
-        raise Error("this problem has whole numbers (vtype), but a search has real numbers: round them in _evaluate")
 
     def evaluate(rows: Any) -> Any:
         out: dict[str, Any] = {}

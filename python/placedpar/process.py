@@ -19,7 +19,7 @@ import inspect
 from typing import Any, Generator, Optional, Union
 
 from . import _core
-from ._core import ChannelEnd, Operation, Packet, RandomStream
+from ._core import ChannelEnd, Operation, Packet, RandomStream, after, alt, never, par, skip, stop
 from .errors import Error
 from .network import Time, picoseconds
 
@@ -182,36 +182,6 @@ def wait(time: Time) -> Operation:
 def until(time: Time) -> Operation:
     """Waits until a virtual time, in seconds from the start of the run or as "20ms". Also a guard of `alt`."""
     return _core.until(picoseconds(time))
-
-
-def after(ticks: int) -> Operation:
-    """Waits until the processor's clock is after this reading, as occam's `timer ? AFTER ticks`. Also a guard of `alt`."""
-    return _core.after(ticks)
-
-
-def alt(*guards: Union[ChannelEnd, Operation]) -> Operation:
-    """Chooses the first ready guard, as occam's PRI ALT. `yield` returns its number, and its message or None."""
-    return _core.alt(*guards)
-
-
-def par(*components: Any) -> Operation:
-    """Runs generators and operations in parallel. `yield` returns the list of their results."""
-    return _core.par(*components)
-
-
-def skip() -> Operation:
-    """Does nothing. As a guard of `alt`: always ready."""
-    return _core.skip()
-
-
-def stop() -> Operation:
-    """Stops the process, as occam's STOP. Other processes go on."""
-    return _core.stop()
-
-
-def never() -> Operation:
-    """Returns a guard of `alt` that is never ready."""
-    return _core.never()
 
 
 def when(condition: bool, guard: Union[ChannelEnd, Operation]) -> Union[ChannelEnd, Operation]:
