@@ -27,15 +27,12 @@ struct FrontOptions {
 /// Prints a row for each individual: its objectives, then its parameters, or its string if it codes no numbers.
 std::string front_csv(const SearchProblem& problem, const std::vector<std::string>& objectives,
                       const FrontResult& result) {
-    std::vector<std::string> parameters = problem.parameter_names();
-    const bool codes_numbers = !parameters.empty();
-    if (!codes_numbers)
-        parameters = {"string"};
-    std::string out = fmt::format("{},{}\n", fmt::join(objectives, ","), fmt::join(parameters, ","));
+    const auto line = [](const auto& values) { return fmt::format("{}", fmt::join(values, ",")); };
+    const std::vector<std::string> names = problem.parameter_names();
+    std::string out = line(objectives) + "," + (names.empty() ? "string" : line(names)) + "\n";
     for (const FrontIndividual& each : result.front)
-        out += fmt::format("{},{}\n", fmt::join(each.objectives, ","),
-                           codes_numbers ? fmt::format("{}", fmt::join(each.parameters, ","))
-                                         : problem.representation().text(each.genome));
+        out += line(each.objectives) + "," +
+               (names.empty() ? problem.representation().text(each.genome) : line(each.parameters)) + "\n";
     return out;
 }
 

@@ -47,20 +47,16 @@ struct Rated {
     }
 };
 
-/// Returns an array. Throws UserError for anything but real numbers.
-Values numbers_of(const py::object& returned, const char* what) {
+/// Throws UserError for anything but a number, or a row of numbers, for each individual.
+Table table_of(const py::object& returned, const py::array& population, const char* what) {
     constexpr std::string_view kinds = "biuf"; // NumPy's whole and real numbers
     const py::array any = py::array::ensure(returned);
-    if (any && kinds.find(any.dtype().kind()) != std::string_view::npos)
-        if (Values values = Values::ensure(any))
-            return values;
     PyErr_Clear();
-    throw UserError(fmt::format("the {} must be numbers, an array of shape (n,) or (n, k): the function returned {}",
-                                what, py::repr(returned).cast<std::string>()));
-}
-
-Table table_of(const py::object& returned, const py::array& population, const char* what) {
-    const Values values = numbers_of(returned, what);
+    if (!any || kinds.find(any.dtype().kind()) == std::string_view::npos)
+        throw UserError(
+            fmt::format("the {} must be numbers, an array of shape (n,) or (n, k): the function returned {}", what,
+                        py::repr(returned).cast<std::string>()));
+    const Values values(any);
     const auto count = population.shape(0);
     if ((values.ndim() != 1 && values.ndim() != 2) || values.shape(0) != count || values.size() == 0)
         throw UserError(fmt::format(

@@ -59,8 +59,8 @@ def _of_pymoo(problem: Any) -> tuple[Function, Bounds, int]:
 
 
 def _of_pygmo(problem: Any) -> tuple[Function, Bounds, int]:
-    """Returns the function, the bounds and the number of objectives of a problem as pygmo has it, whose fitness has first
-    the objectives, then the equations, then the inequalities."""
+    """Returns the function, bounds and number of objectives of a problem as pygmo has it. Its fitness has objectives,
+    equations and inequalities, in this order."""
     import numpy
 
     def count(name: str, by_default: int = 0) -> int:
@@ -86,4 +86,4 @@ def _with_constraints(values: Any, unequal: Sequence[Any], equations: Sequence[A
     import numpy
 
     tables = [*unequal, *(numpy.abs(h) - EQUATION_TOLERANCE for h in equations)]
-    return (values, numpy.column_stack(tables)) if tables else values
+    return (values, numpy.column_stack(tables)) if tables else numpy.asarray(values)
