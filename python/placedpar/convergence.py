@@ -2,7 +2,8 @@
 
 import csv
 import io
-from typing import Mapping, Sequence, Union
+from collections.abc import Mapping, Sequence
+from typing import Union
 
 from . import _core
 from .errors import Error
@@ -21,7 +22,7 @@ def convergence(searches: Union[Searches, Mapping[str, Searches]], title: str = 
     plot; .save("NAME.svg") writes it. Raises Error if gnuplot is not installed, or no value is a finite number.
     """
     settings = searches if isinstance(searches, Mapping) else {"best": searches}
-    curves = [_curve(name, [some] if isinstance(some, Found) else list(some)) for name, some in settings.items()]
+    curves = [_curve(name, [some] if isinstance(some, Found) else some) for name, some in settings.items()]
     if not curves:
         raise Error("no searches, expected at least 1")
     counts = " or ".join(map(str, sorted({len(runs) for _, _, runs in curves})))
@@ -31,7 +32,7 @@ def convergence(searches: Union[Searches, Mapping[str, Searches]], title: str = 
 
 def _curve(name: str, searches: Sequence[Found]) -> tuple[str, int, list[list[float]]]:
     """Returns the name, the first generation, and the values of each search from this generation on."""
-    if not all(isinstance(each, Found) for each in searches) or not searches:
+    if not isinstance(searches, Sequence) or not searches or not all(isinstance(each, Found) for each in searches):
         raise TypeError(f"{name}: expected what search() returns, or a list of it, not {searches!r}")
     courses = [_best_so_far(each) for each in searches]
     firsts = {min(course) for course in courses}
