@@ -5,6 +5,7 @@ import os
 from typing import Any, Callable, Optional, Sequence, Union
 
 from . import _core
+from .errors import Error
 from .network import FilePath, seed_of
 from .problem import Problem, prepared
 from .progress import ProgressOption, progress_of
@@ -132,6 +133,8 @@ def search_front(problem: Problem, bounds: Optional[Sequence[tuple[float, float]
     Makes population * (generations + 1) evaluations. Raises Error for settings that do not fit.
     """
     function, ranges, fields = prepared(problem, bounds, bits, "search_front")
+    if population in (0, 1):
+        raise Error(f"a population of {population}, expected at least 2: individuals are bred in pairs")
     with progress_of(progress, "{} of {} generations") as tell:
         return Front(_core.search_front(function, ranges, fields, maximise, generations, population, seed_of(seed),
                                         coding, os.fspath(checkpoint or ""), tell))

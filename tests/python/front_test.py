@@ -200,7 +200,7 @@ class Fronts(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "not 5"):
             pp.search_front(5)
         for population in (0, 1):
-            with self.assertRaises(pp.Error):
+            with self.assertRaisesRegex(pp.Error, f"a population of {population}, expected at least 2"):
                 pp.search_front(zdt1, SRN_BOX, population=population)
 
     def test_an_exception_of_the_function_keeps_its_traceback(self):
