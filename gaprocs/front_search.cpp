@@ -2,11 +2,13 @@
 
 #include "gaprocs/merit.hpp"
 #include "gaprocs/search.hpp"
+#include "gaprocs/search_progress.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <utility>
@@ -24,15 +26,13 @@ public:
 
     /// Returns the merits of a population whose first individuals are the survivors of the generation before.
     const std::vector<Merit>& evaluate(const std::vector<Genome>& population) {
+        const auto offspring = std::span(population).subspan(merits_.size());
+        std::ranges::copy(problem_.merits(offspring), std::back_inserter(merits_));
+        evaluations_ += offspring.size();
         std::set<std::vector<std::uint64_t>> seen;
-        for (std::size_t i = 0; i < population.size(); ++i) {
-            if (i >= merits_.size()) {
-                merits_.push_back(problem_.merit(population[i]).value());
-                ++evaluations_;
-            }
+        for (std::size_t i = 0; i < population.size(); ++i)
             if (!seen.emplace(population[i].words().begin(), population[i].words().end()).second)
                 merits_[i] = {.feasible = false, .costs = {}, .violation = infinite};
-        }
         return merits_;
     }
     /// Keeps the merits of the survivors, in the order in which the search copies them.
@@ -102,7 +102,8 @@ std::vector<double> front_fitness(std::span<const Merit> merits) {
 }
 
 FrontResult search_front(const SearchProblem& problem, std::size_t generations, const SearchSettings& settings,
-                         RandomStream random) {
+                         RandomStream random, const std::function<void(std::uint64_t)>& after_generation,
+                         Checkpoints* checkpoints) {
     if (!problem.objective())
         throw UserError("a problem with a record has no front: expected a problem with objectives");
     if (generations == 0)
@@ -111,15 +112,26 @@ FrontResult search_front(const SearchProblem& problem, std::size_t generations, 
         throw UserError(fmt::format("an elite of {} in a population of {}, expected {}: the better half survives",
                                     settings.elite, settings.population, settings.population / 2));
     Search search(problem.representation(), settings, std::move(random));
+    SearchProgress progress(search, "front", checkpoints);
     FrontEvaluation evaluation(problem);
     FrontResult result;
     result.generations = generations;
     for (std::size_t generation = 1; generation < generations; ++generation) {
+        if (progress.passes_over())
+            continue;
+        progress.note_population(search);
         const std::vector<double> fitness = front_fitness(evaluation.evaluate(search.population()));
         evaluation.keep(best_indices(fitness, settings.elite));
         search.next_generation(fitness);
+        progress.note_best(search);
+        progress.keep(search);
+        if (after_generation)
+            after_generation(generation);
     }
+    progress.require_passed(search);
     take_survivors(result, problem, search.population(), evaluation.evaluate(search.population()), settings.elite);
+    if (after_generation)
+        after_generation(generations);
     result.evaluations = evaluation.evaluations();
     return result;
 }

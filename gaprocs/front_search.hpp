@@ -7,10 +7,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
 namespace placedpar {
+
+class Checkpoints; // gaprocs/checkpoints.hpp
 
 /// Returns the settings of a search in the manner of NSGA-II (K. Deb, A. Pratap, S. Agarwal and T. Meyarivan, 2002). Of
 /// `population` individuals the better half survives unchanged, and its offspring replace the other half. Parents are
@@ -34,14 +37,16 @@ struct FrontResult {
     std::vector<FrontIndividual> front;
     double least_violation = 0; ///< of the survivors; 0 if one is feasible
     std::uint64_t generations = 0;
-    std::uint64_t evaluations = 0; ///< survivors are not evaluated again
+    std::uint64_t evaluations = 0; ///< of this call; survivors are not evaluated again
 };
 
 /// Searches for the front of a problem with one or several objectives, with or without constraints. If several
 /// individuals are equal, all but the first count as infeasible. A survivor population of n needs front_settings(...,
-/// 2 * n) and makes n * (generations + 1) evaluations. Throws as SearchSettings::validate() and
-/// require_fitting_operators(), and UserError for a problem with a record, for 0 generations or for an elite that is
-/// not half the population.
-FrontResult search_front(const SearchProblem&, std::size_t generations, const SearchSettings&, RandomStream);
+/// 2 * n) and makes n * (generations + 1) evaluations. `after_generation` is called with the number of each generation
+/// that is done; what it throws ends the search. Checkpoints keep the search by the name "front". Throws as
+/// SearchSettings::validate(), require_fitting_operators() and Search::go_on_from(), and UserError for a problem with a
+/// record, for 0 generations or for an elite that is not half the population.
+FrontResult search_front(const SearchProblem&, std::size_t generations, const SearchSettings&, RandomStream,
+                         const std::function<void(std::uint64_t)>& after_generation = {}, Checkpoints* = nullptr);
 
 } // namespace placedpar

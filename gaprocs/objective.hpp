@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace placedpar {
@@ -33,6 +34,26 @@ struct Merit {
     std::vector<double> costs = {}; ///< costs to be minimised; all feasible individuals have the same number of costs
     double violation = 0;           ///< of an infeasible individual: by how much it violates constraints, in all
 };
+
+/// Returns by how much an individual violates its constraints, of which each is satisfied if it is at most 0: the sum
+/// of the numbers above 0, or infinity if one is NaN.
+inline double violation_of(const std::vector<double>& constraints) {
+    double sum = 0;
+    for (double each : constraints)
+        sum += std::isnan(each) ? std::numeric_limits<double>::infinity() : std::max(each, 0.0);
+    return sum;
+}
+
+/// Returns the merit of an individual with these objectives. An objective that is not a finite number makes the
+/// violation infinite.
+inline Merit merit_of(std::vector<double> objectives, double violation, Goal goal) {
+    for (double& each : objectives) {
+        each = goal == Goal::maximise ? 0 - each : each;
+        if (!std::isfinite(each))
+            violation = std::numeric_limits<double>::infinity();
+    }
+    return {.feasible = violation == 0, .costs = std::move(objectives), .violation = violation};
+}
 
 /// How a problem without measurements rates an individual: by one number, the objective, which is minimised or
 /// maximised.

@@ -6,7 +6,6 @@
 #include "gaprocs/search_problem.hpp"
 #include "text/user_error.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -111,18 +110,10 @@ public:
     bool has_constraints() const override { return StatesConstraints<P>; }
     std::optional<Merit> merit(const Genome& genome) const override {
         const auto& x = read(genome);
-        Merit merit{.feasible = true, .costs = {}, .violation = violation_of(x)};
         if constexpr (StatesObjectives<P>)
-            merit.costs = problem_.objectives(x);
+            return merit_of(problem_.objectives(x), violation_at(x), objective_.goal);
         else
-            merit.costs = {problem_.objective(x)};
-        for (double& cost : merit.costs) {
-            cost = objective_.goal == Goal::maximise ? 0 - cost : cost;
-            if (!std::isfinite(cost))
-                merit.violation = std::numeric_limits<double>::infinity();
-        }
-        merit.feasible = merit.violation == 0;
-        return merit;
+            return merit_of({problem_.objective(x)}, violation_at(x), objective_.goal);
     }
 
     /// Returns the numbers that the string codes; empty if the string does not code numbers.
@@ -164,16 +155,13 @@ private:
             refuse_coding(coding);
         return std::make_shared<ObjectiveProblemOf>(problem_, objective_, penalty_, coding);
     }
-    /// Returns the sum of the numbers above 0; infinity if one is NaN.
-    double violation_of(const auto& x) const {
-        double sum = 0;
+    double violation_at(const auto& x) const {
         if constexpr (StatesConstraints<P>)
-            for (double each : problem_.constraints(x))
-                sum += std::isnan(each) ? std::numeric_limits<double>::infinity() : std::max(each, 0.0);
-        return sum;
+            return violation_of(problem_.constraints(x));
+        return 0;
     }
     double constrained_fitness(const auto& x) const {
-        const double violation = violation_of(x);
+        const double violation = violation_at(x);
         if (violation > 0 && penalty_ == 0)
             return infeasible_fitness(violation);
         const double worse = penalty_ * violation;

@@ -21,6 +21,9 @@ public:
     std::size_t bits() const override { return stuffed_bits(plain_->bits(), coding_.dont_care()); }
     std::size_t channels() const override { return plain_->channels(); }
     std::optional<Objective> objective() const override { return plain_->objective(); }
+    std::vector<std::string> objective_names() const override { return plain_->objective_names(); }
+    std::optional<Merit> merit(const Genome& genome) const override { return plain_->merit(read(genome)); }
+    bool has_constraints() const override { return plain_->has_constraints(); }
     double error(const Genome& genome, std::span<const double> sample) const override {
         return plain_->error(read(genome), sample);
     }
@@ -59,6 +62,13 @@ std::vector<double> SearchProblem::errors(const Genome& genome, std::span<const 
     for (const Sample& sample : window)
         errors.push_back(error(genome, sample));
     return errors;
+}
+
+std::vector<Merit> SearchProblem::merits(std::span<const Genome> population) const {
+    std::vector<Merit> merits;
+    for (const Genome& each : population)
+        merits.push_back(merit(each).value());
+    return merits;
 }
 
 std::shared_ptr<const SearchProblem> SearchProblem::coded(Coding coding) const {

@@ -57,6 +57,9 @@ public:
     /// Returns the costs of an individual, all to be minimised, and by how much it violates the constraints; nothing
     /// for a problem with a record. An individual with a cost that is not a finite number is infeasible.
     virtual std::optional<Merit> merit(const Genome&) const { return std::nullopt; }
+    /// Returns merit() of each individual. A problem may evaluate a whole population at once. REQUIRES: there is an
+    /// objective().
+    virtual std::vector<Merit> merits(std::span<const Genome> population) const;
     virtual bool has_constraints() const { return false; }
     /// Returns whether the error at a sample depends on the first sample of the window. If so, the errors of one
     /// individual cannot be divided among processes.

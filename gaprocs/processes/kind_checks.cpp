@@ -8,6 +8,7 @@
 #include "gaprocs/usual_settings.hpp"
 #include "netlist/network/names.hpp"
 #include "text/counted.hpp"
+#include "text/program_name.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -235,7 +236,8 @@ private:
             refuse("problem",
                    fmt::format("\"{}\" has {} objectives, but a process searches for the best value of one",
                                text("problem"), count),
-                   "search_front() of the library, or search_front() in Python, finds the front");
+                   fmt::format("{} front {} finds the front; in Python, search_front() does", program_name(),
+                               shell_word(text("problem"))));
         say_ignored({"window", "first_window", "trials", "bias", "measurement_bytes", "cycles_per_measurement_word",
                      "measurements"});
         if (text("reproduction") != search_description::usual)

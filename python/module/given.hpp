@@ -14,6 +14,12 @@ template <class T>
 std::string kind_of_value() {
     if constexpr (std::same_as<T, std::string>)
         return "a text";
+    else if constexpr (std::same_as<T, bool>)
+        return "True or False";
+    else if constexpr (requires { typename T::mapped_type; })
+        return "a dictionary of texts";
+    else if constexpr (requires { typename T::value_type; })
+        return "a list, of which each element is " + kind_of_value<typename T::value_type>();
     else if constexpr (std::floating_point<T>)
         return "a number";
     else
@@ -45,6 +51,15 @@ struct Given {
     T value{};
     operator T() const { return value; }
 };
+
+/// Returns the last overload of a function, which refuses all other arguments. Without it pybind11 lists all signatures
+/// in C++. `usage`: such as "below(n)".
+template <class Result = pybind11::object>
+auto refusal(const char* usage) {
+    return [usage](const pybind11::args&, const pybind11::kwargs&) -> Result {
+        throw pybind11::type_error(std::string("wrong number or names of arguments, expected ") + usage);
+    };
+}
 
 } // namespace placedpar::python
 

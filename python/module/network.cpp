@@ -10,6 +10,7 @@
 #include "occam/configuration/configuration.hpp"
 #include "picture/svg.hpp"
 #include "python/module/body.hpp"
+#include "python/module/given.hpp"
 #include "python/module/signals.hpp"
 #include "report/run_report.hpp"
 #include "report/search_log.hpp"
@@ -279,16 +280,16 @@ RunReport LoadedNetwork::run_unlocked(const RunSettings& settings, const RunOpti
 void add_networks(py::module_& module) {
     add_runs(module);
     py::class_<LoadedNetwork, std::shared_ptr<LoadedNetwork>>(module, "Network")
-        .def(py::init([](std::string file, std::string text, bool is_file, Overrides set,
-                         std::vector<std::string> include, std::vector<std::string> faults, ProgramKinds use,
-                         py::list kinds) {
+        .def(py::init([](std::string file, std::string text, bool is_file, Given<Overrides, "settings"> set,
+                         std::vector<std::string> include, Given<std::vector<std::string>, "faults"> faults,
+                         Given<ProgramKinds, "use"> use, py::list kinds) {
             ReadOptions read;
             read.include_folders.assign(include.begin(), include.end());
-            read.faults = std::move(faults);
-            read.programs = std::move(use);
+            read.faults = faults;
+            read.programs = use;
             read.make_netlist = occam::netlist_of_configuration;
-            return std::make_shared<LoadedNetwork>(LoadSettings{std::move(file), std::move(text), is_file,
-                                                                std::move(set), std::move(read), std::move(kinds)});
+            return std::make_shared<LoadedNetwork>(
+                LoadSettings{std::move(file), std::move(text), is_file, set, std::move(read), std::move(kinds)});
         }))
         .def("run",
              [](const LoadedNetwork& network, std::uint64_t seed, std::optional<std::int64_t> until_ps,

@@ -47,8 +47,13 @@ void add_messages(pybind11::module_& module) {
                  return Packet{number, bytes};
              }),
              pybind11::arg("number") = 0, pybind11::arg("bytes") = 4)
-        .def_readwrite("number", &Packet::number)
-        .def_readwrite("bytes", &Packet::bytes)
+        .def(pybind11::init(refusal<Packet>("Packet(number=0, bytes=4)")))
+        .def_property(
+            "number", [](const Packet& packet) { return packet.number; },
+            [](Packet& packet, Given<std::int64_t, "number"> number) { packet.number = number; })
+        .def_property(
+            "bytes", [](const Packet& packet) { return packet.bytes; },
+            [](Packet& packet, Given<std::uint32_t, "bytes"> bytes) { packet.bytes = bytes; })
         .def("__eq__", [](const Packet& packet, const Packet& other) { return packet == other; })
         .def("__repr__", [](const Packet& packet) {
             return "Packet(" + std::to_string(packet.number) + ", bytes=" + std::to_string(packet.bytes) + ")";
@@ -57,10 +62,12 @@ void add_messages(pybind11::module_& module) {
     pybind11::class_<ChannelEnd, End>(module, "ChannelEnd")
         .def(
             "input", [](End end) { return of_end(Kind::input, std::move(end)); }, "Inputs a message: yield it.")
+        .def("input", refusal("input()"))
         .def(
             "output",
             [](End end, pybind11::object message) { return of_end(Kind::output, std::move(end), std::move(message)); },
             "Outputs the message: yield it.")
+        .def("output", refusal("output(message)"))
         .def_property_readonly("channel", [](const ChannelEnd& end) {
             end.require_attached();
             return end.channel().name();
@@ -80,11 +87,17 @@ void add_operations(pybind11::module_& module) {
     module.def("wait", [](std::int64_t ps) { return with_number(Kind::wait, ps); });
     module.def("until", [](std::int64_t ps) { return with_number(Kind::until, ps); });
     module.def("after", [](Given<std::int32_t, "ticks"> ticks) { return with_number(Kind::after, ticks); });
+    module.def("after", refusal("after(ticks)"));
     module.def("stop", [] { return with_number(Kind::stop, 0); });
+    module.def("stop", refusal("stop()"));
     module.def("skip", [] { return with_number(Kind::skip, 0); });
+    module.def("skip", refusal("skip()"));
     module.def("never", [] { return with_number(Kind::never, 0); });
+    module.def("never", refusal("never()"));
     module.def("alt", [](pybind11::args guards) { return with_value(Kind::alt, std::move(guards)); });
+    module.def("alt", refusal("alt(*guards)"));
     module.def("par", [](pybind11::args components) { return with_value(Kind::par, std::move(components)); });
+    module.def("par", refusal("par(*components)"));
 }
 
 } // namespace placedpar::python

@@ -16,10 +16,15 @@ void add_random(pybind11::module_& module) {
         .def(pybind11::init([](Given<std::uint64_t, "seed"> seed, const Given<std::string, "name">& name) {
             return std::make_shared<PythonRandom>(RandomStream(seed, name.value));
         }))
+        .def(pybind11::init(refusal<std::shared_ptr<PythonRandom>>("RandomStream(seed, name)")))
         .def("uniform", [](const PythonRandom& it) { return it.stream().uniform(); })
+        .def("uniform", refusal("uniform()"))
         .def("below", [](const PythonRandom& it, Given<std::uint32_t, "n"> n) { return it.stream().below(n); })
+        .def("below", refusal("below(n)"))
         .def("normal", [](const PythonRandom& it) { return it.stream().normal(); })
-        .def("chance", [](const PythonRandom& it, Given<double, "probability"> p) { return it.stream().chance(p); });
+        .def("normal", refusal("normal()"))
+        .def("chance", [](const PythonRandom& it, Given<double, "probability"> p) { return it.stream().chance(p); })
+        .def("chance", refusal("chance(probability)"));
 }
 
 } // namespace placedpar::python

@@ -6,11 +6,12 @@
 #include "gaprocs/front_search.hpp"
 #include "gaprocs/generation_log.hpp"
 #include "gaprocs/islands.hpp"
-#include "gaprocs/objective_problem.hpp"
 #include "gaprocs/usual_settings.hpp"
 #include "python/module/callables.hpp"
 #include "python/module/given.hpp"
+#include "python/module/python_problem.hpp"
 #include "python/module/signals.hpp"
+#include "report/convergence.hpp"
 #include "report/search_log.hpp"
 #include "text/user_error.hpp"
 
@@ -21,8 +22,9 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
-#include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -32,99 +34,6 @@ namespace {
 
 namespace py = pybind11;
 
-/// The parameters of a problem whose objective is computed elsewhere.
-struct Parameters {
-    ParameterCoding coding;
-    ParameterCoding representation() const { return coding; }
-    double objective(std::span<const double>) const { return 0; }
-};
-
-/// A problem whose objective is a function in Python. The function gets a population at a time, as an array with a row
-/// for each individual.
-class PythonProblem final : public SearchProblem {
-public:
-    /// `parameters` knows all but the objective. REQUIRES: the caller holds the lock whenever the problem is used.
-    PythonProblem(std::shared_ptr<const SearchProblem> parameters, SharedObject function)
-        : parameters_(std::move(parameters)), function_(std::move(function)) {}
-
-    std::size_t bits() const override { return parameters_->bits(); }
-    Representation representation() const override { return parameters_->representation(); }
-    std::size_t channels() const override { return 0; }
-    std::optional<Objective> objective() const override { return parameters_->objective(); }
-    double error(const Genome& genome, std::span<const double> sample) const override {
-        return parameters_->error(genome, sample);
-    }
-    double fitness(const Genome& genome, std::span<const Sample> samples, double bias) const override {
-        double fitness = 0;
-        fitness_of({&genome, 1}, samples, bias, {&fitness, 1});
-        return fitness;
-    }
-    void fitness_of(std::span<const Genome>, std::span<const Sample>, double bias,
-                    std::span<double> out) const override;
-    std::vector<double> decode(const Genome& genome) const override { return parameters_->decode(genome); }
-    std::vector<std::string> parameter_names() const override { return parameters_->parameter_names(); }
-    std::vector<std::string> parameter_units() const override { return parameters_->parameter_units(); }
-    std::vector<std::size_t> fields() const override { return parameters_->fields(); }
-    Coding coding() const override { return parameters_->coding(); }
-
-private:
-    std::shared_ptr<const SearchProblem> coded_plainly(Coding coding) const override {
-        return std::make_shared<PythonProblem>(parameters_->coded(coding), function_);
-    }
-
-    std::shared_ptr<const SearchProblem> parameters_;
-    SharedObject function_;
-};
-
-using Values = py::array_t<double, py::array::c_style | py::array::forcecast>;
-
-/// Returns what an objective returned as an array. Throws UserError for anything but real numbers.
-Values numbers_of(const py::object& returned) {
-    constexpr std::string_view kinds = "biuf"; // NumPy's whole and real numbers
-    const py::array any = py::array::ensure(returned);
-    if (any && kinds.find(any.dtype().kind()) != std::string_view::npos)
-        if (Values values = Values::ensure(any))
-            return values;
-    PyErr_Clear();
-    throw UserError("the objective must return numbers, an array of shape (n,): it returned " +
-                    py::repr(returned).cast<std::string>());
-}
-
-void PythonProblem::fitness_of(std::span<const Genome> population, std::span<const Sample>, double,
-                               std::span<double> out) const {
-    const std::size_t columns = parameters_->parameter_names().size();
-    py::array_t<double> rows({population.size(), columns});
-    double* to = rows.mutable_data();
-    for (const Genome& genome : population)
-        to = std::ranges::copy(parameters_->decode(genome), to).out;
-    const py::object returned = function_.get()(rows);
-    const Values values = numbers_of(returned);
-    const auto count = static_cast<py::ssize_t>(population.size());
-    if (values.ndim() == 0 || values.shape(0) != count || values.size() != count)
-        throw UserError("the objective of a population of shape (" + std::to_string(population.size()) + ", " +
-                        std::to_string(columns) + ") must have one number for each row, but has the shape " +
-                        py::repr(values.attr("shape")).cast<std::string>());
-    const Objective objective = *parameters_->objective();
-    std::ranges::transform(std::span(values.data(), population.size()), out.begin(),
-                           [&](double value) { return objective.fitness(value); });
-}
-
-using Bounds = std::vector<std::pair<double, double>>;
-
-std::shared_ptr<const SearchProblem> problem_of(const py::object& function, const Bounds& bounds,
-                                                const std::vector<std::size_t>& bits, bool maximises) {
-    std::vector<ParameterField> fields;
-    for (std::size_t i = 0; i < bounds.size(); ++i)
-        fields.push_back({.low = bounds[i].first, .high = bounds[i].second, .bits = bits.at(i)});
-    try {
-        Parameters parameters{ParameterCoding(std::move(fields))};
-        return std::make_shared<PythonProblem>(maximises ? maximise(parameters) : minimise(parameters),
-                                               SharedObject(function));
-    } catch (const std::invalid_argument& error) {
-        throw UserError(std::string("bounds: ") + error.what());
-    }
-}
-
 py::dict dict_of(const SearchProblem& problem, const SearchResult& found) {
     const Estimate& best = found.best();
     py::dict described;
@@ -133,6 +42,7 @@ py::dict dict_of(const SearchProblem& problem, const SearchResult& found) {
     described["fitness"] = best.best.fitness;
     const auto objective = problem.objective();
     described["value"] = objective ? objective->value(best.best.fitness) : std::optional(best.best.fitness);
+    described["violation"] = problem.has_constraints() ? problem.merit(best.best.genome)->violation : 0;
     described["generation"] = best.sample + 1;
     described["generations"] = found.generations;
     return described;
@@ -148,31 +58,36 @@ struct SearchOptions {
     py::object progress;
 };
 
-/// Returns what can be said of a function: the goal and the fields.
-std::string text_of(const Bounds& bounds, const std::vector<std::size_t>& bits, bool maximises) {
-    std::string text = maximises ? "maximise a function of" : "minimise a function of";
-    for (std::size_t i = 0; i < bounds.size(); ++i)
-        text += fmt::format(" {}..{} ({} bits)", bounds[i].first, bounds[i].second, bits.at(i));
-    return text;
-}
-
-/// Keeps the log, and lets Ctrl-C, the end of Python and other threads come between two generations.
-class HeedfulLog final : public SearchObserver {
+/// Lets Ctrl-C, the end of Python and other threads come between two generations.
+class Pauses {
 public:
-    /// `progress` is None, or is called with the numbers of generations that all islands have made and will make.
-    explicit HeedfulLog(const SearchOptions& options)
-        : log(island_names(options.islands)), progress_(options.progress), all_(options.islands * options.generations) {
-    }
-    void observe(const ObservedGeneration& event) override {
-        log.observe(event);
-        std::uint64_t& last = last_[std::string(event.search)];
-        made_ += event.number - std::exchange(last, event.number); // a checkpoint's generations count, too
+    /// `progress` is None, or is called with the numbers of generations that are made and will be made.
+    Pauses(py::object progress, std::uint64_t all) : progress_(std::move(progress)), all_(all) {}
+    void pause(std::uint64_t made) {
         if (!progress_.is_none())
-            progress_(made_, all_);
+            progress_(made, all_);
         { const py::gil_scoped_release turn_of_other_threads; }
         heed_signals();
         if (interruption_.requested())
             throw UserError("the search ends early, since Python ends");
+    }
+
+private:
+    py::object progress_;
+    std::uint64_t all_;
+    InterruptedByKeyboard interruption_{false};
+};
+
+/// Keeps the log, and pauses after each generation.
+class HeedfulLog final : public SearchObserver {
+public:
+    explicit HeedfulLog(const SearchOptions& options)
+        : log(island_names(options.islands)), pauses_(options.progress, options.islands * options.generations) {}
+    void observe(const ObservedGeneration& event) override {
+        log.observe(event);
+        std::uint64_t& last = last_[std::string(event.search)];
+        made_ += event.number - std::exchange(last, event.number); // a checkpoint's generations count, too
+        pauses_.pause(made_);
     }
     void observe(const ObservedMigration& event) override { log.observe(event); }
     void observe(const ObservedAnswer& event) override { log.observe(event); }
@@ -180,10 +95,9 @@ public:
     GenerationLog log;
 
 private:
-    py::object progress_;
+    Pauses pauses_;
     std::map<std::string, std::uint64_t> last_; ///< the newest generation of each island
-    std::uint64_t made_ = 0, all_;
-    InterruptedByKeyboard interruption_{false};
+    std::uint64_t made_ = 0;
 };
 
 /// Runs the search on the record of the problem, or for so many generations if it has none.
@@ -198,17 +112,17 @@ IslandsResult run(const SearchProblem& problem, const RecordedProblem* recorded,
 
 /// Returns the file that keeps the search; nothing if none is asked for.
 std::unique_ptr<CheckpointFile> checkpoint_of(const SearchOptions& options, const SearchProblem& problem,
-                                              const IslandsSettings& settings) {
+                                              const std::vector<std::string>& names, std::size_t population) {
     constexpr std::uint64_t every = 10; // generations, as in `placedpar run`
     if (options.checkpoint.empty())
         return nullptr;
     std::vector<KeptSearch> searches;
-    for (const std::string& name : island_names(settings.islands.size()))
+    for (const std::string& name : names)
         searches.push_back({name,
                             {{"problem", options.problem},
                              {"bits", std::to_string(problem.bits())},
                              {"coding", options.coding},
-                             {"population", std::to_string(settings.islands.front().population)}}});
+                             {"population", std::to_string(population)}}});
     return std::make_unique<CheckpointFile>(options.checkpoint, std::move(searches), options.seed, every);
 }
 
@@ -236,7 +150,8 @@ py::dict search(const SearchProblem& coded, const RecordedProblem* recorded, con
     const auto failure = std::make_shared<SharedObject>();
     const IslandsSettings settings = settings_of(*problem, options, failure);
     HeedfulLog observer(options);
-    const auto checkpoint = checkpoint_of(options, *problem, settings);
+    const auto checkpoint =
+        checkpoint_of(options, *problem, island_names(options.islands), settings.islands.front().population);
     try {
         const IslandsResult result =
             run(*problem, recorded, options.generations, settings, options.seed, observer, checkpoint.get());
@@ -255,52 +170,82 @@ py::dict search(const SearchProblem& coded, const RecordedProblem* recorded, con
     }
 }
 
-/// Returns the front as arrays: `x` and `values` with a row for each individual.
-py::dict search_front_of(const std::string& name, std::size_t generations, std::size_t population, std::uint64_t seed,
-                         const std::string& coding) {
-    const ProblemRegistry problems = known_problems(seed);
-    const auto problem = problems.find(name).problem()->coded(Coding::named(coding));
-    const FrontResult result = search_front(
-        *problem, generations, front_settings(problem->representation(), 2 * population), RandomStream(seed, "front"));
+/// Returns the front as lists: `x` and `values` with a row for each individual.
+py::dict search_front(const SearchProblem& coded, std::size_t population, const SearchOptions& options) {
+    const auto problem = coded.coded(Coding::named(options.coding));
+    const auto checkpoint = checkpoint_of(options, *problem, {"front"}, population);
+    Pauses pauses(options.progress, options.generations);
+    const FrontResult result = placedpar::search_front(
+        *problem, options.generations, front_settings(problem->representation(), 2 * population),
+        RandomStream(options.seed, "front"), [&](std::uint64_t made) { pauses.pause(made); }, checkpoint.get());
     py::list x, values;
     for (const FrontIndividual& each : result.front) {
         x.append(each.parameters);
         values.append(each.objectives);
     }
+    const auto names = problem->objective_names();
     py::dict found;
     found["x"] = x;
     found["values"] = values;
-    found["names"] = problem->objective_names();
+    found["names"] = names.empty() ? std::vector<std::string>{"f_1"} : names;
+    found["parameters"] = problem->parameter_names().size();
     found["least_violation"] = result.least_violation;
     found["evaluations"] = result.evaluations;
     return found;
 }
 
+/// A problem that Python names, or defines by a function.
+struct GivenProblem {
+    std::string text; ///< what a checkpoint says of the problem
+    std::shared_ptr<const SearchProblem> problem;
+    std::optional<RecordedProblem> recorded; ///< nothing for a function
+};
+
+GivenProblem given_problem(const FunctionInPython& given, std::uint64_t seed) {
+    if (!py::isinstance<py::str>(given.function))
+        return {given.text(), given.problem(), std::nullopt};
+    const auto name = given.function.cast<std::string>();
+    const RecordedProblem recorded = known_problems(seed).find(name);
+    return {name, recorded.problem(), recorded};
+}
+
+/// The runs with one setting: its name, the first generation, and for each run the values from this generation on.
+using RunsOfSetting = std::tuple<std::string, std::uint64_t, std::vector<std::vector<double>>>;
+
+/// Draws for each setting the median and the quartiles of its runs over the generations.
+std::string convergence_svg(const std::string& title, const std::vector<RunsOfSetting>& settings, bool logarithmic) {
+    std::vector<ConvergenceCurve> curves;
+    for (const auto& [name, first, runs] : settings)
+        curves.push_back({.name = name, .runs = runs, .colour = static_cast<int>(curves.size()), .first = first});
+    Panel panel = convergence_panel(title, "best so far", curves);
+    if (panel.series.empty())
+        throw UserError("nothing to draw: no value is a finite number");
+    panel.y.logarithmic = logarithmic;
+    return draw_svg({"", {std::move(panel)}});
+}
+
 } // namespace
 
 void add_searches(py::module_& module) {
-    module.def("search", [](const py::object& problem, const Bounds& bounds, const std::vector<std::size_t>& bits,
-                            bool maximises, Given<std::size_t, "islands"> islands,
-                            Given<std::size_t, "generations"> generations, std::uint64_t seed,
-                            Given<std::string, "coding"> coding, py::dict numbers, py::dict policies,
-                            std::string checkpoint, py::object progress) {
-        const bool is_named = py::isinstance<py::str>(problem);
-        const SearchOptions options{islands,
-                                    generations,
-                                    seed,
-                                    coding,
-                                    numbers,
-                                    policies,
-                                    std::move(checkpoint),
-                                    is_named ? problem.cast<std::string>() : text_of(bounds, bits, maximises),
-                                    std::move(progress)};
-        if (!is_named)
-            return search(*problem_of(problem, bounds, bits, maximises), nullptr, options);
-        const ProblemRegistry problems = known_problems(seed);
-        const RecordedProblem& recorded = problems.find(problem.cast<std::string>());
-        return search(*recorded.problem(), &recorded, options);
+    using Bits = Given<std::vector<std::size_t>, "bits">;
+    module.def("search", [](py::object problem, Bounds bounds, const Bits& bits, Given<bool, "maximise"> maximises,
+                            Given<std::size_t, "islands"> islands, Given<std::size_t, "generations"> generations,
+                            std::uint64_t seed, const Given<std::string, "coding">& coding, py::dict numbers,
+                            py::dict policies, std::string checkpoint, py::object progress) {
+        const GivenProblem given = given_problem({problem, bounds, bits, maximises}, seed);
+        return search(*given.problem, given.recorded ? &*given.recorded : nullptr,
+                      {islands, generations, seed, coding, numbers, policies, checkpoint, given.text, progress});
     });
-    module.def("search_front", &search_front_of);
+    module.def("search_front",
+               [](py::object problem, Bounds bounds, const Bits& bits, Given<bool, "maximise"> maximises,
+                  Given<std::size_t, "generations"> generations, Given<std::size_t, "population"> population,
+                  std::uint64_t seed, const Given<std::string, "coding">& coding, std::string checkpoint,
+                  py::object progress) {
+                   const GivenProblem given = given_problem({problem, bounds, bits, maximises}, seed);
+                   return search_front(*given.problem, population,
+                                       {1, generations, seed, coding, {}, {}, checkpoint, given.text, progress});
+               });
+    module.def("convergence_svg", convergence_svg);
 }
 
 } // namespace placedpar::python

@@ -149,10 +149,10 @@ void add_studies(py::module_& module) {
     module.def("explain", explain);
     module.def("sweep",
                [](const LoadedNetwork& network, std::vector<std::pair<std::string, std::vector<std::string>>> axes,
-                  std::vector<std::string> measures, std::uint64_t seed, std::uint64_t seeds,
+                  Given<std::vector<std::string>, "measure"> measures, std::uint64_t seed, std::uint64_t seeds,
                   std::optional<std::int64_t> until_ps, std::string store, Given<std::size_t, "jobs"> jobs,
                   bool heeds_signals, py::object progress) {
-                   return sweep(network, {std::move(axes), std::move(measures), seed, seeds, limit_of_run(until_ps),
+                   return sweep(network, {std::move(axes), measures, seed, seeds, limit_of_run(until_ps),
                                           std::move(store), jobs, heeds_signals, std::move(progress)});
                });
 }

@@ -8,6 +8,7 @@ pandas and NumPy are used where they are installed: without pandas, tables are l
 """
 
 from ._core import version as __version__
+from .convergence import convergence
 from .errors import Deadlock, Error, NetlistError, NetlistWarning, ProcessError, RecordError, RecordWarning
 from .identification import Identification, identify
 from .monitor import Monitor

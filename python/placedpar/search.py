@@ -6,7 +6,8 @@ from typing import Any, Callable, Optional, Sequence, Union
 
 from . import _core
 from .errors import Error
-from .network import seed_of
+from .network import FilePath, seed_of
+from .problem import Problem, prepared
 from .progress import ProgressOption, progress_of
 from .tables import table, table_of_csv
 
@@ -14,12 +15,14 @@ from .tables import table, table_of_csv
 class Found:
     """The result of a search: the best individual of all islands and generations.
 
-    x: its parameters, an array of shape (d,). value: its objective. fitness: what the
-    search maximised. generation: the generation, from 1, and island, from 0, that found it.
+    x: its parameters, an array of shape (d,). value: its objective; NaN if it is not feasible. violation: by how much
+    it violates the constraints in all, 0 if it is feasible. fitness: what the search maximised. generation: the
+    generation, from 1, and island, from 0, that found it.
     """
 
     x: Any
     value: float
+    violation: float
     fitness: float
     string: str
     generation: int
@@ -27,7 +30,7 @@ class Found:
     def __init__(self, found: dict[str, Any]) -> None:
         self._islands = found["islands"]
         for island in self._islands:
-            if island["value"] is None:  # the objective was NaN for all individuals
+            if island["value"] is None:  # no individual is feasible, or has a finite objective
                 island["value"] = math.nan
         self._csv = found["log_csv"]
         self.migrations: int = found["migrations"]  #: number of individuals that were sent to another island
@@ -38,8 +41,8 @@ class Found:
 
     @property
     def islands(self) -> Any:
-        """A table with a row for each island: x, string, fitness, value, generation, generations."""
-        return table(self._islands, ["x", "string", "fitness", "value", "generation", "generations"])
+        """A table with a row for each island: x, string, fitness, value, violation, generation, generations."""
+        return table(self._islands, ["x", "string", "fitness", "value", "violation", "generation", "generations"])
 
     @property
     def log(self) -> Any:
@@ -50,42 +53,24 @@ class Found:
         return f"<placedpar.Found value {self.value:.9g} at {list(self.x)}>"
 
 
-def _columns(problem: Any) -> tuple[Callable[[Any], Any], list[tuple[float, float]]]:
-    """Returns the objective and the bounds of a problem object: pymoo's (_evaluate, xl, xu) or pygmo's (fitness,
-    get_bounds)."""
-    if hasattr(problem, "_evaluate"):
-        if getattr(problem, "n_obj", 1) != 1 or getattr(problem, "n_constr", 0) or getattr(problem, "n_ieq_constr", 0):
-            raise Error("a search has one objective and no constraints: this problem has others")
-
-        def evaluate(rows: Any) -> Any:
-            out: dict[str, Any] = {}
-            problem._evaluate(rows, out)
-            return out["F"]
-
-        return evaluate, list(zip(problem.xl, problem.xu))
-    if hasattr(problem, "fitness") and hasattr(problem, "get_bounds"):
-        if hasattr(problem, "get_nobj") and problem.get_nobj() != 1:
-            raise Error(f"a search has one objective, but this problem has {problem.get_nobj()}")
-        return (lambda rows: [problem.fitness(row)[0] for row in rows]), list(zip(*problem.get_bounds()))
-    raise TypeError("expected a function, the name of a problem, an object with _evaluate, xl and xu (as pymoo's), or an "
-                    f"object with fitness and get_bounds (as pygmo's), not {problem!r}")
-
-
 Policy = Union[str, Callable[..., Any]]
 
 
-def search(problem: Any, bounds: Optional[Sequence[tuple[float, float]]] = None, *, islands: int = 1,
+def search(problem: Problem, bounds: Optional[Sequence[tuple[float, float]]] = None, *, islands: int = 1,
            generations: int = 100, population: Optional[int] = None, seed: int = 1, maximise: bool = False,
            bits: Union[int, Sequence[int]] = 16, coding: str = "natural", elite: Optional[int] = None,
            crossover_probability: Optional[float] = None, mutation_probability: Optional[float] = None,
            reproduction: Optional[Policy] = None, crossover: Optional[Policy] = None, mutation: Optional[Policy] = None,
            topology: Optional[Policy] = None, schedule: Optional[Policy] = None, emigration: Optional[Policy] = None,
-           acceptance: Optional[Policy] = None, checkpoint: Union[str, "os.PathLike[str]", None] = None,
+           acceptance: Optional[Policy] = None, checkpoint: Optional[FilePath] = None,
            progress: ProgressOption = None) -> Found:
     """Searches for the least value of an objective and returns what was Found.
 
     problem: a function of a population, an array of shape (n, d), that returns n values, shape (n,) or (n, 1); or a
     problem as pymoo or pygmo have it; or the name of a known problem, such as "rastrigin(dimensions = 10)".
+    With constraints, the function returns a tuple: the values, and an array of shape (n,) or (n, k) with numbers of
+    which each is at most 0 if its constraint is satisfied. A feasible individual is better than every other; of two
+    that are not, the one that violates its constraints less in all is better.
     bounds: d pairs (least, greatest) of a function. maximise: the greatest value is wanted.
     bits: of each parameter's field, a number or d numbers; coding: "natural", "gray" or "real" (no bits).
     Each island has `population` individuals and its own random numbers, given by `seed`.
@@ -111,32 +96,24 @@ def search(problem: Any, bounds: Optional[Sequence[tuple[float, float]]] = None,
                      mutation_probability=mutation_probability)
     policies = _given(reproduction=reproduction, crossover=crossover, mutation=mutation, topology=topology,
                       schedule=schedule, emigration=emigration, acceptance=acceptance)
-    if not isinstance(problem, str):
-        if not callable(problem) or hasattr(problem, "_evaluate"):
-            problem, bounds = _columns(problem)
-        if bounds is None:
-            raise TypeError("a function needs bounds: a pair (least, greatest) for each parameter")
-    ranges = [(float(low), float(high)) for low, high in bounds or ()]
-    fields = [bits] * len(ranges) if isinstance(bits, int) else list(bits)
-    if len(fields) != len(ranges):
-        raise TypeError(f"{len(ranges)} bounds need as many numbers of bits, not {len(fields)}")
+    function, ranges, fields = prepared(problem, bounds, bits, "search")
     with progress_of(progress, "{} of {} generations") as tell:
-        return Found(_core.search(problem, ranges, fields, maximise, islands, generations, seed_of(seed), coding,
+        return Found(_core.search(function, ranges, fields, maximise, islands, generations, seed_of(seed), coding,
                                   numbers, policies, os.fspath(checkpoint or ""), tell))
 
 
 class Front:
     """The result of search_front: x, an array of shape (n, d), and values, of shape (n, objectives), of the n
     individuals that no other dominates; names of the objectives; least_violation of the constraints, 0 if an
-    individual satisfies all; the number of evaluations.
+    individual satisfies all; the number of evaluations that this call made.
     """
 
     def __init__(self, found: dict[str, Any]) -> None:
         import numpy
 
-        self.x = numpy.array(found["x"])
-        self.values = numpy.array(found["values"])
         self.names: list[str] = found["names"]
+        self.x = numpy.array(found["x"]).reshape(-1, found["parameters"])
+        self.values = numpy.array(found["values"]).reshape(-1, len(self.names))
         self.least_violation: float = found["least_violation"]
         self.evaluations: int = found["evaluations"]
 
@@ -144,14 +121,23 @@ class Front:
         return f"<placedpar.Front of {len(self.values)} individuals>"
 
 
-def search_front(problem: str, *, generations: int = 250, population: int = 100, seed: int = 1,
-                 coding: str = "natural") -> Front:
-    """Searches for the front of a known problem with several objectives, such as "zdt1", by NSGA-II.
+def search_front(problem: Problem, bounds: Optional[Sequence[tuple[float, float]]] = None, *, generations: int = 250,
+                 population: int = 100, seed: int = 1, maximise: bool = False, bits: Union[int, Sequence[int]] = 16,
+                 coding: str = "natural", checkpoint: Optional[FilePath] = None,
+                 progress: ProgressOption = None) -> Front:
+    """Searches for the front of several objectives by NSGA-II, and returns the Front.
 
-    A function in Python has one objective: use search(). Ctrl-C waits until the search has ended.
+    problem: as in search(), but the values that a function returns have the shape (n, objectives). All objectives are
+    minimised, or all maximised. bounds, maximise, bits, coding, checkpoint, progress: as in search(). The other
+    settings are those of NSGA-II: coding="real" has simulated binary crossover and polynomial mutation.
     Makes population * (generations + 1) evaluations. Raises Error for settings that do not fit.
     """
-    return Front(_core.search_front(problem, generations, population, seed_of(seed), coding))
+    function, ranges, fields = prepared(problem, bounds, bits, "search_front")
+    if population in (0, 1):
+        raise Error(f"a population of {population}, expected at least 2: individuals are bred in pairs")
+    with progress_of(progress, "{} of {} generations") as tell:
+        return Front(_core.search_front(function, ranges, fields, maximise, generations, population, seed_of(seed),
+                                        coding, os.fspath(checkpoint or ""), tell))
 
 
 def _given(**values: Any) -> dict[str, Any]:

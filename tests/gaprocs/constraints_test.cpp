@@ -149,7 +149,8 @@ TEST_CASE("a population of one individual is refused, and one of two is searched
 }
 
 TEST_CASE("the front of Schaffer's problem is found, within bounds and constraints, with the stated evaluations") {
-    for (Coding coding : {Coding(Coding::natural), Coding(Coding::gray), Coding(Coding::real)}) {
+    for (Coding coding :
+         {Coding(Coding::natural), Coding(Coding::gray), Coding(Coding::real), Coding::named("gray(dont_care = 1)")}) {
         const FrontResult found = front_of_schaffer({}, coding, 50);
         CHECK(found.evaluations == 20 * 51);
         REQUIRE(found.front.size() == 20);

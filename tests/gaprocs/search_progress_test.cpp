@@ -1,6 +1,7 @@
 // Tests that searches of the library go on from checkpoints with the generations of an unbroken run.
 
 #include "gaprocs/checkpoints.hpp"
+#include "gaprocs/front_search.hpp"
 #include "gaprocs/islands.hpp"
 #include "gaprocs/usual_settings.hpp"
 #include "tests/gaprocs/line_problem.hpp"
@@ -84,6 +85,29 @@ TEST_CASE("a search over a record goes on at the sample at which the earlier run
     CHECK(second.population == whole.population);
     CHECK(second.estimates.front().sample == 12);
     CHECK(second.estimates.back().best == whole.estimates.back().best);
+}
+
+TEST_CASE("a search for a front goes on from a checkpoint, and tells which generations are done") {
+    auto problem = minimise(PlainSphere{});
+    const SearchSettings settings = front_settings(problem->representation(), 20);
+    std::vector<std::uint64_t> told;
+    const auto front = [&](std::size_t generations, MemoryOfStates* states) {
+        told.clear();
+        return search_front(
+            *problem, generations, settings, RandomStream(3, "front"),
+            [&](std::uint64_t generation) { told.push_back(generation); }, states);
+    };
+    MemoryOfStates states(5);
+    front(13, &states);
+    REQUIRE(states.kept.at("front").search.generation == 10);
+    const FrontResult whole = front(15, nullptr);
+    states.begin = states.kept;
+    const FrontResult second = front(15, &states);
+    CHECK(told == std::vector<std::uint64_t>{11, 12, 13, 14, 15});
+    CHECK(second.evaluations == 20 + 4 * 10);
+    REQUIRE(second.front.size() == whole.front.size());
+    for (std::size_t i = 0; i < whole.front.size(); ++i)
+        CHECK(second.front[i].genome == whole.front[i].genome);
 }
 
 TEST_CASE("a checkpoint of another search, or of a later generation, is refused") {

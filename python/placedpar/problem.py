@@ -1,0 +1,89 @@
+"""Problems in Python: functions, and problem objects as pymoo and pygmo have them."""
+
+from typing import Any, Callable, Optional, Sequence, Union
+
+from .errors import Error
+
+Function = Callable[[Any], Any]  # of a population: its objectives, or a tuple of objectives and constraints
+Problem = Union[str, Function, Any]
+Bounds = Sequence[tuple[float, float]]
+
+EQUATION_TOLERANCE = 1e-4  #: an equation h(x) = 0 of a problem object is satisfied if |h(x)| is at most this
+
+
+def prepared(problem: Problem, bounds: Optional[Bounds], bits: Union[int, Sequence[int]],
+             search: str) -> tuple[Union[str, Function], Bounds, Sequence[int]]:
+    """Returns the name or the function of a problem, its bounds, and the bits of each parameter. search: the name of the
+    function that searches."""
+    if hasattr(problem, "_evaluate"):
+        problem, bounds, objectives = _of_pymoo(problem)
+    elif hasattr(problem, "fitness") and hasattr(problem, "get_bounds"):
+        problem, bounds, objectives = _of_pygmo(problem)
+    else:
+        objectives = 1
+        if not isinstance(problem, str) and not callable(problem):
+            raise TypeError("expected a function, the name of a problem, an object with _evaluate, xl and xu (as "
+                            f"pymoo's), or an object with fitness and get_bounds (as pygmo's), not {problem!r}")
+    if objectives != 1 and search == "search":
+        raise Error(f"a search has one objective, but this problem has {objectives}: search_front() searches for its front")
+    if bounds is None and not isinstance(problem, str):
+        raise TypeError("a function needs bounds: a pair (least, greatest) for each parameter")
+    ranges = [(float(low), float(high)) for low, high in bounds or ()]
+    fields = [bits] * len(ranges) if isinstance(bits, int) else list(bits)
+    if len(fields) != len(ranges):
+        raise TypeError(f"{len(ranges)} bounds need as many numbers of bits, not {len(fields)}")
+    return problem, ranges, fields
+
+
+def _of_pymoo(problem: Any) -> tuple[Function, Bounds, int]:
+    """Returns the function, the bounds and the number of objectives of a problem as pymoo has it."""
+    import numpy
+
+    unequal = getattr(problem, "n_ieq_constr", getattr(problem, "n_constr", 0))
+    equations = getattr(problem, "n_eq_constr", 0)
+
+    def evaluate(rows: Any) -> Any:
+        out: dict[str, Any] = {}
+        if getattr(problem, "elementwise", False):
+            each: list[dict[str, Any]] = [{} for _ in rows]
+            for row, of_row in zip(rows, each):
+                problem._evaluate(row, of_row)
+            out = {key: numpy.array([of_row[key] for of_row in each]) for key in each[0]}
+        else:
+            problem._evaluate(rows, out)
+        return _with_constraints(out["F"], [out["G"]] if unequal else [], [out["H"]] if equations else [])
+
+    count = getattr(problem, "n_var", numpy.size(problem.xl))
+    low, high = (numpy.broadcast_to(bound, count) for bound in (problem.xl, problem.xu))
+    return evaluate, list(zip(low, high)), getattr(problem, "n_obj", 1)
+
+
+def _of_pygmo(problem: Any) -> tuple[Function, Bounds, int]:
+    """Returns the function, bounds and number of objectives of a problem as pygmo has it. Its fitness has objectives,
+    equations and inequalities, in this order."""
+    import numpy
+
+    def count(name: str, by_default: int = 0) -> int:
+        return int(getattr(problem, name, lambda: by_default)())
+
+    objectives, equations, unequal = count("get_nobj", 1), count("get_nec"), count("get_nic")
+    if count("get_nix"):
+        raise Error("this problem has whole numbers (get_nix), but a search has real numbers: round them in fitness")
+
+    def evaluate(rows: Any) -> Any:
+        values = numpy.array([numpy.ravel(problem.fitness(row)) for row in rows])
+        if values.shape[1:] != (objectives + equations + unequal,):
+            raise Error(f"fitness returned {values.shape[-1]} numbers, but get_nobj, get_nec and get_nic say "
+                        f"{objectives} + {equations} + {unequal}")
+        of, h, g = numpy.split(values, [objectives, objectives + equations], axis=1)
+        return _with_constraints(of, [g] if unequal else [], [h] if equations else [])
+
+    return evaluate, list(zip(*problem.get_bounds())), objectives
+
+
+def _with_constraints(values: Any, unequal: Sequence[Any], equations: Sequence[Any]) -> Any:
+    """Returns what a function returns, of values and tables of inequalities g <= 0 and equations h = 0."""
+    import numpy
+
+    tables = [*unequal, *(numpy.abs(h) - EQUATION_TOLERANCE for h in equations)]
+    return (values, numpy.column_stack(tables)) if tables else numpy.asarray(values)
