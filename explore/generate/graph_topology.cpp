@@ -145,15 +145,9 @@ public:
         : graph_(graph), file_(std::move(file)), catalogue_(catalogue), links_(graph.nodes.size()) {}
 
     Topology make(const std::string& path) && {
-        const std::string nodes = std::to_string(graph_.nodes.size());
-        made_ = {.about = "The graph of " + for_comment(path),
-                 .vals = {"val nodes " + nodes + ";"},
-                 .array = "[nodes]",
-                 .first = "[0]",
-                 .at = "[i]",
-                 .wires = {},
-                 .host = {}};
+        made_.about = "The graph of " + for_comment(path);
         made_.nodes = graph_.nodes.size();
+        made_.vals = {fmt::format("val nodes {};", made_.nodes)};
         find_type();
         add_nodes();
         add_wires();
