@@ -1,5 +1,5 @@
-#include "python/module/identify.hpp"
 #include "python/module/interpreter.hpp"
+#include "python/module/module.hpp"
 
 #include "explore/identify/identify_record.hpp"
 #include "hydraulics/data/record_table.hpp"

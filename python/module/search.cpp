@@ -1,5 +1,5 @@
-#include "python/module/search.hpp"
 #include "python/module/interpreter.hpp"
+#include "python/module/module.hpp"
 
 #include "explore/checkpoint_file.hpp"
 #include "explore/problems.hpp"
@@ -31,6 +31,7 @@ namespace placedpar::python {
 namespace {
 
 namespace py = pybind11;
+using namespace pybind11::literals;
 
 /// The parameters of a problem whose objective is computed elsewhere.
 struct Parameters {
@@ -127,22 +128,20 @@ std::shared_ptr<const SearchProblem> problem_of(const py::object& function, cons
 
 py::dict dict_of(const SearchProblem& problem, const SearchResult& found) {
     const Estimate& best = found.best();
-    py::dict described;
-    described["x"] = py::array_t<double>(static_cast<py::ssize_t>(best.parameters.size()), best.parameters.data());
-    described["string"] = problem.representation().text(best.best.genome);
-    described["fitness"] = best.best.fitness;
+    const double fitness = best.best.fitness;
     const auto objective = problem.objective();
-    described["value"] = objective ? objective->value(best.best.fitness) : std::optional(best.best.fitness);
-    described["generation"] = best.sample + 1;
-    described["generations"] = found.generations;
-    return described;
+    const auto parameters = static_cast<py::ssize_t>(best.parameters.size());
+    return py::dict("x"_a = py::array_t<double>(parameters, best.parameters.data()),
+                    "string"_a = problem.representation().text(best.best.genome), "fitness"_a = fitness,
+                    "value"_a = objective ? objective->value(fitness) : std::optional(fitness),
+                    "generation"_a = best.sample + 1, "generations"_a = found.generations);
 }
 
 struct SearchOptions {
     std::size_t islands, generations;
     std::uint64_t seed;
     std::string coding;
-    py::dict numbers, policies;
+    py::dict settings;      ///< of all islands, by their names
     std::string checkpoint; ///< a file; "" for none
     std::string problem;    ///< what a checkpoint says of the problem
     py::object progress;
@@ -157,14 +156,15 @@ std::string text_of(const Bounds& bounds, const std::vector<std::size_t>& bits, 
 }
 
 /// Keeps the log, and lets Ctrl-C, the end of Python and other threads come between two generations.
-class HeedfulLog final : public SearchObserver {
+class HeedfulLog final : public GenerationLog {
 public:
     /// `progress` is None, or is called with the numbers of generations that all islands have made and will make.
     explicit HeedfulLog(const SearchOptions& options)
-        : log(island_names(options.islands)), progress_(options.progress), all_(options.islands * options.generations) {
-    }
+        : GenerationLog(island_names(options.islands)), progress_(options.progress),
+          all_(options.islands * options.generations) {}
+    using GenerationLog::observe;
     void observe(const ObservedGeneration& event) override {
-        log.observe(event);
+        GenerationLog::observe(event);
         std::uint64_t& last = last_[std::string(event.search)];
         made_ += event.number - std::exchange(last, event.number); // a checkpoint's generations count, too
         if (!progress_.is_none())
@@ -174,10 +174,6 @@ public:
         if (interruption_.requested())
             throw UserError("the search ends early, since Python ends");
     }
-    void observe(const ObservedMigration& event) override { log.observe(event); }
-    void observe(const ObservedAnswer& event) override { log.observe(event); }
-
-    GenerationLog log;
 
 private:
     py::object progress_;
@@ -213,21 +209,10 @@ std::unique_ptr<CheckpointFile> checkpoint_of(const SearchOptions& options, cons
 }
 
 IslandsSettings settings_of(const SearchProblem& problem, const SearchOptions& options, const PolicyFailure& failure) {
-    SearchSettings island = usual_settings(problem);
-    for (const auto& [name, number] : options.numbers) {
-        const auto key = name.cast<std::string>();
-        if (key == "population")
-            island.population = given<std::size_t>(number, "population");
-        else if (key == "elite")
-            island.elite = given<std::size_t>(number, "elite");
-        else
-            (key == "crossover_probability" ? island.crossover_probability : island.mutation_probability) =
-                given<double>(number, key.c_str());
-    }
     IslandsSettings settings;
-    settings.islands.assign(options.islands, island);
-    for (const auto& [step, policy] : options.policies)
-        set_policy(settings, step.cast<std::string>(), py::reinterpret_borrow<py::object>(policy), failure);
+    settings.islands.assign(options.islands, usual_settings(problem));
+    for (const auto& [name, value] : options.settings)
+        change(settings, name.cast<std::string>(), py::reinterpret_borrow<py::object>(value), failure);
     return settings;
 }
 
@@ -243,11 +228,8 @@ py::dict search(const SearchProblem& coded, const RecordedProblem* recorded, con
         py::list islands;
         for (const SearchResult& each : result.islands)
             islands.append(dict_of(*problem, each));
-        py::dict found;
-        found["islands"] = islands;
-        found["migrations"] = result.migrations.size();
-        found["log_csv"] = log_csv(std::vector<SeededLog>{{options.seed, observer.log}});
-        return found;
+        return py::dict("islands"_a = islands, "migrations"_a = result.migrations.size(),
+                        "log_csv"_a = log_csv(std::vector<SeededLog>{{options.seed, observer}}));
     } catch (const std::exception& error) {
         if (failure->get())
             rethrow(*failure, "Error", error.what());
@@ -267,13 +249,8 @@ py::dict search_front_of(const std::string& name, std::size_t generations, std::
         x.append(each.parameters);
         values.append(each.objectives);
     }
-    py::dict found;
-    found["x"] = x;
-    found["values"] = values;
-    found["names"] = problem->objective_names();
-    found["least_violation"] = result.least_violation;
-    found["evaluations"] = result.evaluations;
-    return found;
+    return py::dict("x"_a = x, "values"_a = values, "names"_a = problem->objective_names(),
+                    "least_violation"_a = result.least_violation, "evaluations"_a = result.evaluations);
 }
 
 } // namespace
@@ -282,18 +259,12 @@ void add_searches(py::module_& module) {
     module.def("search", [](const py::object& problem, const Bounds& bounds, const std::vector<std::size_t>& bits,
                             bool maximises, Given<std::size_t, "islands"> islands,
                             Given<std::size_t, "generations"> generations, std::uint64_t seed,
-                            Given<std::string, "coding"> coding, py::dict numbers, py::dict policies,
-                            std::string checkpoint, py::object progress) {
+                            Given<std::string, "coding"> coding, py::dict settings, std::string checkpoint,
+                            py::object progress) {
         const bool is_named = py::isinstance<py::str>(problem);
-        const SearchOptions options{islands,
-                                    generations,
-                                    seed,
-                                    coding,
-                                    numbers,
-                                    policies,
-                                    std::move(checkpoint),
-                                    is_named ? problem.cast<std::string>() : text_of(bounds, bits, maximises),
-                                    std::move(progress)};
+        const std::string text = is_named ? problem.cast<std::string>() : text_of(bounds, bits, maximises);
+        const SearchOptions options{islands,  generations, seed, coding,
+                                    settings, checkpoint,  text, std::move(progress)};
         if (!is_named)
             return search(*problem_of(problem, bounds, bits, maximises), nullptr, options);
         const ProblemRegistry problems = known_problems(seed);

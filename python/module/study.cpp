@@ -1,5 +1,5 @@
-#include "python/module/study.hpp"
 #include "python/module/interpreter.hpp"
+#include "python/module/module.hpp"
 
 #include "explore/explain/answers.hpp"
 #include "explore/study/sweep.hpp"

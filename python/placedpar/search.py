@@ -107,10 +107,9 @@ def search(problem: Any, bounds: Optional[Sequence[tuple[float, float]]] = None,
     """
     if islands == 1 and topology is None:
         topology = "none"
-    numbers = _given(population=population, elite=elite, crossover_probability=crossover_probability,
-                     mutation_probability=mutation_probability)
-    policies = _given(reproduction=reproduction, crossover=crossover, mutation=mutation, topology=topology,
-                      schedule=schedule, emigration=emigration, acceptance=acceptance)
+    settings = dict(population=population, elite=elite, crossover_probability=crossover_probability,
+                    mutation_probability=mutation_probability, reproduction=reproduction, crossover=crossover,
+                    mutation=mutation, topology=topology, schedule=schedule, emigration=emigration, acceptance=acceptance)
     if not isinstance(problem, str):
         if not callable(problem) or hasattr(problem, "_evaluate"):
             problem, bounds = _columns(problem)
@@ -122,7 +121,7 @@ def search(problem: Any, bounds: Optional[Sequence[tuple[float, float]]] = None,
         raise TypeError(f"{len(ranges)} bounds need as many numbers of bits, not {len(fields)}")
     with progress_of(progress, "{} of {} generations") as tell:
         return Found(_core.search(problem, ranges, fields, maximise, islands, generations, seed_of(seed), coding,
-                                  numbers, policies, os.fspath(checkpoint or ""), tell))
+                                  {name: value for name, value in settings.items() if value is not None}, os.fspath(checkpoint or ""), tell))
 
 
 class Front:
@@ -152,7 +151,3 @@ def search_front(problem: str, *, generations: int = 250, population: int = 100,
     Makes population * (generations + 1) evaluations. Raises Error for settings that do not fit.
     """
     return Front(_core.search_front(problem, generations, population, seed_of(seed), coding))
-
-
-def _given(**values: Any) -> dict[str, Any]:
-    return {name: value for name, value in values.items() if value is not None}
