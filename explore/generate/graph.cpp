@@ -45,7 +45,8 @@ void GraphBuilder::count(const GraphAttributes& attributes, std::size_t line) {
     for (const auto& [name, value] : attributes)
         attributes_ += 1 + (name.size() + value.size()) / 100;
     if (attributes_ > most_graph_attributes)
-        refuse_graph(file_, fmt::format("the graph has more than {} attributes, with its defaults", most_graph_attributes),
+        refuse_graph(file_,
+                     fmt::format("the graph has more than {} attributes, with its defaults", most_graph_attributes),
                      "a long attribute counts once for each hundred bytes", line);
 }
 

@@ -167,8 +167,7 @@ private:
                 require_transputer(node, type->second);
             types.insert(type == node.attributes.end() ? made_.type : type->second);
             if (types.size() > 1)
-                refuse_graph(file_,
-                             fmt::format("the nodes are of different types: {}", fmt::join(types, ", ")),
+                refuse_graph(file_, fmt::format("the nodes are of different types: {}", fmt::join(types, ", ")),
                              "give all nodes the same attribute \"type\", or none");
         }
         made_.type = *types.begin();

@@ -29,7 +29,8 @@ public:
         if (!graph)
             refuse_graph(file_, "the file has no element <graph>", "GraphML as networkx or yEd writes it");
         if (const auto hyperedge = document_.select_node(("//" + named("hyperedge")).c_str()))
-            refuse_graph(file_, "the graph has a <hyperedge>", "a wire joins two processors", line_of(hyperedge.node()));
+            refuse_graph(file_, "the graph has a <hyperedge>", "a wire joins two processors",
+                         line_of(hyperedge.node()));
         read_keys();
         GraphBuilder builder(file_, graph.attribute("edgedefault").value() == std::string_view("directed"));
         for (const pugi::xml_node node : all(named("node") + "[not(" + named("graph") + ")]")) // without groups

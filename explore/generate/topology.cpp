@@ -37,9 +37,7 @@ Wires around_the_ring() { return {{"rep i = 0 for nodes"}, {"[i]", "2", "0"}, {"
 
 Topology ring(const TopologyRequest& request) {
     std::size_t nodes = count_of(request, 3);
-    return {.about = fmt::format("A ring of {}", nodes),
-            .vals = {val("nodes", nodes)},
-            .wires = {around_the_ring()}};
+    return {.about = fmt::format("A ring of {}", nodes), .vals = {val("nodes", nodes)}, .wires = {around_the_ring()}};
 }
 
 Topology tree(const TopologyRequest& request) {

@@ -23,10 +23,10 @@ struct Wires {
 
 /// The wires from the workstation to the processors of a topology.
 struct HostWires {
-    std::string loop = "";   ///< "" if there is only one wire
-    std::string sun = "0";   ///< number of the workstation's link
-    std::string at = "[0]";  ///< subscripts of the processor
-    std::string link = "0";  ///< number of the processor's link, an expression such as "dimensions"
+    std::string loop = "";  ///< "" if there is only one wire
+    std::string sun = "0";  ///< number of the workstation's link
+    std::string at = "[0]"; ///< subscripts of the processor
+    std::string link = "0"; ///< number of the processor's link, an expression such as "dimensions"
 };
 
 /// A topology of a given size, as fragments of the netlist language that declare and connect the array `t` of

@@ -98,9 +98,9 @@ std::optional<double> date_in_name(const std::string& name) {
     static const std::regex date("(?:^|[^0-9])([0-9]{4}-?[0-9]{2}-?[0-9]{2})"
                                  "(?:[T_-]([0-9]{2})[-:]?([0-9]{2})(?:[-:]?([0-9]{2}))?)?(?![0-9])");
     for (std::sregex_iterator found(name.begin(), name.end(), date), end; found != end; ++found)
-        for (const std::string& time : {fmt::format("{}:{}:{}", found->str(2), found->str(3),
-                                                    (*found)[4].matched ? found->str(4) : "00"),
-                                        std::string("00:00")})
+        for (const std::string& time :
+             {fmt::format("{}:{}:{}", found->str(2), found->str(3), (*found)[4].matched ? found->str(4) : "00"),
+              std::string("00:00")})
             if (const auto read = clock_time(found->str(1) + "T" + time))
                 return static_cast<double>(read->since_1970_ns) / 1e9;
     return std::nullopt;

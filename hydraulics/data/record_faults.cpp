@@ -165,11 +165,11 @@ void check_pressure(std::string_view name, const Unit& unit, std::span<const dou
     if (first == psi.end())
         return;
     const TextRow& row = table.rows[static_cast<std::size_t>(first - psi.begin())];
-    faults.push_back(warning_at(row.line, row.cells[index].column,
-                                fmt::format("{} is {:.6g} {}, below vacuum ({} of {} samples)", name,
-                                            *first / unit.factor, unit.name, std::ranges::count_if(psi, below),
-                                            psi.size()),
-                                "no pressure is below vacuum: check the sign of the sensor's readings"));
+    faults.push_back(
+        warning_at(row.line, row.cells[index].column,
+                   fmt::format("{} is {:.6g} {}, below vacuum ({} of {} samples)", name, *first / unit.factor,
+                               unit.name, std::ranges::count_if(psi, below), psi.size()),
+                   "no pressure is below vacuum: check the sign of the sensor's readings"));
 }
 
 void check_frozen(std::string_view name, const Unit& unit, std::span<const double> readings, double least_jump,

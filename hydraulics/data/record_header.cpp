@@ -258,7 +258,8 @@ void RecordReader::note_unused(const std::vector<TextCell>& unused, std::vector<
         names += fmt::format(" and {} more", unused.size() - most_named);
     faults.push_back(warning_at(
         table_.header.line, unused.front().column,
-        unused.size() == 1 ? fmt::format("column {} is not used", names) : fmt::format("columns {} are not used", names),
+        unused.size() == 1 ? fmt::format("column {} is not used", names)
+                           : fmt::format("columns {} are not used", names),
         "columns are time and LINK.SENSOR, such as boom.inlet_pressure or bucket.angle; --column boom.angle=NAME reads "
         "a column of another name"));
 }

@@ -53,9 +53,9 @@ struct RecordNeeds {
 };
 
 /// Reads a record from comma-separated values, or from values separated by semicolons or tabs: the separator that
-/// divides the header into most columns, or that a line "sep=;" states. Numbers may have decimal commas. The header is the first
-/// line with a column of the time and one of a sensor; lines above it are description. It names each column and its
-/// unit, in any order; a row of units may follow:
+/// divides the header into most columns, or that a line "sep=;" states. Numbers may have decimal commas. The header is
+/// the first line with a column of the time and one of a sensor; lines above it are description. It names each column
+/// and its unit, in any order; a row of units may follow:
 ///
 ///     # boom raised at 4 deg/s, seed 1              any number of lines of description
 ///     time [s],boom.inlet_pressure [psi],boom.angle [deg],boom.spool [in]

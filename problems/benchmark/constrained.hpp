@@ -119,9 +119,7 @@ struct G05 : WithinRanges<G05> {
     static constexpr std::string_view name = "g05", about = "G05: 4 parameters, 2 constraints and 3 equations";
     double optimum() const { return 5126.496714; }
     static std::vector<RealRange> ranges() { return {{0, 1200}, {0, 1200}, {-0.55, 0.55}, {-0.55, 0.55}}; }
-    double objective(X x) const {
-        return 3 * x[0] + 0.000001 * cubed(x[0]) + 2 * x[1] + 0.000002 / 3 * cubed(x[1]);
-    }
+    double objective(X x) const { return 3 * x[0] + 0.000001 * cubed(x[0]) + 2 * x[1] + 0.000002 / 3 * cubed(x[1]); }
     std::vector<double> constraints(X x) const {
         return {x[2] - x[3] - 0.55, x[3] - x[2] - 0.55,
                 equation(1000 * std::sin(-x[2] - 0.25) + 1000 * std::sin(-x[3] - 0.25) + 894.8 - x[0]),

@@ -236,11 +236,8 @@ FinishedRun LoadedNetwork::run(const RunOptions& options, TraceSink* trace) cons
     ClockedLog log(network_, options.clock.get());
     const std::string command =
         "placedpar.load(\"" + settings_.file + "\").run(seed=" + std::to_string(options.seed) + ")";
-    RunSettings settings{.seed = options.seed,
-                         .until = options.until,
-                         .shuffle = options.shuffle,
-                         .trace = trace,
-                         .observer = &log};
+    RunSettings settings{
+        .seed = options.seed, .until = options.until, .shuffle = options.shuffle, .trace = trace, .observer = &log};
     RunReport report = run_unlocked(settings, options);
     heed_signals();
     if (report.result.ending == Ending::interrupted) {

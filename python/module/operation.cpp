@@ -62,9 +62,8 @@ void add_operations(pybind11::module_& module) {
     });
     module.def("wait", [](std::int64_t ps) { return Operation{.kind = Kind::wait, .number = ps}; });
     module.def("until", [](std::int64_t ps) { return Operation{.kind = Kind::until, .number = ps}; });
-    module.def("after", [](Given<std::int32_t, "ticks"> ticks) {
-        return Operation{.kind = Kind::after, .number = ticks};
-    });
+    module.def("after",
+               [](Given<std::int32_t, "ticks"> ticks) { return Operation{.kind = Kind::after, .number = ticks}; });
     module.def("stop", [] { return Operation{.kind = Kind::stop}; });
     module.def("skip", [] { return Operation{.kind = Kind::skip}; });
     module.def("never", [] { return Operation{.kind = Kind::never}; });

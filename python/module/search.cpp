@@ -256,21 +256,21 @@ py::dict search_front_of(const std::string& name, std::size_t generations, std::
 } // namespace
 
 void add_searches(py::module_& module) {
-    module.def("search", [](const py::object& problem, const Bounds& bounds, const std::vector<std::size_t>& bits,
-                            bool maximises, Given<std::size_t, "islands"> islands,
-                            Given<std::size_t, "generations"> generations, std::uint64_t seed,
-                            Given<std::string, "coding"> coding, py::dict settings, std::string checkpoint,
-                            py::object progress) {
-        const bool is_named = py::isinstance<py::str>(problem);
-        const std::string text = is_named ? problem.cast<std::string>() : text_of(bounds, bits, maximises);
-        const SearchOptions options{islands,  generations, seed, coding,
-                                    settings, checkpoint,  text, std::move(progress)};
-        if (!is_named)
-            return search(*problem_of(problem, bounds, bits, maximises), nullptr, options);
-        const ProblemRegistry problems = known_problems(seed);
-        const RecordedProblem& recorded = problems.find(problem.cast<std::string>());
-        return search(*recorded.problem(), &recorded, options);
-    });
+    module.def("search",
+               [](const py::object& problem, const Bounds& bounds, const std::vector<std::size_t>& bits, bool maximises,
+                  Given<std::size_t, "islands"> islands, Given<std::size_t, "generations"> generations,
+                  std::uint64_t seed, Given<std::string, "coding"> coding, py::dict settings, std::string checkpoint,
+                  py::object progress) {
+                   const bool is_named = py::isinstance<py::str>(problem);
+                   const std::string text = is_named ? problem.cast<std::string>() : text_of(bounds, bits, maximises);
+                   const SearchOptions options{islands,  generations, seed, coding,
+                                               settings, checkpoint,  text, std::move(progress)};
+                   if (!is_named)
+                       return search(*problem_of(problem, bounds, bits, maximises), nullptr, options);
+                   const ProblemRegistry problems = known_problems(seed);
+                   const RecordedProblem& recorded = problems.find(problem.cast<std::string>());
+                   return search(*recorded.problem(), &recorded, options);
+               });
     module.def("search_front", &search_front_of);
 }
 

@@ -79,7 +79,8 @@ TEST_CASE("a file of networkx gives processors and wires with its attributes") {
     CHECK(wire_between(network, "t[1]", "t[2]").bits_per_second == 20'000'000);
 }
 
-TEST_CASE("types that are not transputers, and speeds that contradict each other, are refused with their node or edge") {
+TEST_CASE(
+    "types that are not transputers, and speeds that contradict each other, are refused with their node or edge") {
     auto refused = [](const std::string& text, const std::string& message) {
         const std::string path = (std::filesystem::temp_directory_path() / "placedpar_refused_graph.dot").string();
         std::ofstream(path) << text;
@@ -91,7 +92,7 @@ TEST_CASE("types that are not transputers, and speeds that contradict each other
     for (const char* type : {"T8OO", "C004", "T400", "workstation"})
         refused(std::string("graph { a\nb [type=") + type + "] }",
                 "dot: error: the node \"b\" has the type \"" + std::string(type) + "\"");
-    refused("digraph { a -> b [speed=10M]\nb -> a [speed=20M] }", 
+    refused("digraph { a -> b [speed=10M]\nb -> a [speed=20M] }",
             "dot: error: speed of the edge from b to a is 20M, but 10M for the edge in the opposite direction");
     refused("graph { a -- b [speed=10M, linkspeed=20M] }", "the edge from a to b has both \"speed\" and \"linkspeed\"");
 }
@@ -157,7 +158,8 @@ TEST_CASE("hostile graphs are refused in words") {
         deep += "{", nested += "<a>";
     CHECK(refuses(dot_of, deep, "memory exhausted in line 1"));
     CHECK(refuses(graphml_of, nested, "this is not well-formed XML"));
-    const std::string entity = "<!DOCTYPE g [<!ENTITY a \"&b;&b;\">]><graphml><graph><node id='&a;'/></graph></graphml>";
+    const std::string entity =
+        "<!DOCTYPE g [<!ENTITY a \"&b;&b;\">]><graphml><graph><node id='&a;'/></graph></graphml>";
     CHECK(graphml_of(entity).nodes.at(0).name == "&a;"); // no declaration makes a text longer
     CHECK(refuses(graphml_of, "<graphml>\n<graph></graphml>",
                   "graph:2:1: error: this is not well-formed XML: Start-end tags mismatch"));
@@ -176,7 +178,8 @@ TEST_CASE("hostile graphs are refused in words") {
     CHECK(refuses(dot_of, "graph { a [label=<<b> }", "syntax error in line 1 scanning a HTML string"));
     CHECK(refuses(dot_of, "graph { a -- ", "syntax error in line 1"));
     CHECK(refuses(dot_of, "graph { a [=] }", "syntax error in line 1 near '='"));
-    CHECK(refuses(dot_of, "graph { my-node }", "a name that has other characters than letters, digits and underscores"));
+    CHECK(
+        refuses(dot_of, "graph { my-node }", "a name that has other characters than letters, digits and underscores"));
     CHECK(refuses(dot_of, "graph { 2a -- b }", "number '2a'"));
     CHECK(refuses(dot_of, "graph { a -> b }", "edges are written \"--\" in a graph and \"->\" in a digraph"));
     CHECK(refuses(dot_of, "digraph {\n\na -- b }", "graph:3:1: error: syntax error in line 3 near '--'"));
