@@ -42,19 +42,13 @@ struct Parameters {
 
 /// A problem whose objective is a function in Python. The function gets a population at a time, as an array with a row
 /// for each individual.
-class PythonProblem final : public SearchProblem {
+class PythonProblem final : public AdaptedProblem {
 public:
     /// `parameters` knows all but the objective. REQUIRES: the caller holds the lock whenever the problem is used.
     PythonProblem(std::shared_ptr<const SearchProblem> parameters, SharedObject function)
-        : parameters_(std::move(parameters)), function_(std::move(function)) {}
+        : AdaptedProblem(std::move(parameters)), function_(std::move(function)) {}
 
-    std::size_t bits() const override { return parameters_->bits(); }
-    Representation representation() const override { return parameters_->representation(); }
-    std::size_t channels() const override { return 0; }
-    std::optional<Objective> objective() const override { return parameters_->objective(); }
-    double error(const Genome& genome, std::span<const double> sample) const override {
-        return parameters_->error(genome, sample);
-    }
+    std::optional<Merit> merit(const Genome&) const override { return std::nullopt; }
     double fitness(const Genome& genome, std::span<const Sample> samples, double bias) const override {
         double fitness = 0;
         fitness_of({&genome, 1}, samples, bias, {&fitness, 1});
@@ -62,18 +56,12 @@ public:
     }
     void fitness_of(std::span<const Genome>, std::span<const Sample>, double bias,
                     std::span<double> out) const override;
-    std::vector<double> decode(const Genome& genome) const override { return parameters_->decode(genome); }
-    std::vector<std::string> parameter_names() const override { return parameters_->parameter_names(); }
-    std::vector<std::string> parameter_units() const override { return parameters_->parameter_units(); }
-    std::vector<std::size_t> fields() const override { return parameters_->fields(); }
-    Coding coding() const override { return parameters_->coding(); }
 
 private:
     std::shared_ptr<const SearchProblem> coded_plainly(Coding coding) const override {
-        return std::make_shared<PythonProblem>(parameters_->coded(coding), function_);
+        return std::make_shared<PythonProblem>(problem_->coded(coding), function_);
     }
 
-    std::shared_ptr<const SearchProblem> parameters_;
     SharedObject function_;
 };
 
@@ -93,11 +81,11 @@ Values numbers_of(const py::object& returned) {
 
 void PythonProblem::fitness_of(std::span<const Genome> population, std::span<const Sample>, double,
                                std::span<double> out) const {
-    const std::size_t columns = parameters_->parameter_names().size();
+    const std::size_t columns = problem_->parameter_names().size();
     py::array_t<double> rows({population.size(), columns});
     double* to = rows.mutable_data();
     for (const Genome& genome : population)
-        to = std::ranges::copy(parameters_->decode(genome), to).out;
+        to = std::ranges::copy(problem_->decode(genome), to).out;
     const py::object returned = function_.get()(rows);
     const Values values = numbers_of(returned);
     const auto count = static_cast<py::ssize_t>(population.size());
@@ -105,7 +93,7 @@ void PythonProblem::fitness_of(std::span<const Genome> population, std::span<con
         throw UserError("the objective of a population of shape (" + std::to_string(population.size()) + ", " +
                         std::to_string(columns) + ") must have one number for each row, but has the shape " +
                         py::repr(values.attr("shape")).cast<std::string>());
-    const Objective objective = *parameters_->objective();
+    const Objective objective = *problem_->objective();
     std::ranges::transform(std::span(values.data(), population.size()), out.begin(),
                            [&](double value) { return objective.fitness(value); });
 }
