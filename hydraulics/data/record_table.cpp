@@ -38,7 +38,8 @@ std::string print_number(double value, int decimals) {
 /// Returns whether a number could have commas that separate thousands, as "1,567" and "-12,000" could.
 bool has_thousands(const std::string& text) {
     static const std::regex thousands("[-+]?[1-9][0-9]{0,2}(,[0-9]{3})+");
-    return std::regex_match(text, thousands);
+    constexpr std::size_t longest = 40; // the library's matcher needs much stack for a long text
+    return text.size() <= longest && std::regex_match(text, thousands);
 }
 
 Diagnostic thousands_fault(const TextCell& cell, std::size_t line) {
