@@ -105,7 +105,7 @@ struct HeaderFound {
 
 /// Finds the first line with the columns of a record; else the first line that is not a comment.
 HeaderFound find_header(std::string_view text, const std::vector<ColumnName>& names) {
-    HeaderFound best;
+    HeaderFound best{.at = text.size()};
     std::string separators = ",;\t";
     std::size_t at = 0, lines = 0; // number of lines that are not comments
     while (lines < most_header_lines && at < text.size() && best.score < 2) {
