@@ -49,14 +49,16 @@ DotGraph parse_dot(const std::shared_ptr<const SourceFile>& file) {
     agseterrf(note_dot_error);
     agsetfile(nullptr); // counts lines from 1
     DotGraph graph(agread(stream.get(), nullptr));
+    bool goes_on = false;
+    for (DotGraph next; graph; goes_on = true) { // leaves nothing in the library for the next file
+        next.reset(agread(stream.get(), nullptr));
+        if (!next)
+            break;
+    }
     refuse_dot_errors(file);
     if (!graph)
         refuse_graph(file, "expected \"graph\" or \"digraph\"", "the language of Graphviz");
-    std::size_t graphs = 1;
-    while (const DotGraph next{agread(stream.get(), nullptr)}) // leaves nothing in the library for the next file
-        ++graphs;
-    refuse_dot_errors(file);
-    if (graphs > 1)
+    if (goes_on)
         refuse_graph(file, "the file goes on after the end of the graph", "one file has one graph");
     return graph;
 }

@@ -211,7 +211,7 @@ TEST_CASE("a graph that is too large is refused, not built") {
     CHECK(refuses(dot_of, "graph { node [label=\"" + std::string(9'000'000, 'x') + "\"]\n" + many + "}", refused));
     CHECK(refuses(dot_of, "graph { edge [" + list + "]\n{" + many + "} -- b }", refused));
     CHECK(refuses(graphml_of, "<graphml>" + keys + "<graph>" + elements + "</graph></graphml>",
-                  "graph:1000:1: " + refused));
+                  "graph:1001:1: " + refused));
     CHECK(dot_of("graph { node [" + list + "] " + many.substr(0, 3000) + "}").nodes.size() > 600);
 }
 
