@@ -95,7 +95,7 @@ std::string print_rank_tests(const StudySummary& summary) {
             for (std::size_t measure = 0; measure < summary.measures.size(); ++measure)
                 if (auto row = tested(summary, axis, compared, measure))
                     rows.push_back(std::move(*row));
-    return rows.empty() ? "" : "\nRank tests\n" + table_of(rows, [](const Row& row) { return row; }).text();
+    return rows.empty() ? "" : "\nRank tests\n" + Table{rows.front(), rows}.text();
 }
 
 } // namespace placedpar
