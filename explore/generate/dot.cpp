@@ -36,10 +36,11 @@ void refuse_dot_errors(const std::shared_ptr<const SourceFile>& file) {
     const std::size_t begin = std::min(dot_errors.find_first_not_of(' ', dot_errors.find(':') + 1), dot_errors.size());
     const std::string text = dot_errors.substr(begin, dot_errors.find('\n', begin) - begin);
     const std::size_t number = text.find(before_line);
-    refuse_graph(file, text,
-                 "edges are written \"--\" in a graph and \"->\" in a digraph; a name that has other characters than "
-                 "letters, digits and underscores needs quotes",
-                 number == text.npos ? 0 : std::strtoul(text.c_str() + number + before_line.size(), nullptr, 10));
+    refuse_graph(
+        file, text,
+        "edges are written \"--\" in a graph and \"->\" in a digraph; names and values such as \"my-node\" and "
+        "\"10M\" need quotes",
+        number == text.npos ? 0 : std::strtoul(text.c_str() + number + before_line.size(), nullptr, 10));
 }
 
 DotGraph parse_dot(const std::shared_ptr<const SourceFile>& file) {

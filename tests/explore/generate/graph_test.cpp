@@ -92,9 +92,10 @@ TEST_CASE(
     for (const char* type : {"T8OO", "C004", "T400", "workstation"})
         refused(std::string("graph { a\nb [type=") + type + "] }",
                 "dot: error: the node \"b\" has the type \"" + std::string(type) + "\"");
-    refused("digraph { a -> b [speed=10M]\nb -> a [speed=20M] }",
+    refused("digraph { a -> b [speed=\"10M\"]\nb -> a [speed=\"20M\"] }",
             "dot: error: speed of the edge from b to a is 20M, but 10M for the edge in the opposite direction");
-    refused("graph { a -- b [speed=10M, linkspeed=20M] }", "the edge from a to b has both \"speed\" and \"linkspeed\"");
+    refused("graph { a -- b [speed=\"10M\", linkspeed=\"20M\"] }",
+            "the edge from a to b has both \"speed\" and \"linkspeed\"");
 }
 
 TEST_CASE("opposite edges of a directed graph are one wire") {
@@ -178,9 +179,8 @@ TEST_CASE("hostile graphs are refused in words") {
     CHECK(refuses(dot_of, "graph { a [label=<<b> }", "syntax error in line 1 scanning a HTML string"));
     CHECK(refuses(dot_of, "graph { a -- ", "syntax error in line 1"));
     CHECK(refuses(dot_of, "graph { a [=] }", "syntax error in line 1 near '='"));
-    CHECK(
-        refuses(dot_of, "graph { my-node }", "a name that has other characters than letters, digits and underscores"));
-    CHECK(refuses(dot_of, "graph { 2a -- b }", "number '2a'"));
+    CHECK(refuses(dot_of, "graph { my-node }", "names and values such as \"my-node\" and \"10M\" need quotes"));
+    CHECK(refuses(dot_of, "graph { a -- b [speed=10M] }", "badly delimited number '10M'"));
     CHECK(refuses(dot_of, "graph { a -> b }", "edges are written \"--\" in a graph and \"->\" in a digraph"));
     CHECK(refuses(dot_of, "digraph {\n\na -- b }", "graph:3:1: error: syntax error in line 3 near '--'"));
     CHECK(refuses(dot_of, "graph { a } graph { b }", "the file goes on after the end of the graph"));
