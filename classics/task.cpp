@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -28,9 +29,8 @@ constexpr std::uint32_t longest_message = 1'000'000'000;
 /// Reads the parameter `bytes`, such as "100 4". Throws UserError.
 std::vector<std::uint32_t> lengths_in(const std::string& text) {
     std::vector<std::uint32_t> lengths;
-    for (std::size_t begin = text.find_first_not_of(' '); begin < text.size();
-         begin = text.find_first_not_of(' ', text.find(' ', begin))) {
-        const std::string word = text.substr(begin, text.find(' ', begin) - begin);
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
         const auto length = parse_number<std::uint32_t>(word);
         if (!length || *length == 0 || *length > longest_message)
             throw UserError(fmt::format("\"{}\" is not a length from 1 to {} bytes; expected a length for each "

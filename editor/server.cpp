@@ -109,14 +109,6 @@ struct LanguageServer::State {
         send_json({{"method", "window/logMessage"}, {"params", {{"type", 1}, {"message", why}}}});
     }
 
-    void take(const json::object& message);
-    json::value carry_out(const std::string& method, const json::object& params);
-    void publish(const std::string& uri);
-    void send_diagnostics(const std::string& uri);
-    void mark_changed(const Document&);
-    void check_again(Document&);
-    void refuse_to_rename_in(const Document&); ///< unless it is a netlist that no other text includes
-
     Document& document_of(const json::object& params) {
         return documents.at(text_in(object_in(params, "textDocument"), "uri"));
     }
@@ -125,24 +117,278 @@ struct LanguageServer::State {
     }
 
     // Requests
-    json::value initialize(const json::object&);
-    json::value shutdown(const json::object&);
-    json::value hover(const json::object&);
-    json::value complete(const json::object&);
-    json::value define(const json::object&);
-    json::value rename(const json::object&);
-    json::value lay_out(const json::object&);
-    json::value outline(const json::object&);
-    std::string hover_text(Document&, const Location&);
-    std::string cycles_text(Document&, const Location&);
+
+    json::value initialize(const json::object&) {
+        initialized = true;
+        return {{"capabilities", capabilities()}, {"serverInfo", {{"name", "placedpar"}, {"version", version}}}};
+    }
+
+    json::value shutdown(const json::object&) {
+        shut_down = true;
+        return nullptr;
+    }
+
+    json::value hover(const json::object& params) {
+        const std::string text = hover_text(document_of(params), location_of(params));
+        if (text.empty())
+            return nullptr;
+        return {{"contents", {{"kind", "plaintext"}, {"value", text}}}};
+    }
+
+    json::value complete(const json::object& params) {
+        Document& document = document_of(params);
+        const Location at = location_of(params);
+        std::vector<Completion> found;
+        if (document.language == Language::netlist)
+            found = complete_netlist(syntax_of(document), catalogue, at);
+        else if (document.language == Language::occam) {
+            program_of(document); // keeps it as the last good one, if it is
+            found =
+                complete_occam(*document.file, document.last_good ? document.last_good->program.get() : nullptr, at);
+        }
+        json::array items;
+        for (const Completion& each : found)
+            items.push_back(json::object{{"label", each.text},
+                                         {"kind", number_of(each.kind)},
+                                         {"detail", each.detail},
+                                         {"documentation", each.about}});
+        return {{"isIncomplete", false}, {"items", std::move(items)}};
+    }
+
+    json::value define(const json::object& params) {
+        Document& document = document_of(params);
+        const Location at = location_of(params);
+        std::optional<Location> found;
+        if (document.language == Language::netlist)
+            found = definition_in_netlist(syntax_of(document), at);
+        else if (document.language == Language::occam)
+            found = definition_in_occam(*program_of(document).program, at);
+        if (!found)
+            return nullptr;
+        return {{"uri", documents.uri_of(found->file->path())},
+                {"range", RangeWriter().range_of_word(*found, document.names)}};
+    }
+
+    json::value rename(const json::object& params) {
+        Document& document = document_of(params);
+        refuse_to_rename_in(document);
+        const std::string name = text_in(params, "newName");
+        const NetlistSyntax& syntax = syntax_of(document);
+        const Location at = location_of(params);
+        const std::vector<Location> places = places_to_rename(syntax, catalogue, at, name);
+        const std::size_t bytes = syntax.name_at(at)->name.size();
+        RangeWriter writer;
+        json::array edits;
+        for (const Location& each : places)
+            edits.push_back(json::object{{"range", writer.range(each, bytes)}, {"newText", name}});
+        return {{"changes", {{document.uri, std::move(edits)}}}};
+    }
+
+    json::value lay_out(const json::object& params) {
+        const Document& document = document_of(params);
+        const auto text = document.language == Language::netlist ? laid_out_netlist(document.file)
+                          : document.language == Language::study ? std::nullopt
+                                                                 : occam::with_tidy_blanks(document.file);
+        return text ? json::value(edits_between(document.file->text(), *text)) : json::value(nullptr);
+    }
+
+    json::value outline(const json::object& params) {
+        Document& document = document_of(params);
+        std::vector<OutlineEntry> entries;
+        if (document.language == Language::netlist)
+            entries = outline_of(syntax_of(document));
+        else if (document.language == Language::occam)
+            entries = outline_of(*program_of(document).program);
+        RangeWriter writer;
+        json::array symbols;
+        for (const OutlineEntry& each : entries)
+            symbols.push_back(symbol_json(each, writer.range_of_word(each.at, document.names)));
+        return symbols;
+    }
 
     // Notifications
+
     json::value nothing(const json::object&) { return nullptr; }
-    json::value exit(const json::object&);
-    json::value opened(const json::object&);
-    json::value changed(const json::object&);
-    json::value saved(const json::object&);
-    json::value closed(const json::object&);
+    json::value exit(const json::object&) {
+        ended = true;
+        return nullptr;
+    }
+
+    json::value opened(const json::object& params) {
+        const json::object& item = object_in(params, "textDocument");
+        const std::uint64_t version_opened = number_in(item, "version");
+        Document& document = documents.open(text_in(item, "uri"), text_in(item, "languageId"), text_in(item, "text"));
+        document.version = version_opened;
+        mark_changed(document);
+        for (auto& [uri, other] : documents.all())
+            if (other.failed) // it may have missed this file
+                check_again(other);
+        return nullptr;
+    }
+
+    json::value changed(const json::object& params) {
+        Document& document = document_of(params);
+        const json::object& item = object_in(params, "textDocument");
+        const json::value* const named = item.if_contains("version");
+        const auto version_now = named && named->is_null() ? std::nullopt : std::optional(number_in(item, "version"));
+        documents.change(document, array_in(params, "contentChanges"));
+        document.version = version_now;
+        mark_changed(document);
+        return nullptr;
+    }
+
+    /// Checks every text, since files that are not open may have changed on the disk too.
+    json::value saved(const json::object&) {
+        for (auto& [uri, document] : documents.all())
+            check_again(document);
+        return nullptr;
+    }
+
+    json::value closed(const json::object& params) {
+        const std::string closed_uri = document_of(params).uri;
+        mark_changed(documents.at(closed_uri));
+        documents.close(closed_uri);
+        to_check.erase(closed_uri);
+        const auto files = std::exchange(published[closed_uri], {});
+        published.erase(closed_uri);
+        for (const auto& [uri, diagnostics] : files)
+            send_diagnostics(uri);
+        return nullptr;
+    }
+
+    void check_again(Document& document) {
+        to_check.insert(document.uri);
+        document.forget();
+    }
+
+    /// Marks a text to be checked, with the texts that include it.
+    void mark_changed(const Document& document) {
+        to_check.insert(document.uri);
+        for (auto& [uri, other] : documents.all())
+            if (other.included.contains(document.path))
+                check_again(other);
+    }
+
+    /// Returns what a line of a program takes on the transputer, as far as it can be compiled.
+    std::string cycles_text(Document& document, const Location& at) {
+        const OccamCheck& program = program_of(document);
+        if (program.failed || document.is_part)
+            return "";
+        if (!document.cycles)
+            document.cycles = cycles_of_lines(*program.program, {}, hover_model);
+        const auto found = document.cycles->find(at.line);
+        return found == document.cycles->end() ? "" : text_of_cycles(found->second, hover_model);
+    }
+
+    std::string hover_text(Document& document, const Location& at) {
+        if (document.language == Language::netlist)
+            return hover_netlist(syntax_of(document), catalogue, at);
+        if (document.language != Language::occam)
+            return "";
+        const OccamCheck& program = program_of(document);
+        return hover_occam(*program.program, at) + cycles_text(document, at);
+    }
+
+    /// Throws RequestError unless it is a netlist that no other text includes.
+    void refuse_to_rename_in(const Document& document) {
+        if (document.language != Language::netlist)
+            throw RequestError(ErrorCode::request_failed, "only names of netlists can be renamed");
+        for (const auto& [uri, other] : documents.all())
+            if (other.included.contains(document.path))
+                throw RequestError(ErrorCode::request_failed,
+                                   fmt::format("{} includes this file, and may use the name too", other.path.string()));
+    }
+
+    void send_diagnostics(const std::string& uri) {
+        json::array all;
+        for (const auto& [checked, files] : published)
+            if (const auto found = files.find(uri); found != files.end())
+                for (const json::value& each : found->second)
+                    if (std::ranges::find(all, each) == all.end()) // several texts may include the file
+                        all.push_back(each);
+        json::object params{{"uri", uri}, {"diagnostics", std::move(all)}};
+        if (const auto found = documents.all().find(uri); found != documents.all().end() && found->second.version)
+            params["version"] = *found->second.version;
+        send_json({{"method", "textDocument/publishDiagnostics"}, {"params", std::move(params)}});
+    }
+
+    void publish(const std::string& uri) {
+        Document& document = documents.at(uri);
+        const auto is_included_by = [&](const auto& each) { return each.second.included.contains(document.path); };
+        std::map<std::string, json::array> files;
+        if (!document.is_part || std::ranges::none_of(documents.all(), is_included_by)) {
+            const std::vector<Diagnostic> diagnostics = check_document(document, catalogue);
+            document.failed = has_errors(diagnostics);
+            files = diagnostics_json(diagnostics, document, documents);
+        }
+        files[uri]; // sent also if nothing is wrong
+        std::set<std::string> uris;
+        for (const auto& [file, diagnostics] : published[uri])
+            uris.insert(file);
+        for (const auto& [file, diagnostics] : files)
+            uris.insert(file);
+        published[uri] = std::move(files);
+        for (const std::string& each : uris)
+            send_diagnostics(each);
+    }
+
+    json::value carry_out(const std::string& method, const json::object& params) {
+        static const std::map<std::string, Handler> handlers{
+            {"initialize", &State::initialize},
+            {"initialized", &State::nothing},
+            {"shutdown", &State::shutdown},
+            {"exit", &State::exit},
+            {"textDocument/didOpen", &State::opened},
+            {"textDocument/didChange", &State::changed},
+            {"textDocument/didClose", &State::closed},
+            {"textDocument/didSave", &State::saved},
+            {"textDocument/hover", &State::hover},
+            {"textDocument/completion", &State::complete},
+            {"textDocument/definition", &State::define},
+            {"textDocument/rename", &State::rename},
+            {"textDocument/formatting", &State::lay_out},
+            {"textDocument/documentSymbol", &State::outline},
+        };
+        if (!initialized && method != "initialize" && method != "exit")
+            throw RequestError(ErrorCode::not_initialized, "the first request must be \"initialize\"");
+        if (shut_down && method != "exit")
+            throw RequestError(ErrorCode::invalid_request, "the server has been shut down");
+        const auto handler = handlers.find(method);
+        if (handler == handlers.end())
+            throw RequestError(ErrorCode::method_not_found, fmt::format("the method \"{}\" is unknown", method));
+        const ReadsFromMemory reads(documents.texts());
+        return (this->*handler->second)(params);
+    }
+
+    void take(const json::object& message) {
+        const json::value* const id = message.if_contains("id");
+        const json::value* const method = message.if_contains("method");
+        if (!method && id && (message.contains("result") || message.contains("error")))
+            return; // an answer; the server asks nothing
+        const json::value* const params = message.if_contains("params");
+        const bool is_optional = method && method->is_string() && method->as_string().starts_with("$/");
+        const auto fail = [&](ErrorCode code, const std::string& why) {
+            if (id || !method)
+                answer_error(id ? *id : nullptr, code, why);
+            else if (!is_optional)
+                log(why);
+        };
+        try {
+            const bool has_params = params && !params->is_null();
+            if (!method || !method->is_string())
+                throw RequestError(ErrorCode::invalid_request, "a message must have a \"method\", which is a text");
+            if (has_params && !params->is_object())
+                throw RequestError(ErrorCode::invalid_params, "\"params\" must be an object");
+            json::value result =
+                carry_out(std::string(method->as_string()), has_params ? params->as_object() : json::object());
+            if (id)
+                answer(*id, std::move(result));
+        } catch (const RequestError& refused) {
+            fail(refused.code, refused.what());
+        } catch (const UserError& refused) {
+            fail(ErrorCode::request_failed, refused.what());
+        }
+    }
 
     std::function<void(const std::string&)> send;
     ProblemRegistry problems;
@@ -152,273 +398,6 @@ struct LanguageServer::State {
     std::map<std::string, std::map<std::string, json::array>> published; ///< by the text checked, then by the file
     bool initialized = false, shut_down = false, ended = false;
 };
-
-json::value LanguageServer::State::initialize(const json::object&) {
-    initialized = true;
-    return {{"capabilities", capabilities()}, {"serverInfo", {{"name", "placedpar"}, {"version", version}}}};
-}
-
-json::value LanguageServer::State::shutdown(const json::object&) {
-    shut_down = true;
-    return nullptr;
-}
-
-json::value LanguageServer::State::exit(const json::object&) {
-    ended = true;
-    return nullptr;
-}
-
-void LanguageServer::State::check_again(Document& document) {
-    to_check.insert(document.uri);
-    document.forget();
-}
-
-/// Marks a text to be checked, with the texts that include it.
-void LanguageServer::State::mark_changed(const Document& document) {
-    to_check.insert(document.uri);
-    for (auto& [uri, other] : documents.all())
-        if (other.included.contains(document.path))
-            check_again(other);
-}
-
-json::value LanguageServer::State::opened(const json::object& params) {
-    const json::object& item = object_in(params, "textDocument");
-    const std::uint64_t version_opened = number_in(item, "version");
-    Document& document = documents.open(text_in(item, "uri"), text_in(item, "languageId"), text_in(item, "text"));
-    document.version = version_opened;
-    mark_changed(document);
-    for (auto& [uri, other] : documents.all())
-        if (other.failed) // it may have missed this file
-            check_again(other);
-    return nullptr;
-}
-
-json::value LanguageServer::State::changed(const json::object& params) {
-    Document& document = document_of(params);
-    const json::object& item = object_in(params, "textDocument");
-    const json::value* const named = item.if_contains("version");
-    const auto version_now = named && named->is_null() ? std::nullopt : std::optional(number_in(item, "version"));
-    documents.change(document, array_in(params, "contentChanges"));
-    document.version = version_now;
-    mark_changed(document);
-    return nullptr;
-}
-
-/// Checks every text, since files that are not open may have changed on the disk too.
-json::value LanguageServer::State::saved(const json::object&) {
-    for (auto& [uri, document] : documents.all())
-        check_again(document);
-    return nullptr;
-}
-
-json::value LanguageServer::State::closed(const json::object& params) {
-    const std::string closed_uri = document_of(params).uri;
-    mark_changed(documents.at(closed_uri));
-    documents.close(closed_uri);
-    to_check.erase(closed_uri);
-    const auto files = std::exchange(published[closed_uri], {});
-    published.erase(closed_uri);
-    for (const auto& [uri, diagnostics] : files)
-        send_diagnostics(uri);
-    return nullptr;
-}
-
-/// Returns what a line of a program takes on the transputer, as far as it can be compiled.
-std::string LanguageServer::State::cycles_text(Document& document, const Location& at) {
-    const OccamCheck& program = program_of(document);
-    if (program.failed || document.is_part)
-        return "";
-    if (!document.cycles)
-        document.cycles = cycles_of_lines(*program.program, {}, hover_model);
-    const auto found = document.cycles->find(at.line);
-    return found == document.cycles->end() ? "" : text_of_cycles(found->second, hover_model);
-}
-
-std::string LanguageServer::State::hover_text(Document& document, const Location& at) {
-    if (document.language == Language::netlist)
-        return hover_netlist(syntax_of(document), catalogue, at);
-    if (document.language != Language::occam)
-        return "";
-    const OccamCheck& program = program_of(document);
-    return hover_occam(*program.program, at) + cycles_text(document, at);
-}
-
-json::value LanguageServer::State::hover(const json::object& params) {
-    const std::string text = hover_text(document_of(params), location_of(params));
-    if (text.empty())
-        return nullptr;
-    return {{"contents", {{"kind", "plaintext"}, {"value", text}}}};
-}
-
-json::value LanguageServer::State::complete(const json::object& params) {
-    Document& document = document_of(params);
-    const Location at = location_of(params);
-    std::vector<Completion> found;
-    if (document.language == Language::netlist)
-        found = complete_netlist(syntax_of(document), catalogue, at);
-    else if (document.language == Language::occam) {
-        program_of(document); // keeps it as the last good one, if it is
-        found = complete_occam(*document.file, document.last_good ? document.last_good->program.get() : nullptr, at);
-    }
-    json::array items;
-    for (const Completion& each : found)
-        items.push_back(json::object{{"label", each.text},
-                                     {"kind", number_of(each.kind)},
-                                     {"detail", each.detail},
-                                     {"documentation", each.about}});
-    return {{"isIncomplete", false}, {"items", std::move(items)}};
-}
-
-json::value LanguageServer::State::define(const json::object& params) {
-    Document& document = document_of(params);
-    const Location at = location_of(params);
-    std::optional<Location> found;
-    if (document.language == Language::netlist)
-        found = definition_in_netlist(syntax_of(document), at);
-    else if (document.language == Language::occam)
-        found = definition_in_occam(*program_of(document).program, at);
-    if (!found)
-        return nullptr;
-    return {{"uri", documents.uri_of(found->file->path())},
-            {"range", RangeWriter().range_of_word(*found, document.names)}};
-}
-
-void LanguageServer::State::refuse_to_rename_in(const Document& document) {
-    if (document.language != Language::netlist)
-        throw RequestError(ErrorCode::request_failed, "only names of netlists can be renamed");
-    for (const auto& [uri, other] : documents.all())
-        if (other.included.contains(document.path))
-            throw RequestError(ErrorCode::request_failed,
-                               fmt::format("{} includes this file, and may use the name too", other.path.string()));
-}
-
-json::value LanguageServer::State::rename(const json::object& params) {
-    Document& document = document_of(params);
-    refuse_to_rename_in(document);
-    const std::string name = text_in(params, "newName");
-    const NetlistSyntax& syntax = syntax_of(document);
-    const Location at = location_of(params);
-    const std::vector<Location> places = places_to_rename(syntax, catalogue, at, name);
-    const std::size_t bytes = syntax.name_at(at)->name.size();
-    RangeWriter writer;
-    json::array edits;
-    for (const Location& each : places)
-        edits.push_back(json::object{{"range", writer.range(each, bytes)}, {"newText", name}});
-    return {{"changes", {{document.uri, std::move(edits)}}}};
-}
-
-json::value LanguageServer::State::lay_out(const json::object& params) {
-    const Document& document = document_of(params);
-    const auto text = document.language == Language::netlist ? laid_out_netlist(document.file)
-                      : document.language == Language::study ? std::nullopt
-                                                             : occam::with_tidy_blanks(document.file);
-    return text ? json::value(edits_between(document.file->text(), *text)) : json::value(nullptr);
-}
-
-json::value LanguageServer::State::outline(const json::object& params) {
-    Document& document = document_of(params);
-    std::vector<OutlineEntry> entries;
-    if (document.language == Language::netlist)
-        entries = outline_of(syntax_of(document));
-    else if (document.language == Language::occam)
-        entries = outline_of(*program_of(document).program);
-    RangeWriter writer;
-    json::array symbols;
-    for (const OutlineEntry& each : entries)
-        symbols.push_back(symbol_json(each, writer.range_of_word(each.at, document.names)));
-    return symbols;
-}
-
-void LanguageServer::State::send_diagnostics(const std::string& uri) {
-    json::array all;
-    for (const auto& [checked, files] : published)
-        if (const auto found = files.find(uri); found != files.end())
-            for (const json::value& each : found->second)
-                if (std::ranges::find(all, each) == all.end()) // several texts may include the file
-                    all.push_back(each);
-    json::object params{{"uri", uri}, {"diagnostics", std::move(all)}};
-    if (const auto found = documents.all().find(uri); found != documents.all().end() && found->second.version)
-        params["version"] = *found->second.version;
-    send_json({{"method", "textDocument/publishDiagnostics"}, {"params", std::move(params)}});
-}
-
-void LanguageServer::State::publish(const std::string& uri) {
-    Document& document = documents.at(uri);
-    const auto is_included_by = [&](const auto& each) { return each.second.included.contains(document.path); };
-    std::map<std::string, json::array> files;
-    if (!document.is_part || std::ranges::none_of(documents.all(), is_included_by)) {
-        const std::vector<Diagnostic> diagnostics = check_document(document, catalogue);
-        document.failed = has_errors(diagnostics);
-        files = diagnostics_json(diagnostics, document, documents);
-    }
-    files[uri]; // sent also if nothing is wrong
-    std::set<std::string> uris;
-    for (const auto& [file, diagnostics] : published[uri])
-        uris.insert(file);
-    for (const auto& [file, diagnostics] : files)
-        uris.insert(file);
-    published[uri] = std::move(files);
-    for (const std::string& each : uris)
-        send_diagnostics(each);
-}
-
-json::value LanguageServer::State::carry_out(const std::string& method, const json::object& params) {
-    static const std::map<std::string, Handler> handlers{
-        {"initialize", &State::initialize},
-        {"initialized", &State::nothing},
-        {"shutdown", &State::shutdown},
-        {"exit", &State::exit},
-        {"textDocument/didOpen", &State::opened},
-        {"textDocument/didChange", &State::changed},
-        {"textDocument/didClose", &State::closed},
-        {"textDocument/didSave", &State::saved},
-        {"textDocument/hover", &State::hover},
-        {"textDocument/completion", &State::complete},
-        {"textDocument/definition", &State::define},
-        {"textDocument/rename", &State::rename},
-        {"textDocument/formatting", &State::lay_out},
-        {"textDocument/documentSymbol", &State::outline},
-    };
-    if (!initialized && method != "initialize" && method != "exit")
-        throw RequestError(ErrorCode::not_initialized, "the first request must be \"initialize\"");
-    if (shut_down && method != "exit")
-        throw RequestError(ErrorCode::invalid_request, "the server has been shut down");
-    const auto handler = handlers.find(method);
-    if (handler == handlers.end())
-        throw RequestError(ErrorCode::method_not_found, fmt::format("the method \"{}\" is unknown", method));
-    const ReadsFromMemory reads(documents.texts());
-    return (this->*handler->second)(params);
-}
-
-void LanguageServer::State::take(const json::object& message) {
-    const json::value* const id = message.if_contains("id");
-    const json::value* const method = message.if_contains("method");
-    if (!method && id && (message.contains("result") || message.contains("error")))
-        return; // an answer; the server asks nothing
-    const json::value* const params = message.if_contains("params");
-    const bool is_optional = method && method->is_string() && method->as_string().starts_with("$/");
-    const auto fail = [&](ErrorCode code, const std::string& why) {
-        if (id || !method)
-            answer_error(id ? *id : nullptr, code, why);
-        else if (!is_optional)
-            log(why);
-    };
-    try {
-        const bool has_params = params && !params->is_null();
-        if (!method || !method->is_string())
-            throw RequestError(ErrorCode::invalid_request, "a message must have a \"method\", which is a text");
-        if (has_params && !params->is_object())
-            throw RequestError(ErrorCode::invalid_params, "\"params\" must be an object");
-        json::value result =
-            carry_out(std::string(method->as_string()), has_params ? params->as_object() : json::object());
-        if (id)
-            answer(*id, std::move(result));
-    } catch (const RequestError& refused) {
-        fail(refused.code, refused.what());
-    } catch (const UserError& refused) {
-        fail(ErrorCode::request_failed, refused.what());
-    }
-}
 
 LanguageServer::LanguageServer(std::function<void(const std::string&)> send)
     : state_(std::make_unique<State>(std::move(send))) {}

@@ -58,7 +58,7 @@ struct LogRow {
 };
 
 /// Records every generation of the searches of a run.
-class GenerationLog final : public SearchObserver {
+class GenerationLog : public SearchObserver {
 public:
     /// `searches`: names of the searches, in the order of the log. `comparable`: whether all searches solve the same
     /// problem. If not, the log has no generations of all searches together.

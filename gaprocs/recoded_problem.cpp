@@ -10,7 +10,7 @@
 namespace placedpar {
 
 RecodedProblem::RecodedProblem(const SearchProblem& problem, Recoding recoding)
-    : problem_(problem.coded(Coding::natural)), recoding_(std::move(recoding)) {
+    : AdaptedProblem(problem.coded(Coding::natural)), recoding_(std::move(recoding)) {
     recoding_.validate();
     if (auto kind = problem_->representation().kind(); kind != StringKind::binary)
         throw UserError(

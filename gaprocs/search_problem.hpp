@@ -96,6 +96,49 @@ private:
     virtual std::shared_ptr<const SearchProblem> coded_plainly(Coding) const = 0;
 };
 
+/// A base class of problems that change some answers of another problem, and pass on the others.
+class AdaptedProblem : public SearchProblem {
+public:
+    explicit AdaptedProblem(std::shared_ptr<const SearchProblem> problem) : problem_(std::move(problem)) {}
+
+    std::size_t bits() const override { return problem_->bits(); }
+    Representation representation() const override { return problem_->representation(); }
+    std::size_t channels() const override { return problem_->channels(); }
+    std::optional<Objective> objective() const override { return problem_->objective(); }
+    std::vector<std::string> objective_names() const override { return problem_->objective_names(); }
+    std::optional<Merit> merit(const Genome& genome) const override { return problem_->merit(read(genome)); }
+    bool has_constraints() const override { return problem_->has_constraints(); }
+    bool depends_on_window() const override { return problem_->depends_on_window(); }
+    std::vector<double> errors(const Genome& genome, std::span<const Sample> window) const override {
+        return problem_->errors(read(genome), window);
+    }
+    double error(const Genome& genome, std::span<const double> sample) const override {
+        return problem_->error(read(genome), sample);
+    }
+    double fitness(const Genome& genome, std::span<const Sample> samples, double bias) const override {
+        return problem_->fitness(read(genome), samples, bias);
+    }
+    void fitness_of(std::span<const Genome> population, std::span<const Sample> samples, double bias,
+                    std::span<double> out) const override {
+        std::vector<Genome> strings;
+        for (const Genome& each : population)
+            strings.push_back(read(each));
+        problem_->fitness_of(strings, samples, bias, out);
+    }
+    std::vector<double> decode(const Genome& genome) const override { return problem_->decode(read(genome)); }
+    std::vector<std::string> parameter_names() const override { return problem_->parameter_names(); }
+    std::vector<std::string> parameter_units() const override { return problem_->parameter_units(); }
+    std::vector<double> true_parameters() const override { return problem_->true_parameters(); }
+    std::vector<std::size_t> fields() const override { return problem_->fields(); }
+    Coding coding() const override { return problem_->coding(); }
+
+protected:
+    /// Returns the other problem's string for a string of this problem.
+    virtual Genome read(const Genome& genome) const { return genome; }
+
+    std::shared_ptr<const SearchProblem> problem_;
+};
+
 /// Throws the UserError with which coded() refuses a coding.
 [[noreturn]] void refuse_coding(Coding);
 

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -57,8 +58,7 @@ public:
                 const Deviation mean = mean_deviation(deviations);
                 const double health = diagnosis_.health_in3_per_psi(link);
                 auto set = [&, link = link](TrendValue value, FaultHypothesis way, double zero, double unit) {
-                    answer.links[index_of(link)][static_cast<std::size_t>(value)] = {
-                        zero + unit * mean.by[index_of(way)], unit * mean.standard_error(way)};
+                    answer.of(link, value) = {zero + unit * mean.by[index_of(way)], unit * mean.standard_error(way)};
                 };
                 set(TrendValue::compliance, FaultHypothesis::compliance, health, units.compliance_in3_per_psi);
                 set(TrendValue::leak, FaultHypothesis::leak, 0, units.leak_in3_per_s_psi);
@@ -144,10 +144,7 @@ private:
         const ChannelSet channels = first.channels();
         Identifying identifying(fixed_, first, print_warnings);
         MovementsOfRecord movements(identifying.diagnosis());
-        for (std::optional<Record> piece = std::move(first); piece; piece = pieces.next()) {
-            movements.take(identifying.take(*piece));
-            show_progress(pieces);
-        }
+        read_all(std::move(first), pieces, [&](const Record& piece) { movements.take(identifying.take(piece)); });
         movements.take(identifying.end());
         movements.add_to(answer);
         for (Link link : links_of(identifying.links()))
@@ -161,24 +158,24 @@ private:
         MovingIdentification moving(
             load_machine(options_.machine, print_warnings),
             [&](std::size_t links) { return moving_way(options_, links); }, options_.seed);
-        for (std::optional<Record> piece = std::move(first); piece; piece = pieces.next()) {
-            moving.take(*piece);
-            show_progress(pieces);
-        }
+        read_all(std::move(first), pieces, [&](const Record& piece) { moving.take(piece); });
         if (stopped())
             return;
         for (const LinkIdentified& link : combined_links(moving.sets()))
             if (link.flags.empty() && wanted.contains(link.link)) {
                 answer.source[index_of(link.link)] = "with the configuration recognised";
-                answer.links[index_of(link.link)][static_cast<std::size_t>(TrendValue::compliance)] = {
+                answer.of(link.link, TrendValue::compliance) = {
                     link.compliance_in3_per_psi,
                     std::hypot(link.standard_error, repeat_error(moving.healthy_in3_per_psi(link.link)))};
             }
     }
 
-    void show_progress(const RecordPieces& pieces) {
-        progress_.show(fmt::format("record {} of {}, {:.0f} Mbyte", number_, options_.records.size(),
-                                   static_cast<double>(pieces.bytes()) / 1e6));
+    void read_all(Record first, RecordPieces& pieces, const std::function<void(const Record&)>& take) {
+        for (std::optional<Record> piece = std::move(first); piece; piece = pieces.next()) {
+            take(*piece);
+            progress_.show(fmt::format("record {} of {}, {:.0f} Mbyte", number_, options_.records.size(),
+                                       static_cast<double>(pieces.bytes()) / 1e6));
+        }
     }
 
     const IdentifyOptions& options_;

@@ -18,6 +18,18 @@ using namespace identification;
 
 namespace {
 
+struct TrendValueName {
+    std::string_view name, unit, key; ///< `key`: in JSON
+};
+
+const TrendValueName& named(TrendValue value) {
+    static constexpr std::array<TrendValueName, all_trend_values.size()> names{
+        {{"compliance", "in^3/psi", "compliance_in3_per_psi"},
+         {"leak", "in^3/(s psi)", "leak_in3_per_s_psi"},
+         {"spool offset", "in", "offset_in"}}}; // in the order of TrendValue
+    return names[static_cast<std::size_t>(value)];
+}
+
 std::string with_error(const std::optional<UncertainValue>& estimate, int decimals) {
     return estimate ? fmt::format("{:+.{}f} +- {:.{}f}", estimate->value, decimals, estimate->standard_error, decimals)
                     : "-";
@@ -74,12 +86,11 @@ boost::json::value estimate_json(const std::optional<UncertainValue>& estimate) 
 
 boost::json::object answer_json(const RecordAnswer& answer, LinkSet links) {
     boost::json::array all;
-    for (Link link : links_of(links))
-        all.push_back(
-            boost::json::object{{"link", name_of(link)},
-                                {"compliance_in3_per_psi", estimate_json(answer.of(link, TrendValue::compliance))},
-                                {"leak_in3_per_s_psi", estimate_json(answer.of(link, TrendValue::leak))},
-                                {"offset_in", estimate_json(answer.of(link, TrendValue::offset))}});
+    for (Link link : links_of(links)) {
+        boost::json::object& estimates = all.emplace_back(boost::json::object{{"link", name_of(link)}}).as_object();
+        for (TrendValue value : all_trend_values)
+            estimates[named(value).key] = estimate_json(answer.of(link, value));
+    }
     return {{"record", answer.record},
             {"date", answer.date_s ? boost::json::value(date_text(*answer.date_s)) : nullptr},
             {"links", std::move(all)},
@@ -88,23 +99,8 @@ boost::json::object answer_json(const RecordAnswer& answer, LinkSet links) {
 
 } // namespace
 
-std::string_view name_of(TrendValue value) {
-    switch (value) {
-    case TrendValue::compliance: return "compliance";
-    case TrendValue::leak: return "leak";
-    case TrendValue::offset: return "spool offset";
-    }
-    return "";
-}
-
-std::string_view unit_of(TrendValue value) {
-    switch (value) {
-    case TrendValue::compliance: return "in^3/psi";
-    case TrendValue::leak: return "in^3/(s psi)";
-    case TrendValue::offset: return "in";
-    }
-    return "";
-}
+std::string_view name_of(TrendValue value) { return named(value).name; }
+std::string_view unit_of(TrendValue value) { return named(value).unit; }
 
 Trend::Trend(std::vector<RecordAnswer> answers) : answers_(std::move(answers)) {
     if (dated())

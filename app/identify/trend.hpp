@@ -41,6 +41,9 @@ struct RecordAnswer {
     const std::optional<identification::UncertainValue>& of(hydraulics::Link link, TrendValue value) const {
         return links[index_of(link)][static_cast<std::size_t>(value)];
     }
+    std::optional<identification::UncertainValue>& of(hydraulics::Link link, TrendValue value) {
+        return links[index_of(link)][static_cast<std::size_t>(value)];
+    }
 };
 
 /// A change of one value of a link.

@@ -9,48 +9,41 @@ namespace {
 
 namespace json = boost::json;
 
-[[noreturn]] void refuse_member(std::string_view name, std::string_view wanted) {
-    throw RequestError(ErrorCode::invalid_params, fmt::format("\"{}\" must be {}", name, wanted));
-}
+constexpr std::string_view whole_number = "a whole number of at least 0";
 
-const json::value& member(const json::object& object, std::string_view name, std::string_view wanted) {
-    const json::value* found = object.if_contains(name);
+/// Returns the result of a function such as json::value::if_array for a member.
+template <class Found>
+const Found& member(const json::object& object, std::string_view name,
+                    const Found* (json::value::*get)() const noexcept, std::string_view wanted) {
+    const json::value* value = object.if_contains(name);
+    const Found* found = value ? (value->*get)() : nullptr;
     if (!found)
-        refuse_member(name, wanted);
+        throw RequestError(ErrorCode::invalid_params, fmt::format("\"{}\" must be {}", name, wanted));
     return *found;
 }
 
 } // namespace
 
 const json::object& object_in(const json::object& object, std::string_view name) {
-    const json::object* found = member(object, name, "an object").if_object();
-    if (!found)
-        refuse_member(name, "an object");
-    return *found;
+    return member(object, name, &json::value::if_object, "an object");
 }
 
 const json::array& array_in(const json::object& object, std::string_view name) {
-    const json::array* found = member(object, name, "an array").if_array();
-    if (!found)
-        refuse_member(name, "an array");
-    return *found;
+    return member(object, name, &json::value::if_array, "an array");
 }
 
 std::string text_in(const json::object& object, std::string_view name) {
-    const json::string* found = member(object, name, "a text").if_string();
-    if (!found)
-        refuse_member(name, "a text");
-    return std::string(*found);
+    return std::string(member(object, name, &json::value::if_string, "a text"));
 }
 
 std::uint64_t number_in(const json::object& object, std::string_view name) {
-    constexpr const char* wanted = "a whole number of at least 0";
-    const json::value& found = member(object, name, wanted);
-    if (const std::uint64_t* number = found.if_uint64())
+    const json::value* found = object.if_contains(name);
+    if (const std::uint64_t* number = found ? found->if_uint64() : nullptr)
         return *number;
-    if (const std::int64_t* number = found.if_int64(); number && *number >= 0)
-        return static_cast<std::uint64_t>(*number);
-    refuse_member(name, wanted);
+    const std::int64_t number = member(object, name, &json::value::if_int64, whole_number);
+    if (number < 0)
+        throw RequestError(ErrorCode::invalid_params, fmt::format("\"{}\" must be {}", name, whole_number));
+    return static_cast<std::uint64_t>(number);
 }
 
 Position position_in(const json::object& object, std::string_view name) {

@@ -213,19 +213,15 @@ private:
 
     /// Adds the settings of the run that differ: seed, time limit and order of ready processes.
     void add_run_settings(std::vector<Attempt>& attempts) {
-        auto own = [this] { return result_.a; };
-        if (a_.seed != b_.seed) {
-            add(attempts, fmt::format("seed: {} in A, {} in B", a_.seed, b_.seed), {}, own);
-            attempts.back().run.seed = b_.seed;
-        }
-        if (a_.until != b_.until) {
-            add(attempts, "the time at which the run is stopped", {}, own);
-            attempts.back().run.until = b_.until;
-        }
-        if (a_.shuffle != b_.shuffle) {
-            add(attempts, "the order of ready processes (--shuffle)", {}, own);
-            attempts.back().run.shuffle = b_.shuffle;
-        }
+        auto add_if_other = [&](auto ComparedRun::*setting, const std::string& what) {
+            if (a_.*setting == b_.*setting)
+                return;
+            add(attempts, what, {}, [this] { return result_.a; });
+            attempts.back().run.*setting = b_.*setting;
+        };
+        add_if_other(&ComparedRun::seed, fmt::format("seed: {} in A, {} in B", a_.seed, b_.seed));
+        add_if_other(&ComparedRun::until, "the time at which the run is stopped");
+        add_if_other(&ComparedRun::shuffle, "the order of ready processes (--shuffle)");
     }
 
     void add_together(std::vector<Attempt>& attempts) {

@@ -6,17 +6,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
+#include <vector>
 
 namespace placedpar::generate {
 
 namespace {
 
-/// Returns the number; 0 if the text is not a whole number that could be a size.
-std::size_t number_of(const std::string& text) { return parse_number<std::size_t>(text).value_or(0); }
+/// Returns the numbers of a size such as "2x3x4"; 0 for each that is not a whole number.
+std::vector<std::size_t> numbers_of(const TopologyRequest& request) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
+        end = request.size.find('x', begin);
+        numbers.push_back(parse_number<std::size_t>(request.size.substr(begin, end - begin)).value_or(0));
+    }
+    return numbers;
+}
 
-void require_not_huge(const TopologyRequest& request, std::size_t processors) {
-    if (processors > most_processors)
-        refuse_size(request, fmt::format("a generated machine has at most {} processors", most_processors));
+void require_not_huge(const TopologyRequest& request, const std::vector<std::size_t>& factors) {
+    std::size_t processors = 1;
+    for (const std::size_t each : factors)
+        if (each > most_processors || (processors *= each) > most_processors)
+            refuse_size(request, fmt::format("a generated machine has at most {} processors", most_processors));
 }
 
 } // namespace
@@ -26,55 +38,40 @@ void refuse_size(const TopologyRequest& request, const std::string& why) {
 }
 
 std::size_t count_of(const TopologyRequest& request, std::size_t least) {
-    std::size_t count = number_of(request.size);
-    if (count < least || count == 0)
+    const std::vector<std::size_t> numbers = numbers_of(request);
+    if (numbers.size() != 1 || numbers[0] < std::max<std::size_t>(least, 1))
         refuse_size(request, fmt::format("expected a number of processors, from {} to {}", least, most_processors));
-    require_not_huge(request, count);
-    return count;
+    require_not_huge(request, numbers);
+    return numbers[0];
 }
 
-bool has_three_dimensions(const TopologyRequest& request) { return std::ranges::count(request.size, 'x') == 2; }
+bool has_three_dimensions(const TopologyRequest& request) { return numbers_of(request).size() == 3; }
 
 Box box_of(const TopologyRequest& request) {
-    const std::size_t first = request.size.find('x'), second = request.size.find('x', first + 1);
-    const Box box{number_of(request.size.substr(0, first)),
-                  number_of(request.size.substr(first + 1, second - first - 1)),
-                  number_of(request.size.substr(second + 1))};
-    for (const std::size_t length : {box.planes, box.rows, box.columns}) {
-        if (length == 0)
-            refuse_size(request, "expected three numbers such as 2x3x4");
-        require_not_huge(request, length);
-    }
-    require_not_huge(request, 2 * box.planes * box.rows * box.columns);
-    return box;
+    const std::vector<std::size_t> numbers = numbers_of(request);
+    if (std::ranges::count(numbers, 0) > 0)
+        refuse_size(request, "expected three numbers such as 2x3x4");
+    require_not_huge(request, {2, numbers[0], numbers[1], numbers[2]});
+    return {numbers[0], numbers[1], numbers[2]};
 }
 
 std::size_t product_of_size(const TopologyRequest& request) {
-    std::size_t product = 1;
-    for (std::size_t begin = 0; begin < request.size.size();) {
-        const std::size_t end = std::min(request.size.find('x', begin), request.size.size());
-        product *= number_of(request.size.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return product;
+    const std::vector<std::size_t> numbers = numbers_of(request);
+    return std::accumulate(numbers.begin(), numbers.end(), std::size_t{1}, std::multiplies());
 }
 
 Grid grid_of(const TopologyRequest& request, std::size_t least_rows, std::size_t least_columns) {
-    if (has_three_dimensions(request))
+    const std::vector<std::size_t> numbers = numbers_of(request);
+    if (numbers.size() == 3)
         refuse_size(request,
                     fmt::format("a node of three dimensions needs six links, but a transputer has {}; only the "
                                 "topology mesh builds each node from two processors",
                                 links_of_a_node));
-    auto cross = request.size.find('x');
-    std::string columns = cross == std::string::npos ? "" : request.size.substr(cross + 1);
-    Grid grid{number_of(request.size.substr(0, cross)), number_of(columns)};
-    if (grid.rows < least_rows || grid.columns < least_columns)
+    if (numbers.size() != 2 || numbers[0] < least_rows || numbers[1] < least_columns)
         refuse_size(request,
                     fmt::format("expected two numbers such as 4x4, at least {}x{}", least_rows, least_columns));
-    require_not_huge(request, grid.rows);
-    require_not_huge(request, grid.columns);
-    require_not_huge(request, grid.rows * grid.columns);
-    return grid;
+    require_not_huge(request, numbers);
+    return {numbers[0], numbers[1]};
 }
 
 } // namespace placedpar::generate

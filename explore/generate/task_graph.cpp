@@ -13,7 +13,7 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
+#include <sstream>
 #include <vector>
 
 namespace placedpar::generate {
@@ -89,23 +89,19 @@ private:
             fault(row, cell, fmt::format("the task \"{}\" is listed twice", cell.text), "give each task its own name");
     }
 
-    std::optional<std::size_t> column(const std::string& name) const {
-        const auto found = std::ranges::find(table_.header.cells, name, &TextCell::text);
-        return found == table_.header.cells.end()
-                   ? std::nullopt
-                   : std::optional(static_cast<std::size_t>(found - table_.header.cells.begin()));
+    /// Returns the index of a column; the number of columns if there is none of this name.
+    std::size_t column(std::string_view name) const {
+        const auto& cells = table_.header.cells;
+        return static_cast<std::size_t>(std::ranges::find(cells, name, &TextCell::text) - cells.begin());
     }
 
     void find_columns() {
-        for (auto [name, place] :
-             {std::pair("task", &task_), std::pair("cycles", &cycles_), std::pair("successors", &successors_)}) {
-            if (const auto found = column(name))
-                *place = *found;
-            else
+        task_ = column("task"), cycles_ = column("cycles"), successors_ = column("successors");
+        processor_ = column("processor");
+        for (const char* name : {"task", "cycles", "successors"})
+            if (column(name) == table_.header.cells.size())
                 faults_.push_back(error_at(table_.header.line, 1, fmt::format("the table has no column \"{}\"", name),
                                            "the columns are task, cycles, successors and, optionally, processor"));
-        }
-        processor_ = column("processor");
         refuse_if_faulty();
     }
 
@@ -116,12 +112,11 @@ private:
                   "a whole number up to 1e12");
         Task task{
             .name = "task_" + row.cells[task_].text, .cycles = cycles.text, .processor = tasks_.size() % processors_};
-        if (processor_ && !row.cells[*processor_].text.empty())
-            task.processor = processor_in(row, row.cells[*processor_]);
-        const TextCell& successors = row.cells[successors_];
-        for (std::size_t begin = successors.text.find_first_not_of(' '); begin < successors.text.size();
-             begin = successors.text.find_first_not_of(' ', successors.text.find(' ', begin)))
-            add_message(task, row, successors.text.substr(begin, successors.text.find(' ', begin) - begin));
+        if (processor_ < row.cells.size() && !row.cells[processor_].text.empty())
+            task.processor = processor_in(row, row.cells[processor_]);
+        std::istringstream successors(row.cells[successors_].text);
+        for (std::string word; successors >> word;)
+            add_message(task, row, word);
         return task;
     }
 
@@ -143,16 +138,13 @@ private:
             return fault(row, cell, fmt::format("\"{}\" does not state its bytes", word),
                          "a successor is written NAME:BYTES, with 1 to 1000000000 bytes");
         const auto found = numbers_.find(name);
-        if (found == numbers_.end())
-            return fault(row, cell, unknown_name("task", name, names(), "a successor is a task of the table"), "");
+        if (found == numbers_.end()) {
+            std::vector<std::string> names;
+            for (const auto& each : numbers_)
+                names.push_back(each.first);
+            return fault(row, cell, unknown_name("task", name, names, "a successor is a task of the table"), "");
+        }
         task.messages.push_back({found->second, bytes});
-    }
-
-    std::vector<std::string> names() const {
-        std::vector<std::string> names;
-        for (const auto& each : numbers_)
-            names.push_back(each.first);
-        return names;
     }
 
     /// Reports a circle of tasks, which would wait for each other for ever.
@@ -182,8 +174,7 @@ private:
     std::shared_ptr<const SourceFile> file_;
     TextTable table_;
     std::vector<Diagnostic> faults_;
-    std::size_t task_ = 0, cycles_ = 0, successors_ = 0;
-    std::optional<std::size_t> processor_;
+    std::size_t task_ = 0, cycles_ = 0, successors_ = 0, processor_ = 0; ///< indices of the columns
     std::map<std::string, std::size_t> numbers_;
     std::vector<Task> tasks_;
 };

@@ -30,24 +30,14 @@ Topology pipeline(const TopologyRequest& request) {
     std::size_t nodes = count_of(request, 1);
     return {.about = fmt::format("A pipeline of {}", nodes),
             .vals = {val("nodes", nodes)},
-            .array = "[nodes]",
-            .first = "[0]",
-            .at = "[i]",
-            .wires = {{{"rep i = 0 for nodes - 1"}, {"[i]", "2", "i > 0"}, {"[i + 1]", "1", "0"}}},
-            .host = {"", "0", "[0]", "0"}};
+            .wires = {{{"rep i = 0 for nodes - 1"}, {"[i]", "2", "i > 0"}, {"[i + 1]", "1", "0"}}}};
 }
 
 Wires around_the_ring() { return {{"rep i = 0 for nodes"}, {"[i]", "2", "0"}, {"[(i + 1) % nodes]", "1", "1"}}; }
 
 Topology ring(const TopologyRequest& request) {
     std::size_t nodes = count_of(request, 3);
-    return {.about = fmt::format("A ring of {}", nodes),
-            .vals = {val("nodes", nodes)},
-            .array = "[nodes]",
-            .first = "[0]",
-            .at = "[i]",
-            .wires = {around_the_ring()},
-            .host = {"", "0", "[0]", "0"}};
+    return {.about = fmt::format("A ring of {}", nodes), .vals = {val("nodes", nodes)}, .wires = {around_the_ring()}};
 }
 
 Topology tree(const TopologyRequest& request) {
@@ -57,13 +47,9 @@ Topology tree(const TopologyRequest& request) {
     require_links(request, branches + 1, "a processor with its parent and its children", "use --branches 3");
     return {.about = fmt::format("A tree of {}, each with up to {} children", nodes, branches),
             .vals = {val("nodes", nodes), val("branches", branches)},
-            .array = "[nodes]",
-            .first = "[0]",
-            .at = "[i]",
             .wires = {{{"rep i = 1 for nodes - 1"},
                        {"[(i - 1) / branches]", "1 + (i - 1) % branches", "(i - 1) % branches + (i > branches)"},
-                       {"[i]", "0", "0"}}},
-            .host = {"", "0", "[0]", "0"}};
+                       {"[i]", "0", "0"}}}};
 }
 
 /// Makes a mesh of three dimensions. A node needs six links, so it consists of two processors: number 0 has the wires
@@ -139,9 +125,6 @@ Topology hypercube(const TopologyRequest& request) {
     require_links(request, dimensions, "every processor", "use at most size 16, or cube-connected-cycles");
     return {.about = fmt::format("A hypercube of {} dimensions", dimensions),
             .vals = {val("dimensions", dimensions), "val nodes 1 << dimensions;"},
-            .array = "[nodes]",
-            .first = "[0]",
-            .at = "[i]",
             .wires = {{{"rep d = 0 for dimensions", "rep i = 0 for nodes", "if (i & 1 << d) == 0"},
                        {"[i]", "d", "d"},
                        {"[i ^ 1 << d]", "d", "d"}}},
@@ -177,9 +160,6 @@ Topology star(const TopologyRequest& request) {
     require_links(request, nodes - 1, "its centre", "use at most size 5, or a tree");
     return {.about = fmt::format("A star of {}: a centre that is connected with all others", nodes),
             .vals = {val("nodes", nodes)},
-            .array = "[nodes]",
-            .first = "[0]",
-            .at = "[i]",
             .wires = {{{"rep i = 1 for nodes - 1"}, {"[0]", "i - 1", "i - 1"}, {"[i]", "0", "0"}}},
             .host = {"", "0", "[nodes == 5]", "nodes == 5 ? 1 : 3"}};
 }
@@ -203,12 +183,8 @@ Topology chordal_ring_of_three(const TopologyRequest& request, std::size_t nodes
     return {.about =
                 fmt::format("A chordal ring of {}, with chords of length {} from even to odd processors", nodes, chord),
             .vals = {val("nodes", nodes), val("chord", chord)},
-            .array = "[nodes]",
-            .first = "[0]",
-            .at = "[i]",
             .wires = {around_the_ring(),
-                      {{"rep k = 0 for nodes / 2"}, {"[2 * k]", "3", "2"}, {"[(2 * k + chord) % nodes]", "3", "2"}}},
-            .host = {"", "0", "[0]", "0"}};
+                      {{"rep k = 0 for nodes / 2"}, {"[2 * k]", "3", "2"}, {"[(2 * k + chord) % nodes]", "3", "2"}}}};
 }
 
 Topology chordal_ring_of_four(const TopologyRequest& request, std::size_t nodes, std::size_t chord) {
@@ -219,11 +195,7 @@ Topology chordal_ring_of_four(const TopologyRequest& request, std::size_t nodes,
     return {
         .about = fmt::format("A chordal ring of {}, with a chord of length {} from each processor", nodes, chord),
         .vals = {val("nodes", nodes), val("chord", chord)},
-        .array = "[nodes]",
-        .first = "[0]",
-        .at = "[i]",
         .wires = {around_the_ring(), {{"rep i = 0 for nodes"}, {"[i]", "3", "2"}, {"[(i + chord) % nodes]", "0", "3"}}},
-        .host = {},
         .no_host = all_links_taken};
 }
 

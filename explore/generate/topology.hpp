@@ -23,22 +23,23 @@ struct Wires {
 
 /// The wires from the workstation to the processors of a topology.
 struct HostWires {
-    std::string loop; ///< "" if there is only one wire
-    std::string sun;  ///< number of the workstation's link, "0"
-    std::string at;   ///< subscripts of the processor
-    std::string link; ///< number of the processor's link, an expression such as "dimensions"
+    std::string loop = "";  ///< "" if there is only one wire
+    std::string sun = "0";  ///< number of the workstation's link
+    std::string at = "[0]"; ///< subscripts of the processor
+    std::string link = "0"; ///< number of the processor's link, an expression such as "dimensions"
 };
 
 /// A topology of a given size, as fragments of the netlist language that declare and connect the array `t` of
-/// processors. The fragments depend on the vals, so that --set can change the size.
+/// processors. The fragments depend on the vals, so that --set can change the size. By default processors have one
+/// subscript, and a wire from the first leads to the host.
 struct Topology {
     std::string about;             ///< "A ring of 8 processors"
     std::vector<std::string> vals; ///< statements such as "val rows 4;"; one declares `nodes`, the number of processors
-    std::string array;             ///< dimensions with which `t` is declared, "[rows][columns]"
-    std::string first;             ///< subscripts of processor number 0, "[0][0]"
-    std::string at;                ///< subscripts of processor number i, "[i / columns][i % columns]"
-    std::vector<Wires> wires;
-    HostWires host;
+    std::string array = "[nodes]"; ///< dimensions with which `t` is declared, "[rows][columns]"
+    std::string first = "[0]";     ///< subscripts of processor number 0, "[0][0]"
+    std::string at = "[i]";        ///< subscripts of processor number i, "[i / columns][i % columns]"
+    std::vector<Wires> wires = {};
+    HostWires host = {};
     std::string no_host = "";    ///< why no link is left for a wire to the host; "" if a link is left
     std::size_t nodes = 0;       ///< number of processors
     std::string type = "T800";   ///< of the processors

@@ -67,12 +67,7 @@ PerLink<LinkReader> readers_of(const IdentifySettings& settings, const Record& f
 
 DiagnosisSettings settings_of(const IdentifySettings& given) {
     DiagnosisSettings settings;
-    settings.bits = given.bits.value_or(settings.bits);
-    settings.search.elite = given.elite.value_or(settings.search.elite);
-    settings.search.population = given.population.value_or(settings.search.population);
-    settings.search.window.trials = given.trials.value_or(settings.search.window.trials);
-    settings.search.window.length = given.window.value_or(settings.search.window.length);
-    settings.search.window.bias = given.bias;
+    change_way(settings, given);
     settings.validate();
     return settings;
 }

@@ -110,11 +110,7 @@ void add_json(const std::vector<SetAnswer>& sets, const std::vector<LinkIdentifi
 
 WholeWay moving_way(const IdentifySettings& settings, std::size_t links) {
     WholeWay whole = whole_way(links);
-    whole.way.bits = settings.bits.value_or(whole.way.bits);
-    whole.way.search.elite = settings.elite.value_or(whole.way.search.elite);
-    whole.way.search.population = settings.population.value_or(whole.way.search.population);
-    whole.way.search.window.trials = settings.trials.value_or(whole.way.search.window.trials);
-    whole.way.search.window.bias = settings.bias;
+    change_way(whole.way, settings); // there is no window to be changed: see require_no_fixed_settings()
     whole.way.search.validate();
     return whole;
 }

@@ -21,6 +21,17 @@ namespace placedpar {
 /// Reads links by name, separated by commas. Throws UserError for an unknown link, and for a link that is named twice.
 hydraulics::LinkSet links_of(const std::string& links);
 
+/// Changes the settings of a way by those that were given. Way: DiagnosisSettings or IdentificationWay.
+template <class Way>
+void change_way(Way& way, const IdentifySettings& given) {
+    way.bits = given.bits.value_or(way.bits);
+    way.search.elite = given.elite.value_or(way.search.elite);
+    way.search.population = given.population.value_or(way.search.population);
+    way.search.window.trials = given.trials.value_or(way.search.window.trials);
+    way.search.window.length = given.window.value_or(way.search.window.length);
+    way.search.window.bias = given.bias;
+}
+
 std::optional<hydraulics::AreasFrom> areas_asked(const IdentifySettings& settings);
 hydraulics::Side side_asked(const IdentifySettings& settings);
 /// Reads a number of inches. Throws UserError for anything else.

@@ -25,14 +25,9 @@ namespace {
 
 /// Returns the way, changed by the settings that were typed.
 IdentificationWay way_of(const IdentifySettings& settings, IdentificationWay way) {
-    way.bits = settings.bits.value_or(way.bits);
+    change_way(way, settings);
     if (!settings.coding.empty())
         way.coding = Coding::named(settings.coding);
-    way.search.elite = settings.elite.value_or(way.search.elite);
-    way.search.population = settings.population.value_or(way.search.population);
-    way.search.window.trials = settings.trials.value_or(way.search.window.trials);
-    way.search.window.length = settings.window.value_or(way.search.window.length);
-    way.search.window.bias = settings.bias;
     way.usable.count = settings.samples.value_or(way.usable.count);
     way.usable.rising = settings.rising;
     way.search.validate();

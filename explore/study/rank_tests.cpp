@@ -62,15 +62,9 @@ std::optional<RankTest> test_of(const std::vector<std::vector<double>>& groups) 
     return groups.size() == 2 ? mann_whitney(groups[0], groups[1]) : kruskal_wallis(groups);
 }
 
-struct TestedRow {
-    std::string setting = "", values = "", others = "", measure = "";
-    bool is_of_two = false;
-    RankTest test = {};
-};
-
 /// Returns the test of the combinations with several figures of a measure.
-std::optional<TestedRow> tested(const StudySummary& summary, std::size_t axis, const Compared& compared,
-                                std::size_t measure) {
+std::optional<Row> tested(const StudySummary& summary, std::size_t axis, const Compared& compared,
+                          std::size_t measure) {
     std::vector<std::vector<double>> groups;
     std::vector<std::string> values;
     for (const StudyLine* line : compared.lines)
@@ -82,38 +76,26 @@ std::optional<TestedRow> tested(const StudySummary& summary, std::size_t axis, c
     if (!test)
         return std::nullopt;
     const bool two = groups.size() == 2;
-    return TestedRow{summary.axes[axis],
-                     two ? fmt::format("{}", fmt::join(values, ", ")) : fmt::format("{} values", groups.size()),
-                     compared.others,
-                     measure_with_unit(summary, measure),
-                     two,
-                     *test};
-}
-
-Row row_of_test(const TestedRow& row, bool has_others) {
-    const std::string effect = fmt::format("{} {:.2f}", row.is_of_two ? "A" : "epsilon²", row.test.effect);
-    const std::string p = row.test.p < 1e-4 ? "< 0.0001" : fmt::format("{:.4f}", row.test.p);
-    return {Field::left(0, "setting", row.setting),
-            Field::left(0, "of", row.values),
-            Field::left(0, "with", row.others).shown_if(has_others),
-            Field::left(0, "measure", row.measure),
-            Field::right(0, "p", p),
-            Field::left(0, "effect", effect),
-            Field::left(0, "test", row.is_of_two ? "Mann-Whitney" : "Kruskal-Wallis")};
+    return Row{Field::left(0, "setting", summary.axes[axis]),
+               Field::left(0, "of",
+                           two ? fmt::format("{}", fmt::join(values, ", ")) : fmt::format("{} values", groups.size())),
+               Field::left(0, "with", compared.others).shown_if(summary.axes.size() > 1),
+               Field::left(0, "measure", measure_with_unit(summary, measure)),
+               Field::right(0, "p", test->p < 1e-4 ? "< 0.0001" : fmt::format("{:.4f}", test->p)),
+               Field::left(0, "effect", fmt::format("{} {:.2f}", two ? "A" : "epsilon²", test->effect)),
+               Field::left(0, "test", two ? "Mann-Whitney" : "Kruskal-Wallis")};
 }
 
 } // namespace
 
 std::string print_rank_tests(const StudySummary& summary) {
-    std::vector<TestedRow> rows;
+    std::vector<Row> rows;
     for (std::size_t axis = 0; axis < summary.axes.size(); ++axis)
         for (const Compared& compared : compared_along(summary, axis))
             for (std::size_t measure = 0; measure < summary.measures.size(); ++measure)
                 if (auto row = tested(summary, axis, compared, measure))
                     rows.push_back(std::move(*row));
-    const bool has_others = summary.axes.size() > 1;
-    auto row_of = [&](const TestedRow& row) { return row_of_test(row, has_others); };
-    return rows.empty() ? "" : "\nRank tests\n" + table_of(rows, row_of).text();
+    return rows.empty() ? "" : "\nRank tests\n" + Table{rows.front(), rows}.text();
 }
 
 } // namespace placedpar

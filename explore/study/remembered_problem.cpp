@@ -7,7 +7,7 @@
 namespace placedpar {
 
 RememberedProblem::RememberedProblem(std::shared_ptr<const SearchProblem> problem, Room room)
-    : problem_(std::move(problem)), room_(std::move(room)) {}
+    : AdaptedProblem(std::move(problem)), room_(std::move(room)) {}
 
 std::size_t RememberedProblem::Hash::operator()(const Genome& genome) const {
     return boost::hash_range(genome.words().begin(), genome.words().end());

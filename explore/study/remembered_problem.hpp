@@ -15,7 +15,7 @@ namespace placedpar {
 
 /// A problem with an objective. It computes the fitness of each genome once, and remembers the fitness for other
 /// processes, generations and runs. Neither this class nor ProblemRegistry is thread-safe.
-class RememberedProblem final : public SearchProblem {
+class RememberedProblem final : public AdaptedProblem {
 public:
     /// The number of bytes left for remembered genomes. Several problems may share this number.
     using Room = std::shared_ptr<std::size_t>;
@@ -26,24 +26,9 @@ public:
     explicit RememberedProblem(std::shared_ptr<const SearchProblem> problem, Room room = usual_room());
     ~RememberedProblem() override { forget(); }
 
-    std::size_t bits() const override { return problem_->bits(); }
-    Representation representation() const override { return problem_->representation(); }
-    std::size_t channels() const override { return problem_->channels(); }
-    std::optional<Objective> objective() const override { return problem_->objective(); }
-    std::vector<std::string> objective_names() const override { return problem_->objective_names(); }
-    std::optional<Merit> merit(const Genome& genome) const override { return problem_->merit(genome); }
-    bool has_constraints() const override { return problem_->has_constraints(); }
-    double error(const Genome& genome, std::span<const double> sample) const override {
-        return problem_->error(genome, sample);
-    }
     double fitness(const Genome&, std::span<const Sample>, double bias) const override;
     void fitness_of(std::span<const Genome> population, std::span<const Sample>, double bias,
                     std::span<double> out) const override;
-    std::vector<double> decode(const Genome& genome) const override { return problem_->decode(genome); }
-    std::vector<std::string> parameter_names() const override { return problem_->parameter_names(); }
-    std::vector<std::string> parameter_units() const override { return problem_->parameter_units(); }
-    std::vector<std::size_t> fields() const override { return problem_->fields(); }
-    Coding coding() const override { return problem_->coding(); }
 
 private:
     struct Hash {
@@ -55,7 +40,6 @@ private:
     std::size_t bytes_of_one() const;
     void forget() const;
 
-    std::shared_ptr<const SearchProblem> problem_;
     Room room_;
     mutable std::unordered_map<Genome, double, Hash> known_; ///< never iterated over
     mutable std::map<std::string, std::shared_ptr<const SearchProblem>> codings_;

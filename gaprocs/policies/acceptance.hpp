@@ -83,7 +83,6 @@ struct OffspringAcceptance {
                                       about = "an individual of the new population outside its elite, drawn at random, "
                                               "is replaced; the immigrant is evaluated one generation later",
                                       source = "thesis 5.3.2, \"one generation later\"";
-    static constexpr std::tuple<> numbers() { return {}; }
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
                       RandomStream& random) const;
 };

@@ -43,7 +43,6 @@ struct GrayCoding {
 struct RealCoding {
     static constexpr std::string_view name = "real", about = "no bits: the parameters themselves, as real numbers",
                                       source = "not in the thesis";
-    static constexpr std::tuple<> numbers() { return {}; }
 };
 
 class Coding : public OneOf<Coding, NaturalCoding, GrayCoding, RealCoding> {

@@ -23,7 +23,6 @@ namespace placedpar {
 struct OnePointCrossover {
     static constexpr std::string_view name = "one-point", about = "mates exchange the characters before a cut",
                                       source = "thesis 1.1, eq. 1.1 and 1.2";
-    static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind != StringKind::permutation; }
     void operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit = 1) const;
 };
@@ -33,7 +32,6 @@ struct OnePointCrossover {
 struct TwoPointCrossover {
     static constexpr std::string_view name = "two-point", about = "mates exchange the characters between two cuts",
                                       source = "K. De Jong, 1975";
-    static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind != StringKind::permutation; }
     void operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit = 1) const;
 };
@@ -43,7 +41,6 @@ struct TwoPointCrossover {
 struct UniformCrossover {
     static constexpr std::string_view name = "uniform", about = "mates exchange each character with probability 1/2",
                                       source = "G. Syswerda, 1989";
-    static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind != StringKind::permutation; }
     void operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit = 1) const;
 };
@@ -56,7 +53,6 @@ struct DifferenceCrossover {
         name = "by-difference",
         about = "the cut is between bits in which the mates differ; mates differ in at least two bits",
         source = "thesis 6.3";
-    static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::binary; }
     /// REQUIRES: the strings differ in two bits or more.
     void operator()(Genome& a, Genome& b, RandomStream& random) const;
@@ -110,7 +106,6 @@ struct OrderCrossover {
         name = "order",
         about = "an offspring copies a part of one parent, and takes the rest in the order of the other parent",
         source = "L. Davis, 1985";
-    static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::permutation; }
     void operator()(Genome& a, Genome& b, const Permutation& permutation, RandomStream& random) const;
 };

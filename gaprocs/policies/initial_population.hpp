@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <functional>
 #include <string_view>
-#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -16,7 +15,6 @@ class RandomStream;
 
 struct RandomStart {
     static constexpr std::string_view name = "random", about = "every string is drawn at random", source = "thesis 1.1";
-    static constexpr std::tuple<> numbers() { return {}; }
 };
 
 /// Spreads the codes of each field evenly over the field's range, and assigns them to the strings in random order, as
@@ -26,7 +24,6 @@ struct SpreadStart {
         name = "spread",
         about = "the codes of each field are spread evenly over its range, in a random order for each field",
         source = "thesis 6.3, predefined populations; M. McKay et al., 1979";
-    static constexpr std::tuple<> numbers() { return {}; }
 };
 
 /// A user-defined struct that returns strings for the first population, at most `population` of them. The search draws

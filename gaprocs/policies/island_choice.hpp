@@ -31,7 +31,6 @@ struct PrintedChoice {
         about = "greatest ratio Sw/SA (eq. 5.7) as printed, with squared errors; nearly always chooses the longest "
                 "window, and never prefers the shortest to it if errors do not depend on the window",
         source = "thesis eq. 5.1 and 5.3 to 5.7";
-    static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
@@ -40,7 +39,6 @@ struct PlainSumChoice {
     static constexpr std::string_view name = "plain",
                                       about = "greatest ratio Sw/SA, with errors summed with their signs",
                                       source = "thesis eq. 5.2 to 5.7, to the letter";
-    static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
@@ -50,7 +48,6 @@ struct MeansChoice {
     static constexpr std::string_view name = "means",
                                       about = "greatest ratio Sw/SA, with means of squared errors instead of sums",
                                       source = "an interpretation of thesis eq. 5.3 and 5.4";
-    static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
@@ -61,7 +58,6 @@ struct RowChoice {
                                       about = "greatest ratio Sw/SA, with each error divided by that of the row's own "
                                               "island; sums and means give the same choice",
                                       source = "an interpretation of thesis eq. 5.3 and 5.4";
-    static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
@@ -81,7 +77,6 @@ struct FixedChoice {
 struct RandomChoice {
     static constexpr std::string_view name = "random", about = "an island drawn at random each time",
                                       source = "a control for comparisons, not in the thesis";
-    static constexpr std::tuple<> numbers() { return {}; }
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream& random) const;
 };
 

@@ -32,7 +32,6 @@ void mutate_places(const Mutate& mutate, std::span<Genome> population, double pr
 /// length.
 struct BitMutation {
     static constexpr std::string_view name = "bit", about = "a bit is flipped", source = "thesis 1.1";
-    static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::binary; }
 
     double probability = 0.01;
@@ -48,7 +47,6 @@ struct DistanceMutation {
         about =
             "bits are flipped as with bit, but a random number is drawn only for the distance to the next flipped bit",
         source = "thesis 1.1, with other random draws";
-    static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::binary; }
 
     double probability = 0.01;
@@ -114,7 +112,6 @@ struct PolynomialMutation {
 struct UniformMutation {
     static constexpr std::string_view name = "uniform", about = "a number is replaced by a random one from its range",
                                       source = "Z. Michalewicz, 1992";
-    static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::real; }
     void operator()(Genome& genome, std::size_t place, const Representation& representation,
                     RandomStream& random) const;
@@ -124,7 +121,6 @@ struct UniformMutation {
 struct SwapMutation {
     static constexpr std::string_view name = "swap", about = "two elements of the permutation are exchanged",
                                       source = "not in the thesis";
-    static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::permutation; }
     void operator()(Genome& genome, std::size_t place, const Representation& representation,
                     RandomStream& random) const;
@@ -137,7 +133,6 @@ struct InversionMutation {
     static constexpr std::string_view name = "inversion",
                                       about = "the elements between two positions of the permutation are reversed",
                                       source = "the 2-opt step of G. Croes, 1958";
-    static constexpr std::tuple<> numbers() { return {}; }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::permutation; }
     void operator()(Genome& genome, std::size_t place, const Representation& representation,
                     RandomStream& random) const;

@@ -26,7 +26,6 @@ struct RouletteReproduction {
         about = "the roulette wheel is spun once for each parent; individuals with fitness <= 0 are discarded",
         source = "thesis 1.1 and 3.1.1, step 4";
     static constexpr bool needs_positive_fitness = true;
-    static constexpr std::tuple<> numbers() { return {}; }
 
     /// Draws one number for each parent. Throws as RouletteWheel.
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
@@ -41,7 +40,6 @@ struct UniversalReproduction {
         about = "stochastic universal sampling: one spin with evenly spaced pointers chooses all parents",
         source = "J. Baker, 1987";
     static constexpr bool needs_positive_fitness = true;
-    static constexpr std::tuple<> numbers() { return {}; }
 
     /// Draws one number for the spin, and at least count - 1 for the shuffle. Throws as RouletteWheel.
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;

@@ -44,7 +44,6 @@ struct HypercubeTopology {
         name = "hypercube",
         about = "each island sends to the islands whose numbers differ from its own in one binary digit",
         source = "thesis 5.2.1 and 5.3.2";
-    static constexpr std::tuple<> numbers() { return {}; }
     Neighbours operator()(std::size_t islands) const;
 };
 
@@ -70,7 +69,6 @@ struct StarTopology {
         name = "star",
         about = "island 0 exchanges with each other island; these do not exchange with each other",
         source = "not in the thesis";
-    static constexpr std::tuple<> numbers() { return {}; }
     Neighbours operator()(std::size_t islands) const;
 };
 
@@ -79,14 +77,12 @@ struct CompleteTopology {
     static constexpr std::string_view name = "complete",
                                       about = "each island sends to all others, beginning with the next",
                                       source = "thesis 5.3.2, broadcasting";
-    static constexpr std::tuple<> numbers() { return {}; }
     Neighbours operator()(std::size_t islands) const;
 };
 
 struct NoTopology {
     static constexpr std::string_view name = "none", about = "islands exchange nothing",
                                       source = "a control for comparisons, not in the thesis";
-    static constexpr std::tuple<> numbers() { return {}; }
     Neighbours operator()(std::size_t islands) const { return Neighbours(islands); }
 };
 
@@ -97,7 +93,6 @@ struct GivenTopology {
         name = "given",
         about = "each island sends to the neighbours in a list; in a netlist, to the islands connected to it",
         source = "the netlist's connections";
-    static constexpr std::tuple<> numbers() { return {}; }
     Neighbours neighbours;
     /// Throws UserError if `neighbours` is for another number of islands, or if a neighbour does not exist, is the
     /// island itself, or is listed twice.

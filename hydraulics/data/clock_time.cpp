@@ -1,14 +1,16 @@
 #include "hydraulics/data/clock_time.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <ctime>
 #include <initializer_list>
 #include <iterator>
+#include <regex>
 
 namespace placedpar::hydraulics {
 
@@ -73,18 +75,6 @@ std::optional<std::int64_t> zone_ns(std::string_view text) {
     return (text.front() == '-' ? -1 : 1) * (3600 * hours + 60 * minutes) * ns_per_s;
 }
 
-/// Returns a date in a file's name as ISO 8601 writes it: in a name, "-" or "_" stands for "T" and ":".
-std::string iso_text(std::string_view in_name) {
-    std::string text(in_name);
-    const std::size_t date = text.size() > 4 && text[4] == '-' ? 10 : 8;
-    if (text.size() <= date)
-        return text + "T00:00";
-    if (text[date] == '_' || text[date] == '-')
-        text[date] = 'T';
-    std::replace(text.begin() + static_cast<std::ptrdiff_t>(date), text.end(), '-', ':');
-    return text;
-}
-
 } // namespace
 
 std::optional<ClockTime> clock_time(std::string_view text) {
@@ -104,29 +94,22 @@ std::optional<ClockTime> clock_time(std::string_view text) {
     return ClockTime{*day + *since_midnight + *fraction - *ahead, !zone.empty()};
 }
 
-std::optional<double> date_in_name(std::string_view name) {
-    constexpr std::array<std::size_t, 7> lengths{19, 17, 16, 15, 13, 10, 8}; // with seconds, with minutes, date alone
-    for (std::size_t at = 0; at < name.size(); ++at)
-        for (std::size_t length : lengths) {
-            const bool begins = at == 0 || !is_digit(name[at - 1]);
-            const bool ends = at + length == name.size() || (at + length < name.size() && !is_digit(name[at + length]));
-            if (!begins || !ends)
-                continue;
-            if (auto found = clock_time(iso_text(name.substr(at, length))))
-                return static_cast<double>(found->since_1970_ns) / 1e9;
-        }
+std::optional<double> date_in_name(const std::string& name) {
+    static const std::regex date("(?:^|[^0-9])([0-9]{4}-?[0-9]{2}-?[0-9]{2})"
+                                 "(?:[T_-]([0-9]{2})[-:]?([0-9]{2})(?:[-:]?([0-9]{2}))?)?(?![0-9])");
+    for (std::sregex_iterator found(name.begin(), name.end(), date), end; found != end; ++found)
+        for (const std::string& time :
+             {fmt::format("{}:{}:{}", found->str(2), found->str(3), (*found)[4].matched ? found->str(4) : "00"),
+              std::string("00:00")})
+            if (const auto read = clock_time(found->str(1) + "T" + time))
+                return static_cast<double>(read->since_1970_ns) / 1e9;
     return std::nullopt;
 }
 
 std::string date_text(double since_1970_s) {
-    using namespace std::chrono;
-    const auto minutes_since = static_cast<std::int64_t>(std::floor(since_1970_s / 60));
-    const sys_days date = floor<days>(sys_seconds(minutes(minutes_since)));
-    const year_month_day parts(date);
-    const std::int64_t minute = minutes_since - 1440 * date.time_since_epoch().count();
-    const std::string day = fmt::format("{:04}-{:02}-{:02}", static_cast<int>(parts.year()),
-                                        static_cast<unsigned>(parts.month()), static_cast<unsigned>(parts.day()));
-    return minute == 0 ? day : fmt::format("{} {:02}:{:02}", day, minute / 60, minute % 60);
+    const auto minutes = static_cast<std::time_t>(std::floor(since_1970_s / 60));
+    const std::tm time = fmt::gmtime(60 * minutes);
+    return minutes % 1440 == 0 ? fmt::format("{:%Y-%m-%d}", time) : fmt::format("{:%Y-%m-%d %H:%M}", time);
 }
 
 } // namespace placedpar::hydraulics

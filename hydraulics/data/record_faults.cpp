@@ -61,24 +61,24 @@ double median_step(std::span<const double> time_s) {
 /// Returns the fault between two neighbouring samples, if there is one.
 std::optional<Diagnostic> fault_of_step(double step_s, double period_s, const TextCell& time, std::size_t line,
                                         std::size_t line_before) {
-    auto fault = [&](bool refused, std::string message, std::string hint) {
-        return refused ? error_at(line, time.column, std::move(message), std::move(hint))
-                       : warning_at(line, time.column, std::move(message), std::move(hint));
-    };
     if (step_s == 0)
-        return fault(true, fmt::format("the time is the same as on line {}, but the readings differ", line_before),
-                     "leave out the row that is wrong");
+        return error_at(line, time.column,
+                        fmt::format("the time is the same as on line {}, but the readings differ", line_before),
+                        "leave out the row that is wrong");
     if (step_s < 0)
-        return fault(true, fmt::format("the time is {:.6g} s before the time on line {}", -step_s, line_before),
-                     "rows must be in order of time");
+        return error_at(line, time.column,
+                        fmt::format("the time is {:.6g} s before the time on line {}", -step_s, line_before),
+                        "rows must be in order of time");
     double periods = std::round(step_s / period_s);
     if (periods < 1 || std::abs(step_s - periods * period_s) > jitter_tolerance * period_s)
-        return fault(true, fmt::format("the time is {:.6g} s after the time on line {}", step_s, line_before),
-                     fmt::format("a whole number of sampling periods of {:.6g} s (the median step), within {:.0f} %",
-                                 period_s, 100 * jitter_tolerance));
+        return error_at(line, time.column,
+                        fmt::format("the time is {:.6g} s after the time on line {}", step_s, line_before),
+                        fmt::format("a whole number of sampling periods of {:.6g} s (the median step), within {:.0f} %",
+                                    period_s, 100 * jitter_tolerance));
     if (periods > 1)
-        return fault(
-            false, fmt::format("{:.0f} sample{} missing before this one", periods - 1, periods == 2 ? " is" : "s are"),
+        return warning_at(
+            line, time.column,
+            fmt::format("{:.0f} sample{} missing before this one", periods - 1, periods == 2 ? " is" : "s are"),
             "windows and slopes do not extend across the gap");
     return std::nullopt;
 }
@@ -160,16 +160,16 @@ void check_channel(std::string_view name, Sensor sensor, const Unit& unit, doubl
 
 void check_pressure(std::string_view name, const Unit& unit, std::span<const double> psi, const TextTable& table,
                     std::size_t index, std::vector<Diagnostic>& faults) {
-    auto warn = [&](std::size_t sample, std::string message, std::string hint) {
-        const TextRow& row = table.rows[sample];
-        faults.push_back(warning_at(row.line, row.cells[index].column, std::move(message), std::move(hint)));
-    };
     auto below = [](double each) { return each < vacuum_psi; };
-    if (auto first = std::ranges::find_if(psi, below); first != psi.end())
-        warn(static_cast<std::size_t>(first - psi.begin()),
-             fmt::format("{} is {:.6g} {}, below vacuum ({} of {} samples)", name, *first / unit.factor, unit.name,
-                         std::ranges::count_if(psi, below), psi.size()),
-             "no pressure is below vacuum: check the sign of the sensor's readings");
+    const auto first = std::ranges::find_if(psi, below);
+    if (first == psi.end())
+        return;
+    const TextRow& row = table.rows[static_cast<std::size_t>(first - psi.begin())];
+    faults.push_back(
+        warning_at(row.line, row.cells[index].column,
+                   fmt::format("{} is {:.6g} {}, below vacuum ({} of {} samples)", name, *first / unit.factor,
+                               unit.name, std::ranges::count_if(psi, below), psi.size()),
+                   "no pressure is below vacuum: check the sign of the sensor's readings"));
 }
 
 void check_frozen(std::string_view name, const Unit& unit, std::span<const double> readings, double least_jump,

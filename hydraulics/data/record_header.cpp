@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 
 namespace placedpar::hydraulics {
@@ -40,23 +39,21 @@ NameAndUnit name_and_unit(const std::string& text) {
 std::optional<RecordChannel> channel_named(const std::string& name) {
     if (lower_case(name) == "time")
         return RecordChannel{};
-    std::size_t dot = name.find('.');
-    auto link = link_named(name.substr(0, dot));
-    auto sensor = dot == std::string::npos ? std::nullopt : sensor_named(std::string_view(name).substr(dot + 1));
-    if (!link || !sensor)
-        return std::nullopt;
-    return RecordChannel{*link, sensor};
+    const std::size_t dot = std::min(name.find('.'), name.size());
+    const auto link = link_named(name.substr(0, dot));
+    const auto sensor = sensor_named(std::string_view(name).substr(std::min(dot + 1, name.size())));
+    return link && sensor ? std::optional(RecordChannel{*link, sensor}) : std::nullopt;
 }
 
 /// Returns the channel that a user names; "pressure" is the pressure at the boom's inlet.
-std::optional<RecordChannel> channel_typed(const std::string& name) {
-    const std::size_t dot = name.find('.');
-    std::string sensor = dot == name.npos ? name : name.substr(dot + 1);
-    if (sensor == "pressure")
-        sensor = name_of(Sensor::inlet_pressure);
-    if (auto found = channel_named(name))
-        return found;
-    return channel_named((dot == name.npos ? "boom" : name.substr(0, dot)) + "." + sensor);
+std::optional<RecordChannel> channel_typed(std::string name) {
+    if (const auto known = channel_named(name))
+        return known;
+    if (name.find('.') == name.npos)
+        name = "boom." + name;
+    if (name.ends_with(".pressure"))
+        name.insert(name.rfind('.') + 1, "inlet_");
+    return channel_named(name);
 }
 
 /// Returns what a cell of the header names, and whether the user said so.
@@ -74,20 +71,6 @@ std::optional<RecordChannel> channel_of(const std::vector<ColumnName>& names, co
     return found && std::ranges::count(names, *found, &ColumnName::channel) > 0 ? std::nullopt : found;
 }
 
-/// Returns the separator of the line that occurs most often outside quotes and brackets.
-char likely_separator(std::string_view line) {
-    std::array<std::pair<char, std::size_t>, 3> counts{{{',', 0}, {';', 0}, {'\t', 0}}};
-    bool quoted = false;
-    int depth = 0;
-    for (char c : line) {
-        quoted = quoted != (c == '"');
-        depth += c == '[' || c == '(' ? 1 : c == ']' || c == ')' ? -1 : 0;
-        for (auto& [separator, count] : counts)
-            count += c == separator && !quoted && depth <= 0 ? 1 : 0;
-    }
-    return std::ranges::max_element(counts, {}, &std::pair<char, std::size_t>::second)->first;
-}
-
 /// Returns the separator that a spreadsheet's line such as "sep=;" states.
 std::optional<char> stated_separator(std::string_view line) {
     std::string text = trimmed_text(line.substr(0, 8)); // a tab at the end is a separator, not a blank
@@ -99,14 +82,6 @@ std::optional<char> stated_separator(std::string_view line) {
 
 std::string_view first_line(std::string_view text) { return text.substr(0, text.find('\n')); }
 
-/// Where the header is, and what separates its columns.
-struct HeaderFound {
-    std::size_t at;
-    char separator;
-    int score;         ///< 0: no column is known; 1: the time is; 2: a sensor, too
-    std::size_t cells; ///< number of cells
-};
-
 int score_of(const std::vector<TextCell>& cells, const std::vector<ColumnName>& names) {
     bool time = false, sensor = false;
     for (const TextCell& cell : cells)
@@ -115,49 +90,48 @@ int score_of(const std::vector<TextCell>& cells, const std::vector<ColumnName>& 
     return time ? 1 + sensor : 0;
 }
 
+/// Where the header is, and what separates its columns.
+struct HeaderFound {
+    std::size_t at = 0;
+    char separator = ',';
+    int score = -1;        ///< 0: no column is known; 1: the time is; 2: a sensor, too
+    std::size_t cells = 0; ///< number of cells
+
+    /// More cells are better in the same line; and of several lines that have the time, the header has most cells.
+    bool is_better_than(const HeaderFound& other) const {
+        return score > other.score || (score == other.score && cells > other.cells && (score == 1 || at == other.at));
+    }
+};
+
 /// Finds the first line with the columns of a record; else the first line that is not a comment.
 HeaderFound find_header(std::string_view text, const std::vector<ColumnName>& names) {
-    std::optional<HeaderFound> best;
-    std::optional<char> stated;
+    HeaderFound best{.at = text.size()};
+    std::string separators = ",;\t";
     std::size_t at = 0, lines = 0; // number of lines that are not comments
-    while (lines < most_header_lines && at < text.size() && (!best || best->score < 2)) {
+    while (lines < most_header_lines && at < text.size() && best.score < 2) {
         const std::string_view line = first_line(text.substr(at));
-        if (auto separator = stated_separator(line); separator && !stated)
-            stated = separator;
+        if (const auto stated = stated_separator(line); stated && separators.size() > 1)
+            separators = *stated;
         else if (!trimmed_text(line).empty() && !line.starts_with('#')) {
             ++lines;
-            const char separator_here = stated.value_or(likely_separator(line));
-            const std::vector<TextCell> cells = split_cells(line, separator_here);
-            const HeaderFound found{at, separator_here, score_of(cells, names), cells.size()};
-            if (!best || found.score > best->score || (found.score == 1 && found.cells > best->cells))
-                best = found;
+            for (const char separator : separators) {
+                const std::vector<TextCell> cells = split_cells(line, separator);
+                const HeaderFound found{at, separator, score_of(cells, names), cells.size()};
+                best = found.is_better_than(best) ? found : best;
+            }
         }
         at += line.size() + 1;
     }
-    return best.value_or(HeaderFound{std::min(at, text.size()), ',', 0, 0});
-}
-
-/// Returns the text with all lines above the header as comments, since a logger's own lines describe the record.
-std::string with_comments(std::string_view text, std::size_t header_at) {
-    std::string commented;
-    std::size_t at = 0;
-    while (at < header_at) {
-        const std::string_view line = first_line(text.substr(at));
-        const bool states_separator = stated_separator(line).has_value();
-        if (!trimmed_text(line).empty() && !line.starts_with('#') && !states_separator)
-            commented += "# ";
-        commented += states_separator ? "" : line;
-        commented += '\n';
-        at += line.size() + 1;
-    }
-    return commented += text.substr(header_at);
+    return best;
 }
 
 bool is_number_or_time(const TextCell& cell) {
-    std::vector<Diagnostic> faults;
-    const bool point = (number_in(cell, 0, faults), faults.empty());
-    faults.clear();
-    return point || clock_time(cell.text) || (number_in(cell, 0, faults, ','), faults.empty());
+    auto is_number = [&cell](char decimal_sign) {
+        std::vector<Diagnostic> faults;
+        number_in(cell, 0, faults, decimal_sign);
+        return faults.empty();
+    };
+    return is_number('.') || is_number(',') || clock_time(cell.text);
 }
 
 /// Returns the text of a cell such as "bar", "[bar]" or "(bar)", without brackets.
@@ -188,13 +162,21 @@ ColumnName column_name(std::string_view text) {
     return {in_file, *channel, unit};
 }
 
-/// Makes comments of the lines above the header, and sets the separator.
+/// Makes comments of the lines above the header, since a logger's own lines describe the record; sets the separator.
 std::string RecordReader::find_table(std::string_view text) {
     if (text.starts_with("\xef\xbb\xbf"))
         text.remove_prefix(3);
     const HeaderFound found = find_header(text, needs_.names);
     table_.separator = found.separator;
-    return with_comments(text, found.at);
+    std::string commented;
+    for (std::size_t at = 0; at < found.at;) {
+        const std::string_view line = first_line(text.substr(at));
+        if (!stated_separator(line))
+            commented.append(trimmed_text(line).empty() || line.starts_with('#') ? "" : "# ").append(line);
+        commented += '\n';
+        at += line.size() + 1;
+    }
+    return commented.append(text.substr(found.at));
 }
 
 /// Removes the rows of words below the header. The first that has units states the units of columns without one.
@@ -241,7 +223,7 @@ const Unit* RecordReader::unit_of(std::size_t index, const RecordChannel& channe
 }
 
 /// Reads the name and the unit of one column. Adds an unknown name to `unused`.
-void RecordReader::read_column(std::size_t index, std::vector<std::string>& unused, std::vector<Diagnostic>& faults) {
+void RecordReader::read_column(std::size_t index, std::vector<TextCell>& unused, std::vector<Diagnostic>& faults) {
     const TextCell& cell = table_.header.cells[index];
     const std::string name = name_and_unit(cell.text).name;
     const auto channel = channel_of(needs_.names, cell.text);
@@ -251,7 +233,7 @@ void RecordReader::read_column(std::size_t index, std::vector<std::string>& unus
     }
     if (!channel) {
         if (!name.empty())
-            unused.push_back(fmt::format("\"{}\"", name));
+            unused.push_back({fmt::format("\"{}\"", name), cell.column});
         return;
     }
     const Unit* unit = unit_of(index, *channel, faults);
@@ -265,22 +247,21 @@ void RecordReader::read_column(std::size_t index, std::vector<std::string>& unus
         columns_.push_back({index, cell.column, name, unit, channel->link, channel->sensor});
 }
 
-void RecordReader::note_unused(const std::vector<std::string>& unused, std::vector<Diagnostic>& faults) const {
+void RecordReader::note_unused(const std::vector<TextCell>& unused, std::vector<Diagnostic>& faults) const {
     constexpr std::size_t most_named = 5;
     if (unused.empty())
         return;
-    const auto first = std::ranges::find_if(table_.header.cells, [&](const TextCell& cell) {
-        return fmt::format("\"{}\"", name_and_unit(cell.text).name) == unused.front();
-    });
-    const std::vector<std::string> named(
-        unused.begin(), unused.begin() + static_cast<std::ptrdiff_t>(std::min(unused.size(), most_named)));
+    std::string names;
+    for (std::size_t i = 0; i < std::min(unused.size(), most_named); ++i)
+        names += (i == 0 ? "" : ", ") + unused[i].text;
+    if (unused.size() > most_named)
+        names += fmt::format(" and {} more", unused.size() - most_named);
     faults.push_back(warning_at(
-        table_.header.line, first->column,
-        fmt::format("column{} {}{} {} not used", unused.size() == 1 ? "" : "s", fmt::join(named, ", "),
-                    unused.size() > most_named ? fmt::format(" and {} more", unused.size() - most_named) : "",
-                    unused.size() == 1 ? "is" : "are"),
-        fmt::format("columns are time and LINK.SENSOR, such as boom.inlet_pressure or bucket.angle; --column "
-                    "boom.angle=NAME reads a column of another name")));
+        table_.header.line, unused.front().column,
+        unused.size() == 1 ? fmt::format("column {} is not used", names)
+                           : fmt::format("columns {} are not used", names),
+        "columns are time and LINK.SENSOR, such as boom.inlet_pressure or bucket.angle; --column boom.angle=NAME reads "
+        "a column of another name"));
 }
 
 /// Reports names that the user gave and the file lacks.
@@ -299,7 +280,7 @@ void RecordReader::require_names(std::vector<Diagnostic>& faults) const {
 }
 
 void RecordReader::read_header(std::vector<Diagnostic>& faults) {
-    std::vector<std::string> unused;
+    std::vector<TextCell> unused; // by their names, in quotes
     take_units_row();
     for (std::size_t i = 0; i < table_.header.cells.size(); ++i)
         read_column(i, unused, faults);

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <regex>
 
 namespace placedpar::hydraulics {
 
@@ -35,16 +36,10 @@ std::string print_number(double value, int decimals) {
 }
 
 /// Returns whether a number could have commas that separate thousands, as "1,567" and "-12,000" could.
-bool has_thousands(std::string_view text) {
-    auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-    text.remove_prefix(text.starts_with('-') || text.starts_with('+') ? 1 : 0);
-    const std::size_t first = text.find(',');
-    if (first == text.npos || first == 0 || first > 3 || text.front() == '0' || text.size() % 4 != first)
-        return false;
-    for (std::size_t i = 0; i < text.size(); ++i)
-        if (i % 4 == first ? text[i] != ',' : !is_digit(text[i]))
-            return false;
-    return true;
+bool has_thousands(const std::string& text) {
+    static const std::regex thousands("[-+]?[1-9][0-9]{0,2}(,[0-9]{3})+");
+    constexpr std::size_t longest = 40; // the library's matcher needs much stack for a long text
+    return text.size() <= longest && std::regex_match(text, thousands);
 }
 
 Diagnostic thousands_fault(const TextCell& cell, std::size_t line) {

@@ -52,10 +52,10 @@ struct RecordNeeds {
     std::vector<ColumnName> names = {};
 };
 
-/// Reads a record from comma-separated values, or from values separated by semicolons or tabs: the separator that is
-/// most frequent in the header, or that a line "sep=;" states. Numbers may have decimal commas. The header is the first
-/// line with a column of the time and one of a sensor; lines above it are description. It names each column and its
-/// unit, in any order; a row of units may follow:
+/// Reads a record from comma-separated values, or from values separated by semicolons or tabs: the separator that
+/// divides the header into most columns, or that a line "sep=;" states. Numbers may have decimal commas. The header is
+/// the first line with a column of the time and one of a sensor; lines above it are description. It names each column
+/// and its unit, in any order; a row of units may follow:
 ///
 ///     # boom raised at 4 deg/s, seed 1              any number of lines of description
 ///     time [s],boom.inlet_pressure [psi],boom.angle [deg],boom.spool [in]
@@ -112,8 +112,8 @@ private:
     void take_units_row();
     bool has_dates(std::size_t index) const;
     const Unit* unit_of(std::size_t index, const RecordChannel& channel, std::vector<Diagnostic>& faults) const;
-    void read_column(std::size_t index, std::vector<std::string>& unused, std::vector<Diagnostic>& faults);
-    void note_unused(const std::vector<std::string>& unused, std::vector<Diagnostic>& faults) const;
+    void read_column(std::size_t index, std::vector<TextCell>& unused, std::vector<Diagnostic>& faults);
+    void note_unused(const std::vector<TextCell>& unused, std::vector<Diagnostic>& faults) const;
     void require_names(std::vector<Diagnostic>& faults) const;
     void read_header(std::vector<Diagnostic>& faults);
     void find_needs();

@@ -2,20 +2,21 @@
 
 #include "problems/benchmark/functions.hpp"
 
+#include <cmath>
 #include <cstddef>
+#include <numbers>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace placedpar {
 
 // Problems with two objectives, both minimised (E. Zitzler, K. Deb and L. Thiele, "Comparison of multiobjective
 // evolutionary algorithms: empirical results", 2000). On the front, f_1 = x_1 and the other parameters are 0.
-
-/// Returns 1 + 9 times the mean.
-double mean_distance(std::span<const double> x);
 
 /// A base class. `Function::second(f, g)` is the second objective, as a function of the first and of the distance g.
 template <class Function>
@@ -27,31 +28,45 @@ struct Zdt : OverBox<Function> {
     std::vector<double> objectives(std::span<const double> x) const {
         return {x[0], Function::second(x[0], Function::distance(x.subspan(1)))};
     }
-    static double distance(std::span<const double> x) { return mean_distance(x); }
+    /// Returns 1 + 9 times the mean.
+    static double distance(std::span<const double> x) {
+        return 1 + 9 * std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
+    }
 };
 
 struct Zdt1 : Zdt<Zdt1> {
     static constexpr std::string_view name = "zdt1", about = "ZDT1: two objectives, a convex front";
-    static double second(double f, double g);
+    static double second(double f, double g) { return g * (1 - std::sqrt(f / g)); }
 };
 
 struct Zdt2 : Zdt<Zdt2> {
     static constexpr std::string_view name = "zdt2", about = "ZDT2: two objectives, a front that is not convex";
-    static double second(double f, double g);
+    static double second(double f, double g) { return g * (1 - f / g * (f / g)); }
 };
 
 struct Zdt3 : Zdt<Zdt3> {
     static constexpr std::string_view name = "zdt3", about = "ZDT3: two objectives, a front in five parts";
-    static double second(double f, double g);
+    static double second(double f, double g) {
+        return g * (1 - std::sqrt(f / g) - f / g * std::sin(10 * std::numbers::pi * f));
+    }
 };
 
 /// The first parameter is from 0 to 1, the others from -5 to 5. There are 21^9 local fronts.
 struct Zdt4 : Zdt<Zdt4> {
     static constexpr std::string_view name = "zdt4", about = "ZDT4: two objectives, very many local fronts";
     static constexpr std::size_t usual_dimensions = 10;
-    ParameterCoding representation() const;
-    static double second(double f, double g);
-    static double distance(std::span<const double> x);
+    ParameterCoding representation() const {
+        std::vector<ParameterField> fields(dimensions, {-5, 5, bits});
+        fields.front() = {0, 1, bits};
+        return ParameterCoding(std::move(fields));
+    }
+    static double second(double f, double g) { return Zdt1::second(f, g); }
+    static double distance(std::span<const double> x) {
+        double sum = 1 + 10 * static_cast<double>(x.size());
+        for (double each : x)
+            sum += each * each - 10 * std::cos(4 * std::numbers::pi * each);
+        return sum;
+    }
 };
 
 } // namespace placedpar

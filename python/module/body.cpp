@@ -1,8 +1,11 @@
 #include "python/module/body.hpp"
 
+#include "netlist/network/network.hpp"
 #include "python/module/generator_run.hpp"
 #include "python/module/given.hpp"
 #include "text/user_error.hpp"
+
+#include <pybind11/stl.h>
 
 #include <memory>
 #include <optional>
@@ -60,23 +63,15 @@ struct Body {
     }
 };
 
-py::object value_of(const ProcessEnvironment& environment, const ParameterDescription& parameter) {
-    switch (parameter.type) {
-    case ParameterType::integer: return py::cast(environment.integer(parameter.name));
-    case ParameterType::real: return py::cast(environment.real(parameter.name));
-    case ParameterType::text: break;
-    }
-    return py::cast(environment.text(parameter.name));
-}
-
 /// Makes the instance of the class that the process runs, with its channel ends and parameters as attributes.
 py::object instance_of(py::handle process_class, const ProcessKind& kind, ProcessEnvironment& environment, Body& body) {
     const py::object instance = process_class.attr("__new__")(process_class);
     const py::set arrays(process_class.attr("_arrays")());
+    const auto& parameters = environment.network().processes[environment.index()].parameters;
     for (const PortDescription& port : kind.ports)
         instance.attr(port.name.c_str()) = body.bind(environment, port, arrays.contains(port.name));
     for (const ParameterDescription& parameter : kind.parameters)
-        instance.attr(parameter.name.c_str()) = value_of(environment, parameter);
+        instance.attr(parameter.name.c_str()) = py::cast(parameters.at(parameter.name));
     instance.attr("name") = environment.process();
     instance.attr("seed") = environment.seed();
     instance.attr("_measure_number") = py::cpp_function(
@@ -118,30 +113,19 @@ PortDescription port_of(py::handle described) {
     return port;
 }
 
-std::optional<double> limit_of(py::handle limit) {
-    return limit.is_none() ? std::nullopt : std::optional(limit.cast<double>());
-}
-
 ParameterDescription parameter_of(py::handle described) {
+    const auto text = [&](const char* name) { return described.attr(name).cast<std::string>(); };
+    const std::string type = text("type");
     ParameterDescription parameter;
-    const py::object value = described.attr("default");
-    parameter.name = described.attr("name").cast<std::string>();
-    parameter.about = described.attr("about").cast<std::string>();
-    parameter.unit = described.attr("unit").cast<std::string>();
-    parameter.least = limit_of(described.attr("least"));
-    parameter.most = limit_of(described.attr("most"));
-    const auto type = described.attr("type").cast<std::string>();
+    parameter.name = text("name");
+    parameter.about = text("about");
+    parameter.unit = text("unit");
+    parameter.least = described.attr("least").cast<std::optional<double>>();
+    parameter.most = described.attr("most").cast<std::optional<double>>();
+    parameter.default_value = described.attr("default").cast<std::optional<Value>>();
     parameter.type = type == "integer" ? ParameterType::integer
                      : type == "real"  ? ParameterType::real
                                        : ParameterType::text;
-    if (value.is_none())
-        return parameter;
-    if (parameter.type == ParameterType::integer)
-        parameter.default_value = value.cast<std::int64_t>();
-    else if (parameter.type == ParameterType::real)
-        parameter.default_value = value.cast<double>();
-    else
-        parameter.default_value = value.cast<std::string>();
     return parameter;
 }
 

@@ -132,51 +132,52 @@ struct CallableAcceptance : Callable {
     }
 };
 
-template <class Own, class Policy>
-Own own_policy(const std::string& step, const py::object& function, const PolicyFailure& failure,
-               std::size_t Policy::*number, const char* attribute) {
+/// Returns the policy of this text, or of this function. A function may state a number that the policy has.
+template <class Step, class Own, class Policy>
+Step step_of(const std::string& step, const py::object& given_policy, const PolicyFailure& failure) {
+    if (py::isinstance<py::str>(given_policy))
+        return Step::named(given_policy.cast<std::string>());
     Policy policy;
-    policy.function = SharedObject(function);
+    policy.function = SharedObject(given_policy);
     policy.failure = failure;
     policy.step = step;
-    if (number && py::hasattr(function, attribute))
-        policy.*number = given<std::size_t>(function.attr(attribute), attribute);
-    return Own(policy);
-}
-
-/// Returns the policy of this text, or of this function.
-template <class Step, class Own, class Policy>
-Step step_of(const std::string& step, const py::object& policy, const PolicyFailure& failure,
-             std::size_t Policy::*number = nullptr, const char* attribute = "") {
-    if (py::isinstance<py::str>(policy))
-        return Step::named(policy.cast<std::string>());
-    return Step(own_policy<Own, Policy>(step, policy, failure, number, attribute));
+    if constexpr (requires { policy.every; })
+        policy.every = given<std::size_t>(py::getattr(given_policy, "every", py::int_(policy.every)), "every");
+    if constexpr (requires { policy.count; })
+        policy.count = given<std::size_t>(py::getattr(given_policy, "count", py::int_(policy.count)), "count");
+    return Step(Own(policy));
 }
 
 } // namespace
 
-void set_policy(IslandsSettings& settings, const std::string& step, const py::object& policy,
-                const PolicyFailure& failure) {
-    const auto in_all = [&](auto SearchSettings::*member, const auto& value) {
+void change(IslandsSettings& settings, const std::string& name, const py::object& value, const PolicyFailure& failure) {
+    const auto in_all = [&](auto SearchSettings::*member, const auto& changed) {
         for (SearchSettings& island : settings.islands)
-            island.*member = value;
+            island.*member = changed;
     };
-    if (step == "reproduction")
+    if (name == "population")
+        in_all(&SearchSettings::population, given<std::size_t>(value, "population"));
+    else if (name == "elite")
+        in_all(&SearchSettings::elite, given<std::size_t>(value, "elite"));
+    else if (name == "crossover_probability")
+        in_all(&SearchSettings::crossover_probability, given<double>(value, "crossover_probability"));
+    else if (name == "mutation_probability")
+        in_all(&SearchSettings::mutation_probability, given<double>(value, "mutation_probability"));
+    else if (name == "reproduction")
         in_all(&SearchSettings::reproduction,
-               step_of<Reproduction, OwnReproduction, CallableReproduction>(step, policy, failure));
-    else if (step == "crossover")
-        in_all(&SearchSettings::crossover, step_of<Crossover, OwnCrossover, CallableCrossover>(step, policy, failure));
-    else if (step == "mutation")
-        in_all(&SearchSettings::mutation, step_of<Mutation, OwnMutation, CallableMutation>(step, policy, failure));
-    else if (step == "topology")
-        settings.topology = step_of<Topology, OwnTopology, CallableTopology>(step, policy, failure);
-    else if (step == "schedule")
-        settings.schedule = step_of<Schedule, OwnSchedule>(step, policy, failure, &CallableSchedule::every, "every");
-    else if (step == "emigration")
-        settings.emigration =
-            step_of<Emigration, OwnEmigration>(step, policy, failure, &CallableEmigration::count, "count");
+               step_of<Reproduction, OwnReproduction, CallableReproduction>(name, value, failure));
+    else if (name == "crossover")
+        in_all(&SearchSettings::crossover, step_of<Crossover, OwnCrossover, CallableCrossover>(name, value, failure));
+    else if (name == "mutation")
+        in_all(&SearchSettings::mutation, step_of<Mutation, OwnMutation, CallableMutation>(name, value, failure));
+    else if (name == "topology")
+        settings.topology = step_of<Topology, OwnTopology, CallableTopology>(name, value, failure);
+    else if (name == "schedule")
+        settings.schedule = step_of<Schedule, OwnSchedule, CallableSchedule>(name, value, failure);
+    else if (name == "emigration")
+        settings.emigration = step_of<Emigration, OwnEmigration, CallableEmigration>(name, value, failure);
     else
-        settings.acceptance = step_of<Acceptance, OwnAcceptance, CallableAcceptance>(step, policy, failure);
+        settings.acceptance = step_of<Acceptance, OwnAcceptance, CallableAcceptance>(name, value, failure);
 }
 
 } // namespace placedpar::python

@@ -8,8 +8,8 @@ namespace placedpar::python {
 /// The first exception of a policy or fitness in Python. The library reports only its text.
 using PolicyFailure = std::shared_ptr<SharedObject>;
 
-/// Sets a policy of the settings from its name in a netlist, such as "tournament(3)", or from a function in Python.
-/// REQUIRES: the step is one of placedpar.search(); the caller holds the lock whenever the policy is used.
-void set_policy(IslandsSettings&, const std::string& step, const pybind11::object& policy, const PolicyFailure&);
+/// Changes a setting that placedpar.search() has. A policy is its name in a netlist, such as "tournament(3)", or a
+/// function in Python. REQUIRES: the caller holds the lock whenever the policy is used.
+void change(IslandsSettings&, const std::string& name, const pybind11::object& value, const PolicyFailure&);
 
 } // namespace placedpar::python

@@ -33,18 +33,6 @@ py::object library_error(const std::string& text) {
 
 } // namespace
 
-/// Notes the place at which the run is when its process leaves it, also if the process is unwound in a wait.
-class GeneratorRun::Leaving {
-public:
-    explicit Leaving(const GeneratorRun& run) : run_(run) {}
-    ~Leaving() { run_.note_place(); }
-    Leaving(const Leaving&) = delete;
-    Leaving& operator=(const Leaving&) = delete;
-
-private:
-    const GeneratorRun& run_;
-};
-
 GeneratorRun::~GeneratorRun() {
     // A generator that refuses to be closed is reported by Python, and does not affect the run.
     python_.call([&] {
@@ -81,7 +69,8 @@ void GeneratorRun::start(py::object component, const py::object& enclosing) {
 }
 
 void GeneratorRun::finish() {
-    const Leaving leaving(*this);
+    // The process may be unwound in a wait: its place is noted then, too.
+    const std::shared_ptr<const void> leaving(nullptr, [this](const void*) { note_place(); });
     if (generator_)
         python_.call([&] { step(py::none()); });
     while (now_) {

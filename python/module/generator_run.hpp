@@ -25,8 +25,6 @@ public:
     void start(pybind11::object component, const pybind11::object& enclosing);
 
 private:
-    class Leaving;
-
     void note_place() const;
     void step(pybind11::object answer);
     void prepare_or_fail();

@@ -1,16 +1,15 @@
-#include "python/module/identify.hpp"
 #include "python/module/interpreter.hpp"
+#include "python/module/module.hpp"
 
 #include "explore/identify/identify_record.hpp"
 #include "hydraulics/data/record_table.hpp"
 #include "python/module/network.hpp"
 #include "python/module/signals.hpp"
+#include "text/refused_text.hpp"
 
 #include <boost/json.hpp>
 #include <pybind11/stl.h>
 
-#include <algorithm>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -23,20 +22,13 @@ namespace {
 
 namespace py = pybind11;
 
-/// Refuses a table of readings.
-struct UnfitTable : std::exception {
-    std::vector<Diagnostic> faults;
-};
-
-/// Keeps the warnings among the faults. Throws UnfitTable if one of them is an error.
+/// Keeps the warnings among the faults. Throws RefusedText if one of them is an error.
 void keep_warnings(const std::vector<Diagnostic>& faults, std::vector<Diagnostic>& warnings) {
-    if (has_errors(faults)) {
-        UnfitTable unfit;
-        std::ranges::copy_if(faults, std::back_inserter(unfit.faults),
-                             [](const Diagnostic& each) { return each.severity == Severity::error; });
-        throw UnfitTable(unfit);
-    }
-    std::ranges::copy(faults, std::back_inserter(warnings));
+    std::vector<Diagnostic> errors;
+    for (const Diagnostic& each : faults)
+        (each.severity == Severity::error ? errors : warnings).push_back(each);
+    if (!errors.empty())
+        throw RefusedText(std::move(errors));
 }
 
 /// A table of readings as comma-separated values, read in pieces as the command line reads a file.
@@ -97,8 +89,8 @@ py::tuple identify(std::string_view text, IdentifySettings settings, bool heeds_
         identify_record(settings, input_of(text, interruption, warnings),
                         {json, true, [&printed](const std::string& more) { printed += more; },
                          [&of_machine](const std::string& more) { of_machine += more; }, [](const std::string&) {}});
-    } catch (const UnfitTable& unfit) {
-        raise("RecordError", "", as_dicts(unfit.faults));
+    } catch (const RefusedText& unfit) {
+        raise("RecordError", "", as_dicts(unfit.diagnostics()));
     }
     heed_signals();
     return py::make_tuple(boost::json::serialize(json), printed, as_dicts(warnings), of_machine);

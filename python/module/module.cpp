@@ -1,9 +1,7 @@
-#include "python/module/identify.hpp"
+#include "python/module/module.hpp"
 #include "python/module/network.hpp"
 #include "python/module/operation.hpp"
-#include "python/module/search.hpp"
 #include "python/module/signals.hpp"
-#include "python/module/study.hpp"
 #include "text/user_error.hpp"
 
 /// The part of the package that calls the rooms. python/placedpar/ has what users see.

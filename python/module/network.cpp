@@ -27,17 +27,14 @@ namespace placedpar::python {
 namespace {
 
 namespace py = pybind11;
+using namespace pybind11::literals;
 
 py::dict as_dict(const Diagnostic& diagnostic) {
-    py::dict described;
-    described["severity"] = diagnostic.severity == Severity::error ? "error" : "warning";
-    described["message"] = diagnostic.message;
-    described["file"] = diagnostic.location.file ? diagnostic.location.file->path() : "";
-    described["line"] = diagnostic.location.line;
-    described["column"] = diagnostic.location.column;
-    described["hint"] = diagnostic.hint;
-    described["text"] = render(diagnostic);
-    return described;
+    return py::dict("severity"_a = diagnostic.severity == Severity::error ? "error" : "warning",
+                    "message"_a = diagnostic.message,
+                    "file"_a = diagnostic.location.file ? diagnostic.location.file->path() : "",
+                    "line"_a = diagnostic.location.line, "column"_a = diagnostic.location.column,
+                    "hint"_a = diagnostic.hint, "text"_a = render(diagnostic));
 }
 
 py::object errors_of(const char* name) { return py::module_::import("placedpar.errors").attr(name); }
@@ -148,19 +145,17 @@ std::string json_of(const LoadedNetwork& network, const FinishedRun& run) {
 }
 
 /// Keeps the log of a run, and notes the time of its generations for other threads.
-class ClockedLog final : public SearchObserver {
+class ClockedLog final : public GenerationLog {
 public:
-    ClockedLog(GenerationLog& log, RunClock* clock) : log_(log), clock_(clock) {}
+    ClockedLog(const Network& network, RunClock* clock) : GenerationLog(log_of(network)), clock_(clock) {}
+    using GenerationLog::observe;
     void observe(const ObservedGeneration& event) override {
-        log_.observe(event);
+        GenerationLog::observe(event);
         if (clock_ && event.time)
             clock_->picoseconds = event.time->count();
     }
-    void observe(const ObservedMigration& event) override { log_.observe(event); }
-    void observe(const ObservedAnswer& event) override { log_.observe(event); }
 
 private:
-    GenerationLog& log_;
     RunClock* clock_; ///< null: nothing is noted
 };
 
@@ -239,15 +234,11 @@ Catalogue LoadedNetwork::kinds(const ProblemRegistry& problems, SearchObserver* 
 }
 
 FinishedRun LoadedNetwork::run(const RunOptions& options, TraceSink* trace) const {
-    GenerationLog log = log_of(network_);
-    ClockedLog observer(log, options.clock.get());
+    ClockedLog log(network_, options.clock.get());
     const std::string command =
         "placedpar.load(\"" + settings_.file + "\").run(seed=" + std::to_string(options.seed) + ")";
-    RunSettings settings{.seed = options.seed,
-                         .until = options.until,
-                         .shuffle = options.shuffle,
-                         .trace = trace,
-                         .observer = &observer};
+    RunSettings settings{
+        .seed = options.seed, .until = options.until, .shuffle = options.shuffle, .trace = trace, .observer = &log};
     RunReport report = run_unlocked(settings, options);
     heed_signals();
     if (report.result.ending == Ending::interrupted) {

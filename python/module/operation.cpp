@@ -14,26 +14,9 @@ namespace {
 
 using Kind = Operation::Kind;
 
-Operation with_number(Kind kind, std::int64_t number, std::int64_t words = 0) {
-    Operation operation;
-    operation.kind = kind;
-    operation.number = number;
-    operation.words_outside = words;
-    return operation;
-}
-
-Operation with_value(Kind kind, pybind11::object value) {
-    Operation operation;
-    operation.kind = kind;
-    operation.value = std::move(value);
-    return operation;
-}
-
 Operation of_end(Kind kind, std::shared_ptr<ChannelEnd> end, pybind11::object message = {}) {
     end->require(kind == Kind::input ? Direction::input : Direction::output);
-    Operation operation = with_value(kind, std::move(message));
-    operation.end = std::move(end);
-    return operation;
+    return {.kind = kind, .end = std::move(end), .value = std::move(message)};
 }
 
 void add_clock(pybind11::module_& module) {
@@ -82,21 +65,22 @@ void add_operations(pybind11::module_& module) {
     add_random(module);
     pybind11::class_<Operation>(module, "Operation");
     module.def("compute", [](Given<std::int64_t, "cycles"> cycles, Given<std::int64_t, "words_outside"> words) {
-        return with_number(Kind::compute, cycles, words);
+        return Operation{.kind = Kind::compute, .number = cycles, .words_outside = words};
     });
-    module.def("wait", [](std::int64_t ps) { return with_number(Kind::wait, ps); });
-    module.def("until", [](std::int64_t ps) { return with_number(Kind::until, ps); });
-    module.def("after", [](Given<std::int32_t, "ticks"> ticks) { return with_number(Kind::after, ticks); });
+    module.def("wait", [](std::int64_t ps) { return Operation{.kind = Kind::wait, .number = ps}; });
+    module.def("until", [](std::int64_t ps) { return Operation{.kind = Kind::until, .number = ps}; });
+    module.def("after",
+               [](Given<std::int32_t, "ticks"> ticks) { return Operation{.kind = Kind::after, .number = ticks}; });
     module.def("after", refusal("after(ticks)"));
-    module.def("stop", [] { return with_number(Kind::stop, 0); });
+    module.def("stop", [] { return Operation{.kind = Kind::stop}; });
     module.def("stop", refusal("stop()"));
-    module.def("skip", [] { return with_number(Kind::skip, 0); });
+    module.def("skip", [] { return Operation{.kind = Kind::skip}; });
     module.def("skip", refusal("skip()"));
-    module.def("never", [] { return with_number(Kind::never, 0); });
+    module.def("never", [] { return Operation{.kind = Kind::never}; });
     module.def("never", refusal("never()"));
-    module.def("alt", [](pybind11::args guards) { return with_value(Kind::alt, std::move(guards)); });
+    module.def("alt", [](pybind11::args guards) { return Operation{.kind = Kind::alt, .value = std::move(guards)}; });
     module.def("alt", refusal("alt(*guards)"));
-    module.def("par", [](pybind11::args components) { return with_value(Kind::par, std::move(components)); });
+    module.def("par", [](pybind11::args parts) { return Operation{.kind = Kind::par, .value = std::move(parts)}; });
     module.def("par", refusal("par(*components)"));
 }
 

@@ -14,10 +14,10 @@ struct Operation {
     enum class Kind : unsigned char { output, input, compute, wait, until, after, alt, par, stop, skip, never };
 
     Kind kind = Kind::stop;
-    std::shared_ptr<ChannelEnd> end;
+    std::shared_ptr<ChannelEnd> end = nullptr;
     std::int64_t number = 0;        ///< cycles of `compute`, picoseconds, or ticks of the clock (`after`)
     std::int64_t words_outside = 0; ///< of `compute`
-    pybind11::object value;         ///< message of an output; tuple of guards (ALT) or components (PAR)
+    pybind11::object value = {};    ///< message of an output; tuple of guards (ALT) or components (PAR)
 };
 
 /// Declares the operations in the module. See python/placedpar/process.py for their use.

@@ -1,4 +1,4 @@
-#include "python/module/search.hpp"
+#include "python/module/module.hpp"
 #include "python/module/interpreter.hpp"
 
 #include "explore/checkpoint_file.hpp"

@@ -1,5 +1,5 @@
-#include "python/module/study.hpp"
 #include "python/module/interpreter.hpp"
+#include "python/module/module.hpp"
 
 #include "explore/explain/answers.hpp"
 #include "explore/study/sweep.hpp"
@@ -22,16 +22,8 @@ namespace {
 
 namespace py = pybind11;
 
-struct SweepOptions {
-    std::vector<std::pair<std::string, std::vector<std::string>>> axes;
-    std::vector<std::string> measures;
-    std::uint64_t seed, seeds;
-    Time until;
-    std::string store; ///< a file; "": the runs are kept in memory
-    std::size_t jobs;
-    bool heeds_signals;
-    py::object progress; ///< a function of the number of runs made and missing, or None
-};
+/// The settings of a sweep: names, and the values of each.
+using Axes = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
 /// Calls a function of the numbers of runs that have ended and of all runs, unless it is None.
 void tell(const py::object& progress, std::size_t ended, std::size_t all) {
@@ -47,35 +39,33 @@ StudyAxis axis_of(const std::string& name, const std::vector<std::string>& value
     return axis;
 }
 
-Study study_of(const LoadedNetwork& network, const SweepOptions& options) {
+Study study_of(const LoadedNetwork& network, const Axes& axes) {
     Study study;
     study.netlist = network.settings().file;
     study.read = network.settings().read;
     StudyProduct& product = study.products.emplace_back();
     Overrides fixed = network.settings().set;
-    for (const auto& [name, values] : options.axes) {
+    for (const auto& [name, values] : axes) {
         product.axes.push_back(axis_of(name, values));
         fixed.erase(name);
     }
     for (const auto& [name, value] : fixed)
         product.axes.push_back(axis_of(name, {value}));
-    study.first_seed = options.seed;
-    study.seeds = options.seeds;
-    study.until = options.until;
-    study.measures = options.measures;
     return study;
 }
 
-/// Makes the missing runs on all cores, without the lock.
-void make_runs(const Study& study, StudyResults& results, const SweepOptions& options) {
-    InterruptedByKeyboard interruption(options.heeds_signals);
+/// Makes the missing runs on so many cores (0: on all), without the lock. `progress` is None, or is called with the
+/// numbers of runs made and missing.
+void make_runs(const Study& study, StudyResults& results, std::size_t jobs, bool heeds_signals,
+               const py::object& progress) {
+    InterruptedByKeyboard interruption(heeds_signals);
     const py::gil_scoped_release unlocked;
     StudySweep sweep(study, results);
     sweep.try_measures(interruption);
     const std::uint64_t missing = sweep.missing().runs;
-    const std::size_t jobs = options.jobs > 0 ? options.jobs : count_cores();
-    const auto show = [&](std::uint64_t ended) { tell(options.progress, ended, missing); };
-    sweep.run(std::min<std::uint64_t>(jobs, std::max<std::uint64_t>(missing, 1)), interruption, show);
+    const auto show = [&](std::uint64_t ended) { tell(progress, ended, missing); };
+    sweep.run(std::min<std::uint64_t>(jobs > 0 ? jobs : count_cores(), std::max<std::uint64_t>(missing, 1)),
+              interruption, show);
     if (!interruption.requested())
         show(missing);
 }
@@ -104,17 +94,23 @@ py::list rows_of(const Study& study, StudyResults& results) {
     return rows;
 }
 
-/// REQUIRES: the network is a file, and has no kinds in Python.
-py::list sweep(const LoadedNetwork& network, const SweepOptions& options) {
-    const Study study = study_of(network, options);
+/// REQUIRES: the network is a file, and has no kinds in Python. `store`: a file; "": the runs are kept in memory.
+py::list sweep(const LoadedNetwork& network, const Axes& axes,
+               const Given<std::vector<std::string>, "measure">& measures, std::uint64_t seed,
+               std::uint64_t seeds, std::optional<std::int64_t> until_ps, const std::string& store,
+               Given<std::size_t, "jobs"> jobs, bool heeds_signals, const py::object& progress) {
+    Study study = study_of(network, axes);
+    study.first_seed = seed;
+    study.seeds = seeds;
+    study.until = limit_of_run(until_ps);
+    study.measures = measures;
     for (const std::string& measure : study.measures)
         StudyMeasure{measure};
     require_possible(study.measures, study, readable_network(study));
     const StudySource source = source_of(study, network.network());
-    std::unique_ptr<StudyResults> results = options.store.empty()
-                                                ? std::make_unique<StudyResults>(source)
-                                                : std::make_unique<StudyResults>(options.store, source);
-    make_runs(study, *results, options);
+    const auto results =
+        store.empty() ? std::make_unique<StudyResults>(source) : std::make_unique<StudyResults>(store, source);
+    make_runs(study, *results, jobs, heeds_signals, progress);
     heed_signals();
     return rows_of(study, *results);
 }
@@ -147,14 +143,7 @@ py::tuple explain(const LoadedNetwork& network, std::uint64_t seed, std::optiona
 
 void add_studies(py::module_& module) {
     module.def("explain", explain);
-    module.def("sweep",
-               [](const LoadedNetwork& network, std::vector<std::pair<std::string, std::vector<std::string>>> axes,
-                  Given<std::vector<std::string>, "measure"> measures, std::uint64_t seed, std::uint64_t seeds,
-                  std::optional<std::int64_t> until_ps, std::string store, Given<std::size_t, "jobs"> jobs,
-                  bool heeds_signals, py::object progress) {
-                   return sweep(network, {std::move(axes), measures, seed, seeds, limit_of_run(until_ps),
-                                          std::move(store), jobs, heeds_signals, std::move(progress)});
-               });
+    module.def("sweep", sweep);
 }
 
 } // namespace placedpar::python

@@ -31,12 +31,12 @@ class Identification:
         rows = [{**movement, **link} for movement in movements for link in movement["links"]]
         for row in rows:
             row.pop("links", None)
-        return _table(rows)
+        return table(rows)
 
     @property
     def verdicts(self) -> Any:
         """A table of the verdicts on the links, of the way "service": link, verdict, probability and so on."""
-        return _table(self.report.get("verdicts", []))
+        return table(self.report.get("verdicts", []))
 
     def __str__(self) -> str:
         return self.text
@@ -126,7 +126,3 @@ def _placed(faults: Sequence[dict[str, Any]], record: Any, text: str) -> list[di
 def _settings_in_python(text: str) -> str:
     """Returns a text with the names of settings in place of those of the command line's options."""
     return re.sub(r"--([a-z][a-z-]*)", lambda option: {"link": "links", "column": "columns"}.get(option[1], option[1].replace("-", "_")), text)
-
-
-def _table(rows: Sequence[dict[str, Any]]) -> Any:
-    return table(rows, list(dict.fromkeys(key for row in rows for key in row)))

@@ -9,7 +9,7 @@ from . import _core
 from .errors import Deadlock, Error, NetlistError
 from .network import FilePath, Network, Time, is_main_thread, limit, seed_of, setting
 from .progress import ProgressOption, Told, progress_of
-from .tables import table
+from .tables import number_in, table
 
 
 def sweep(network: Network, settings: Optional[Mapping[str, Any]] = None, seeds: int = 1, seed: int = 1,
@@ -44,7 +44,7 @@ def sweep(network: Network, settings: Optional[Mapping[str, Any]] = None, seeds:
                         "kept, since a later sweep could not tell whether the program is still the same: keep the "
                         "returned table" if store is not None else "0 seeds, expected at least 1")
     columns = [name for name, _ in axes] + ["seed", "outcome"] + measures
-    return table([{name: _number(value) for name, value in row.items()} for row in rows], columns)
+    return table([{name: number_in(value) for name, value in row.items()} for row in rows], columns)
 
 
 def _runs_here(network: Network, axes: Sequence[tuple[str, Sequence[str]]], measures: Sequence[str],
@@ -71,18 +71,6 @@ def _figures_of_run(network: Network, measures: Sequence[str], seed: int, until:
     return {"outcome": run.outcome, **dict(zip(measures, network._core.figures(run._core, measures)))}
 
 
-def _number(value: Any) -> Any:
-    """Returns a setting as the number that it is; other settings stay texts."""
-    if not isinstance(value, str):
-        return value
-    for number in (int, float):
-        try:
-            return number(value)
-        except ValueError:
-            pass
-    return value
-
-
 class Explanation:
     """Why a run takes so long, and what would make it faster. print() shows it as `placedpar explain` does."""
 
@@ -93,8 +81,7 @@ class Explanation:
     @property
     def what_if(self) -> Any:
         """A table of the changes that were tried, the best first: see the keys of report["what_if"]."""
-        rows = self.report["what_if"]
-        return table(rows, list(dict.fromkeys(key for row in rows for key in row)))
+        return table(self.report["what_if"])
 
     @property
     def critical_path(self) -> Any:

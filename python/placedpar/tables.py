@@ -2,7 +2,7 @@
 
 import csv
 import io
-from typing import Any, Mapping, Sequence
+from typing import Any, Mapping, Optional, Sequence
 
 try:
     import pandas  # type: ignore
@@ -10,8 +10,9 @@ except ImportError:
     pandas = None
 
 
-def table(rows: Sequence[Mapping[str, Any]], columns: Sequence[str]) -> Any:
-    """Returns a table of dictionaries. A key that a dictionary lacks is None."""
+def table(rows: Sequence[Mapping[str, Any]], columns: Optional[Sequence[str]] = None) -> Any:
+    """Returns a table of dictionaries, by default with all keys as columns. A key that a dictionary lacks is None."""
+    columns = list(dict.fromkeys(key for row in rows for key in row)) if columns is None else columns
     if pandas is not None:
         return pandas.DataFrame(rows, columns=columns)
     return [{column: row.get(column) for column in columns} for row in rows]
@@ -28,13 +29,15 @@ def table_of_csv(text: str) -> Any:
     """Returns a table of comma-separated values: numbers where all of a column are numbers, None for empty cells."""
     if pandas is not None:
         return pandas.read_csv(io.StringIO(text))
-    return [{key: _number(value) for key, value in row.items()} for row in csv.DictReader(io.StringIO(text))]
+    return [{key: number_in(value) if value else None for key, value in row.items()}
+            for row in csv.DictReader(io.StringIO(text))]
 
 
-def _number(text: str) -> Any:
-    for number in (int, float):
+def number_in(value: Any) -> Any:
+    """Returns a text as the number that it is; other texts and objects stay what they are."""
+    for number in (int, float) if isinstance(value, str) else ():
         try:
-            return number(text)
+            return number(value)
         except ValueError:
             pass
-    return text or None
+    return value
