@@ -6,7 +6,6 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace placedpar::generate {
@@ -16,11 +15,13 @@ using GraphAttributes = std::map<std::string, std::string>;
 struct GraphNode {
     std::string name;
     GraphAttributes attributes = {};
+    std::size_t line = 0; ///< of the file, counted from 1
 };
 
 struct GraphEdge {
     std::size_t from = 0, to = 0; ///< indices of nodes
     GraphAttributes attributes = {};
+    std::size_t line = 0;
 };
 
 struct Graph {
@@ -31,42 +32,42 @@ struct Graph {
 
 /// These limits keep hostile input from costing time; a generated machine is smaller.
 inline constexpr std::size_t most_graph_elements = 100'000; ///< nodes and edges together
+inline constexpr std::size_t deepest_graph = 64;            ///< elements, brackets or subgraphs inside each other
 /// With all copies of defaults; an attribute counts once for each hundred bytes that it has.
 inline constexpr std::size_t most_graph_attributes = 10 * most_graph_elements;
 
-// These functions read a graph. Throw RefusedText, which shows the file, and the place of the error if it is known.
+// These functions read a graph. Throw RefusedText, which shows the place of the error.
 
 /// Reads GraphML, as networkx and yEd write it. Data of nodes and edges are attributes. Nodes inside a group count; the
 /// group itself does not.
 Graph read_graphml(const std::shared_ptr<const SourceFile>&);
-/// Reads the language of Graphviz with its library. Attributes of graphs have no effect. Not thread-safe, since the
-/// library is not.
+/// Reads the language of Graphviz. Ports, and attributes of graphs, have no effect.
 Graph read_dot(const std::shared_ptr<const SourceFile>&);
 
-/// Throws RefusedText. `line`: 0 if it is not known.
-[[noreturn]] void refuse_graph(const std::shared_ptr<const SourceFile>&, const std::string& message,
-                               const std::string& hint = "", std::size_t line = 0);
+/// Throws RefusedText.
+[[noreturn]] void refuse_graph(const std::shared_ptr<const SourceFile>&, std::size_t line, const std::string& message,
+                               const std::string& hint = "");
 
-/// Collects the nodes and edges of a graph while it is read. Throws RefusedText for elements that do not fit, and for a
-/// graph that is too large.
+/// Collects the nodes and edges of a graph while it is read.
 class GraphBuilder {
 public:
-    GraphBuilder(std::shared_ptr<const SourceFile> file, bool directed) : file_(std::move(file)) {
-        graph_.directed = directed;
-    }
+    explicit GraphBuilder(std::shared_ptr<const SourceFile> file) : file_(std::move(file)) {}
 
-    void add_node(const std::string& name, GraphAttributes, std::size_t line = 0);
-    void add_edge(const std::string& from, const std::string& to, GraphAttributes, std::size_t line = 0);
-    Graph take() && { return std::move(graph_); }
+    /// Returns the node's index; adds the node if it is new.
+    std::size_t node(const std::string& name, std::size_t line);
+    bool has(const std::string& name) const { return numbers_.contains(name); }
+    void add_edge(GraphEdge);
+    /// Counts attributes that are about to be copied. Throws RefusedText if there are too many.
+    void count_copy(const GraphAttributes&, std::size_t line);
+    Graph& graph() { return graph_; }
 
 private:
-    std::size_t number_of(const std::string& node, const char* end, std::size_t line) const;
-    void count(const GraphAttributes&, std::size_t line);
+    void require_room(std::size_t line) const;
 
     std::shared_ptr<const SourceFile> file_;
     Graph graph_;
-    std::map<std::string, std::size_t> numbers_; ///< of the nodes
-    std::size_t attributes_ = 0;                 ///< counted so far
+    std::map<std::string, std::size_t> numbers_;
+    std::size_t attributes_ = 0; ///< counted so far
 };
 
 } // namespace placedpar::generate

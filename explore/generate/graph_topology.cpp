@@ -33,26 +33,26 @@ std::shared_ptr<const SourceFile> load_graph_text(const std::string& path) {
     return loaded.file;
 }
 
-std::string name_of(const Graph& graph, const GraphEdge& edge) {
-    return fmt::format("the edge from {} to {}", graph.nodes[edge.from].name, graph.nodes[edge.to].name);
+/// Throws RefusedText if an edge and its opposite state different values for their wire.
+void require_equal(const GraphEdge& edge, const GraphEdge& opposite, const std::shared_ptr<const SourceFile>& file) {
+    for (const char* name : {"linkspeed", "speed", "length"}) {
+        const auto here = edge.attributes.find(name), there = opposite.attributes.find(name);
+        if (here != edge.attributes.end() && there != opposite.attributes.end() && here->second != there->second)
+            refuse_graph(file, edge.line,
+                         fmt::format("{} is {} here, but {} for the edge in the opposite direction, in line {}", name,
+                                     here->second, there->second, opposite.line),
+                         "both edges are one wire");
+    }
 }
 
-/// Joins pairs of edges in opposite directions, since a link carries both. Throws RefusedText if they state different
-/// values for their wire.
+/// Joins pairs of edges in opposite directions, since a link carries both.
 void join_directions(Graph& graph, const std::shared_ptr<const SourceFile>& file) {
     std::multimap<std::pair<std::size_t, std::size_t>, std::size_t> single; // edges that no opposite edge has joined
     std::vector<GraphEdge> kept;
     for (GraphEdge& edge : graph.edges) {
         const auto opposite = single.find({edge.to, edge.from});
         if (opposite != single.end()) {
-            const GraphEdge& there = kept[opposite->second];
-            for (const char* name : {"linkspeed", "speed", "length"})
-                if (edge.attributes.contains(name) && there.attributes.contains(name) &&
-                    edge.attributes.at(name) != there.attributes.at(name))
-                    refuse_graph(file,
-                                 fmt::format("{} of {} is {}, but {} for the edge in the opposite direction", name,
-                                             name_of(graph, edge), edge.attributes.at(name), there.attributes.at(name)),
-                                 "both edges are one wire");
+            require_equal(edge, kept[opposite->second], file);
             kept[opposite->second].attributes.merge(edge.attributes);
             single.erase(opposite);
         } else {
@@ -88,12 +88,14 @@ void require_edges(const Graph& graph, const std::shared_ptr<const SourceFile>& 
                    const std::string& hint) {
     const auto edges = edges_by_node(graph);
     std::vector<std::string> nodes;
-    std::size_t count = 0;
+    std::size_t line = 0, count = 0;
     for (std::size_t node = 0; node < edges.size(); ++node)
-        if (edges[node].size() > most && ++count <= 5)
+        if (edges[node].size() > most && ++count <= 5) {
+            line = line == 0 ? graph.nodes[node].line : line;
             nodes.push_back(node_with_neighbours(graph, node, edges[node]));
+        }
     if (count > 0)
-        refuse_graph(file,
+        refuse_graph(file, line,
                      fmt::format("{} of more than {} edges: {}{}",
                                  count == 1 ? "a node" : fmt::format("{} nodes", count), most, fmt::join(nodes, "; "),
                                  count > nodes.size() ? "; ..." : ""),
@@ -116,7 +118,7 @@ void split_nodes(Graph& graph) {
             GraphEdge& edge = graph.edges[edges[node][i]];
             (edge.from == node ? edge.from : edge.to) = second;
         }
-        graph.edges.push_back({node, second});
+        graph.edges.push_back({node, second, {}, graph.nodes[node].line});
     }
 }
 
@@ -145,9 +147,15 @@ public:
         : graph_(graph), file_(std::move(file)), catalogue_(catalogue), links_(graph.nodes.size()) {}
 
     Topology make(const std::string& path) && {
-        made_.about = "The graph of " + for_comment(path);
+        const std::string nodes = std::to_string(graph_.nodes.size());
+        made_ = {.about = "The graph of " + for_comment(path),
+                 .vals = {"val nodes " + nodes + ";"},
+                 .array = "[nodes]",
+                 .first = "[0]",
+                 .at = "[i]",
+                 .wires = {},
+                 .host = {}};
         made_.nodes = graph_.nodes.size();
-        made_.vals = {fmt::format("val nodes {};", made_.nodes)};
         find_type();
         add_nodes();
         add_wires();
@@ -167,7 +175,8 @@ private:
                 require_transputer(node, type->second);
             types.insert(type == node.attributes.end() ? made_.type : type->second);
             if (types.size() > 1)
-                refuse_graph(file_, fmt::format("the nodes are of different types: {}", fmt::join(types, ", ")),
+                refuse_graph(file_, node.line,
+                             fmt::format("the nodes are of different types: {}", fmt::join(types, ", ")),
                              "give all nodes the same attribute \"type\", or none");
         }
         made_.type = *types.begin();
@@ -182,14 +191,14 @@ private:
                 static_cast<std::size_t>(known.links) >= links_of_a_node)
                 return;
         }
-        refuse_graph(file_,
+        refuse_graph(file_, node.line,
                      fmt::format("the node \"{}\" has the type \"{}\", which is not a transputer of four links",
                                  node.name, type),
                      "a type such as T800 or T414; rename the attribute if it does not state the transputer");
     }
 
     std::string entries_of(const GraphAttributes& attributes, const std::map<std::string, std::string>& known,
-                           const std::string& owner) {
+                           const std::string& owner, std::size_t line) {
         std::vector<std::string> entries;
         for (const auto& [name, value] : attributes) {
             const auto found = known.find(name);
@@ -200,7 +209,7 @@ private:
             }
             const auto number = number_text(value);
             if (!number)
-                refuse_graph(file_, fmt::format("{} of {}: \"{}\" is not a number", name, owner, value),
+                refuse_graph(file_, line, fmt::format("{} of {}: \"{}\" is not a number", name, owner, value),
                              "a number such as 20000000 or 20M");
             entries.push_back(found->second + " = " + *number);
         }
@@ -220,7 +229,7 @@ private:
             known[each.value.name] = each.value.name;
         for (std::size_t i = 0; i < graph_.nodes.size(); ++i) {
             const GraphNode& node = graph_.nodes[i];
-            const std::string entries = entries_of(node.attributes, known, node.name);
+            const std::string entries = entries_of(node.attributes, known, node.name, node.line);
             if (!entries.empty())
                 made_.attributes += fmt::format("t[{}]{}; ", i, entries);
             made_.attributes += fmt::format("/* t[{}] is {}{} */\n", i, for_comment(node.name), label_of(node));
@@ -233,11 +242,12 @@ private:
         std::string statements;
         std::size_t named = 0;
         for (const GraphEdge& edge : graph_.edges) {
-            const std::string owner = name_of(graph_, edge);
+            const std::string owner =
+                fmt::format("the edge from {} to {}", graph_.nodes[edge.from].name, graph_.nodes[edge.to].name);
             if (edge.attributes.contains("speed") && edge.attributes.contains("linkspeed"))
-                refuse_graph(file_, owner + " has both \"speed\" and \"linkspeed\"", "give it one of them");
+                refuse_graph(file_, edge.line, owner + " has both \"speed\" and \"linkspeed\"", "give it one of them");
             Wires wire{.loops = {}, .from = end_at(edge.from), .to = end_at(edge.to)};
-            if (const std::string entries = entries_of(edge.attributes, known, owner); !entries.empty()) {
+            if (const std::string entries = entries_of(edge.attributes, known, owner, edge.line); !entries.empty()) {
                 wire.name = fmt::format("wire[{}]", named++);
                 statements += wire.name + entries + ";\n";
             }
@@ -284,7 +294,7 @@ Topology topology_of_graph(const TopologyRequest& request, const Catalogue& cata
     const auto file = load_graph_text(request.topology);
     Graph graph = ending_of(request.topology) == ".graphml" ? read_graphml(file) : read_dot(file);
     if (graph.nodes.empty())
-        refuse_graph(file, "the graph has no nodes", "each node becomes a processor");
+        refuse_graph(file, 0, "the graph has no nodes", "each node becomes a processor");
     if (graph.directed)
         join_directions(graph, file);
     if (request.split) {
@@ -295,7 +305,7 @@ Topology topology_of_graph(const TopologyRequest& request, const Catalogue& cata
     require_edges(graph, file, links_of_a_node,
                   "a transputer has four links; --split builds such nodes from two processors each");
     if (graph.nodes.size() > most_processors)
-        refuse_graph(file, fmt::format("the graph has {} nodes", graph.nodes.size()),
+        refuse_graph(file, 0, fmt::format("the graph has {} nodes", graph.nodes.size()),
                      fmt::format("a generated machine has at most {} processors", most_processors));
     return GraphTopology(graph, file, catalogue).make(request.topology);
 }

@@ -1,102 +1,156 @@
 #include "explore/generate/graph.hpp"
-
-#include <pugixml.hpp>
+#include "explore/generate/xml.hpp"
 
 #include <fmt/format.h>
+
+#include <utility>
 
 namespace placedpar::generate {
 
 namespace {
 
-/// Returns an XPath for elements of this name, whatever their namespace.
-std::string named(std::string_view name) { return fmt::format("*[local-name()='{}']", name); }
+std::string trimmed_text(const std::string& text) {
+    constexpr const char* blank = " \t\r\n";
+    const std::size_t first = text.find_first_not_of(blank);
+    return first == text.npos ? "" : text.substr(first, text.find_last_not_of(blank) + 1 - first);
+}
 
-/// Reads a graph from the elements of an XML text. Elements are found by XPath, since the parser does not know the
-/// namespaces that they may be in.
-class GraphmlReader {
+class GraphmlReader : XmlParts {
 public:
-    explicit GraphmlReader(const std::shared_ptr<const SourceFile>& file) : file_(file) {
-        const pugi::xml_parse_result parsed =
-            document_.load_buffer(file_->text().data(), file_->text().size(),
-                                  pugi::parse_default | pugi::parse_trim_pcdata, pugi::encoding_utf8);
-        if (!parsed)
-            refuse_graph(file_, fmt::format("this is not well-formed XML: {}", parsed.description()), "",
-                         line_at(static_cast<std::size_t>(parsed.offset)));
-    }
+    explicit GraphmlReader(const std::shared_ptr<const SourceFile>& file) : file_(file), builder_(file) {}
 
     Graph read() {
-        const pugi::xml_node graph = document_.select_node(("//" + named("graph")).c_str()).node();
-        if (!graph)
-            refuse_graph(file_, "the file has no element <graph>", "GraphML as networkx or yEd writes it");
-        if (const auto hyperedge = document_.select_node(("//" + named("hyperedge")).c_str()))
-            refuse_graph(file_, "the graph has a <hyperedge>", "a wire joins two processors",
-                         line_of(hyperedge.node()));
-        read_keys();
-        GraphBuilder builder(file_, graph.attribute("edgedefault").value() == std::string_view("directed"));
-        for (const pugi::xml_node node : all(named("node") + "[not(" + named("graph") + ")]")) // without groups
-            builder.add_node(node.attribute("id").value(), attributes_of(node, "node"), line_of(node));
-        for (const pugi::xml_node edge : all(named("edge")))
-            builder.add_edge(edge.attribute("source").value(), edge.attribute("target").value(),
-                             attributes_of(edge, "edge"), line_of(edge));
-        return std::move(builder).take();
+        read_xml(file_, *this);
+        if (!has_graph_)
+            refuse_graph(file_, 0, "the file has no element <graph>", "GraphML as networkx or yEd writes it");
+        const GraphAttributes of_edges = defaults_of("edge"), of_nodes = defaults_of("node");
+        for (Element& edge : edges_) {
+            add_defaults(edge.attributes, of_edges, edge.line);
+            add_edge(edge);
+        }
+        for (GraphNode& node : builder_.graph().nodes)
+            add_defaults(node.attributes, of_nodes, node.line);
+        return std::move(builder_.graph());
     }
 
 private:
+    /// An element <node> or <edge>.
+    struct Element {
+        std::map<std::string, std::string> stated; ///< in its tag
+        std::size_t line = 0;
+        GraphAttributes attributes = {};
+        bool is_group = false; ///< a node with a graph inside
+    };
     struct Key {
         std::string of, name, by_default;
     };
 
-    /// Returns all elements of an XPath in the order of the file.
-    std::vector<pugi::xml_node> all(const std::string& path) const {
-        pugi::xpath_node_set found = document_.select_nodes(("//" + path).c_str());
-        found.sort();
-        std::vector<pugi::xml_node> nodes;
-        for (const pugi::xpath_node& each : found)
-            nodes.push_back(each.node());
-        return nodes;
+    void text(std::string_view text) override {
+        if (!inside_.empty())
+            text_ += text;
     }
 
-    void read_keys() {
-        for (const pugi::xml_node key : all(named("key")))
-            if (const std::string name = key.attribute("attr.name").value(); !name.empty())
-                keys_[key.attribute("id").value()] = {key.attribute("for").value(), name,
-                                                      key.select_node(named("default").c_str()).node().text().get()};
+    /// Takes the text of a label, which may have elements behind the text.
+    void note_label() {
+        if (!inside_.empty() && inside_.back() == "NodeLabel" && !open_.empty() && !trimmed_text(text_).empty())
+            open_.back().attributes["label"] = trimmed_text(text_);
+        text_.clear();
     }
 
-    /// Returns the data of an element, its label in yEd, and the defaults of all other keys.
-    GraphAttributes attributes_of(const pugi::xml_node& element, std::string_view kind) const {
-        GraphAttributes attributes;
-        for (const pugi::xpath_node& data : element.select_nodes(data_))
-            if (const auto key = keys_.find(data.node().attribute("key").value());
-                key != keys_.end() && !data.node().text().empty())
-                attributes[key->second.name] = data.node().text().get();
-        if (const auto label = element.select_node(label_))
-            attributes["label"] = label.node().value();
+    void begin(const XmlTag& tag) override {
+        note_label();
+        inside_.push_back(tag.name);
+        if (tag.name == "key")
+            begin_key(tag);
+        else if (tag.name == "graph")
+            begin_graph(tag);
+        else if (tag.name == "hyperedge")
+            refuse_graph(file_, tag.line, "the graph has a <hyperedge>", "a wire joins two processors");
+        else if (tag.name == "node" || tag.name == "edge")
+            open_.push_back({tag.attributes, tag.line});
+        else if (tag.name == "data")
+            data_key_ = stated(tag, "key");
+    }
+
+    void begin_key(const XmlTag& tag) {
+        key_ = &keys_[stated(tag, "id")];
+        *key_ = {stated(tag, "for"), stated(tag, "attr.name"), ""};
+    }
+
+    void begin_graph(const XmlTag& tag) {
+        if (!std::exchange(has_graph_, true))
+            builder_.graph().directed = stated(tag, "edgedefault") == "directed";
+        if (!open_.empty())
+            open_.back().is_group = true;
+    }
+
+    static std::string stated(const XmlTag& tag, const std::string& name) {
+        const auto found = tag.attributes.find(name);
+        return found == tag.attributes.end() ? "" : found->second;
+    }
+
+    void end(const std::string& name) override {
+        if (name == "default" && key_)
+            key_->by_default = trimmed_text(text_);
+        else if (name == "data" && !open_.empty())
+            add_data();
+        else if (name == "node" || name == "edge")
+            end_element(name);
+        note_label();
+        inside_.pop_back();
+    }
+
+    void add_data() {
+        const auto key = keys_.find(data_key_);
+        if (key != keys_.end() && !key->second.name.empty() && !trimmed_text(text_).empty())
+            open_.back().attributes[key->second.name] = trimmed_text(text_);
+    }
+
+    void end_element(const std::string& name) {
+        Element element = std::move(open_.back());
+        open_.pop_back();
+        if (name == "edge") {
+            edges_.push_back(std::move(element));
+        } else if (!element.is_group) {
+            const std::string id = element.stated["id"];
+            if (id.empty() || builder_.has(id))
+                refuse_graph(file_, element.line,
+                             id.empty() ? "a node has no id" : fmt::format("the node \"{}\" is listed twice", id));
+            builder_.graph().nodes.at(builder_.node(id, element.line)).attributes = std::move(element.attributes);
+        }
+    }
+
+    void add_edge(Element& edge) {
+        for (const char* end : {"source", "target"})
+            if (!builder_.has(edge.stated[end]))
+                refuse_graph(file_, edge.line,
+                             fmt::format("the edge's {} \"{}\" is not a node", end, edge.stated[end]));
+        builder_.add_edge({builder_.node(edge.stated["source"], edge.line),
+                           builder_.node(edge.stated["target"], edge.line), std::move(edge.attributes), edge.line});
+    }
+
+    GraphAttributes defaults_of(const std::string& of) const {
+        GraphAttributes defaults;
         for (const auto& [id, key] : keys_)
-            if (!key.by_default.empty() && (key.of == kind || key.of == "all"))
-                attributes.emplace(key.name, key.by_default);
-        return attributes;
+            if (!key.by_default.empty() && !key.name.empty() && (key.of == of || key.of == "all"))
+                defaults.emplace(key.name, key.by_default);
+        return defaults;
     }
 
-    std::size_t line_of(const pugi::xml_node& element) {
-        return line_at(static_cast<std::size_t>(element.offset_debug()));
-    }
-
-    /// Returns the line of a place in the text. Counts from the place before, since most calls go forwards.
-    std::size_t line_at(std::size_t offset) {
-        if (offset < counted_)
-            counted_ = 0, line_ = 1;
-        for (; counted_ < offset; ++counted_)
-            line_ += file_->text()[counted_] == '\n' ? 1U : 0U;
-        return line_;
+    /// Adds the defaults for attributes that the element does not state.
+    void add_defaults(GraphAttributes& attributes, const GraphAttributes& defaults, std::size_t line) {
+        builder_.count_copy(defaults, line);
+        attributes.insert(defaults.begin(), defaults.end());
     }
 
     std::shared_ptr<const SourceFile> file_;
-    pugi::xml_document document_;
-    std::map<std::string, Key> keys_; ///< with a name, by their id
-    pugi::xpath_query data_{named("data").c_str()};
-    pugi::xpath_query label_{(named("data") + "//" + named("NodeLabel") + "/text()").c_str()};
-    std::size_t counted_ = 0, line_ = 1;
+    GraphBuilder builder_;
+    std::map<std::string, Key> keys_;
+    Key* key_ = nullptr; ///< the latest
+    std::vector<std::string> inside_;
+    std::vector<Element> open_, edges_;
+    std::string text_, data_key_;
+    bool has_graph_ = false;
 };
 
 } // namespace

@@ -52,7 +52,7 @@ struct SearchOptions {
     std::size_t islands, generations;
     std::uint64_t seed;
     std::string coding;
-    py::dict numbers, policies;
+    py::dict settings;
     std::string checkpoint; ///< a file; "" for none
     std::string problem;    ///< what a checkpoint says of the problem
     py::object progress;
@@ -127,21 +127,10 @@ std::unique_ptr<CheckpointFile> checkpoint_of(const SearchOptions& options, cons
 }
 
 IslandsSettings settings_of(const SearchProblem& problem, const SearchOptions& options, const PolicyFailure& failure) {
-    SearchSettings island = usual_settings(problem);
-    for (const auto& [name, number] : options.numbers) {
-        const auto key = name.cast<std::string>();
-        if (key == "population")
-            island.population = given<std::size_t>(number, "population");
-        else if (key == "elite")
-            island.elite = given<std::size_t>(number, "elite");
-        else
-            (key == "crossover_probability" ? island.crossover_probability : island.mutation_probability) =
-                given<double>(number, key.c_str());
-    }
     IslandsSettings settings;
-    settings.islands.assign(options.islands, island);
-    for (const auto& [step, policy] : options.policies)
-        set_policy(settings, step.cast<std::string>(), py::reinterpret_borrow<py::object>(policy), failure);
+    settings.islands.assign(options.islands, usual_settings(problem));
+    for (const auto& [name, value] : options.settings)
+        change(settings, name.cast<std::string>(), py::reinterpret_borrow<py::object>(value), failure);
     return settings;
 }
 
@@ -230,11 +219,11 @@ void add_searches(py::module_& module) {
     using Bits = Given<std::vector<std::size_t>, "bits">;
     module.def("search", [](py::object problem, Bounds bounds, const Bits& bits, Given<bool, "maximise"> maximises,
                             Given<std::size_t, "islands"> islands, Given<std::size_t, "generations"> generations,
-                            std::uint64_t seed, const Given<std::string, "coding">& coding, py::dict numbers,
-                            py::dict policies, std::string checkpoint, py::object progress) {
+                            std::uint64_t seed, const Given<std::string, "coding">& coding, py::dict settings,
+                            std::string checkpoint, py::object progress) {
         const GivenProblem given = given_problem({problem, bounds, bits, maximises}, seed);
         return search(*given.problem, given.recorded ? &*given.recorded : nullptr,
-                      {islands, generations, seed, coding, numbers, policies, checkpoint, given.text, progress});
+                      {islands, generations, seed, coding, settings, checkpoint, given.text, progress});
     });
     module.def("search_front",
                [](py::object problem, Bounds bounds, const Bits& bits, Given<bool, "maximise"> maximises,
@@ -243,7 +232,7 @@ void add_searches(py::module_& module) {
                   py::object progress) {
                    const GivenProblem given = given_problem({problem, bounds, bits, maximises}, seed);
                    return search_front(*given.problem, population,
-                                       {1, generations, seed, coding, {}, {}, checkpoint, given.text, progress});
+                                       {1, generations, seed, coding, {}, checkpoint, given.text, progress});
                });
     module.def("convergence_svg", convergence_svg);
 }

@@ -92,14 +92,14 @@ def search(problem: Problem, bounds: Optional[Sequence[tuple[float, float]]] = N
     """
     if islands == 1 and topology is None:
         topology = "none"
-    numbers = _given(population=population, elite=elite, crossover_probability=crossover_probability,
-                     mutation_probability=mutation_probability)
-    policies = _given(reproduction=reproduction, crossover=crossover, mutation=mutation, topology=topology,
-                      schedule=schedule, emigration=emigration, acceptance=acceptance)
+    settings = dict(population=population, elite=elite, crossover_probability=crossover_probability,
+                    mutation_probability=mutation_probability, reproduction=reproduction, crossover=crossover,
+                    mutation=mutation, topology=topology, schedule=schedule, emigration=emigration, acceptance=acceptance)
     function, ranges, fields = prepared(problem, bounds, bits, "search")
     with progress_of(progress, "{} of {} generations") as tell:
         return Found(_core.search(function, ranges, fields, maximise, islands, generations, seed_of(seed), coding,
-                                  numbers, policies, os.fspath(checkpoint or ""), tell))
+                                  {name: value for name, value in settings.items() if value is not None},
+                                  os.fspath(checkpoint or ""), tell))
 
 
 class Front:
@@ -138,7 +138,3 @@ def search_front(problem: Problem, bounds: Optional[Sequence[tuple[float, float]
     with progress_of(progress, "{} of {} generations") as tell:
         return Front(_core.search_front(function, ranges, fields, maximise, generations, population, seed_of(seed),
                                         coding, os.fspath(checkpoint or ""), tell))
-
-
-def _given(**values: Any) -> dict[str, Any]:
-    return {name: value for name, value in values.items() if value is not None}

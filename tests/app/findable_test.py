@@ -75,8 +75,7 @@ class Doctor(unittest.TestCase):
         first, built, *_ = done.stdout.splitlines()
         self.assertEqual(first + "\n", placedpar("--version").stdout)
         self.assertRegex(built, r"^built with \S+ [0-9.]+ \(\w+\): Boost 1\.\d+\S*, Eigen 3\S+, fmt \S+, CLI11 \S+, "
-                                r"SQLite 3\S+, toml\+\+ 3\S+, zlib 1\S+, pugixml 1\S+, "
-                                r"Graphviz \d\S+$")
+                                r"SQLite 3\S+, toml\+\+ 3\S+, zlib 1\S+, expat 2\S+$")
         self.assertIn(f" {EXAMPLES}\n", done.stdout)
         self.assertRegex(done.stdout, r"(?m)^gnuplot .* gnuplot \d")
         self.assertRegex(done.stdout, r"(?m)^seccomp filters +serve and mark +yes$")
