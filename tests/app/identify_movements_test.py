@@ -221,7 +221,7 @@ class Movements(unittest.TestCase):
 
         few, many = self.weigh(movements(50)), self.weigh(movements(1500))
         self.assertEqual((few[2].count("C_BOi  "), many[2].count("C_BOi  ")), (50, 1500))
-        self.assertLess(many[1], few[1] + 1024)
+        self.assertLess(many[1], few[1] + 1600)  # the rows of the movements alone would be 2 Mbyte
 
     def test_a_long_log_takes_bounded_memory_and_errors_keep_their_lines(self):
         head, rows = rows_of(STEP)

@@ -187,14 +187,20 @@ void read(const std::string& input) {
     allow(0);
 }
 
-/// Reads the seeds themselves, then changed ones, until the time is over. Returns how many inputs were read, 0 after a
-/// failure.
+/// Returns the seed with this number in an order in which neighbours, which are often alike, are far apart.
+const std::string& scattered(const std::vector<std::string>& seeds, std::uint64_t number) {
+    constexpr std::uint64_t stride = 7919; // a prime
+    return seeds[number * stride % seeds.size()];
+}
+
+/// Reads seeds and changed seeds by turns until the time is over. Returns how many inputs were read, 0 after a failure.
 std::uint64_t read_all(const Told& told, const std::vector<std::string>& seeds, KeptInput& kept) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(told.seconds);
     std::uint64_t count = 0;
-    for (; count < seeds.size() || std::chrono::steady_clock::now() < end; ++count) {
-        const std::string input =
-            count < seeds.size() ? seeds[count].substr(0, told.largest) : Mutation(seeds, count).text(told.largest);
+    for (; count == 0 || std::chrono::steady_clock::now() < end; ++count) {
+        const bool is_plain = count % 2 == 0 && count / 2 < seeds.size();
+        const std::string input = is_plain ? scattered(seeds, count / 2).substr(0, told.largest)
+                                           : Mutation(seeds, count).text(told.largest);
         kept.keep(input);
         try {
             read(input);
