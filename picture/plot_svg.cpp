@@ -116,7 +116,7 @@ std::string data_blocks(const Panel& panel, std::size_t number) {
 /// Returns commands that set Left to the margin which the y axes need: the numbers at an axis that is narrow beside its
 /// values, such as 1.0005e-09, need more than the usual margin. REQUIRES: all panels have been drawn on trial.
 std::string left_margin_commands(const Plot& plot) {
-    constexpr int usual_letters = 7;
+    constexpr int usual_letters = 5;
     std::string out = fmt::format("Letters = {}\n", usual_letters);
     for (std::size_t i = 0; i < plot.panels.size(); ++i)
         if (!plot.panels[i].y.logarithmic)
@@ -125,7 +125,8 @@ std::string left_margin_commands(const Plot& plot) {
                                    "text = sprintf('%g', step*floor(Y{1}{0}/step+.5))\n"
                                    "Letters = strlen(text) > Letters ? strlen(text) : Letters\n",
                                    i, end);
-    return out + fmt::format("Left = ({}+(Letters-{})*{})/{}.\n", left_margin, usual_letters, legend_letter, plot_width);
+    return out +
+           fmt::format("Left = ({}+(Letters-{})*{})/{}.\n", left_margin, usual_letters, legend_letter, plot_width);
 }
 
 /// Returns the commands that place the panel. Gnuplot's screen has its origin at the bottom left, and its width and

@@ -44,8 +44,7 @@ std::string greatest_increase(const std::vector<PathPart>& before, const std::ve
 void try_out(Answer& answer, const std::vector<PathPart>& path, const WhatIfs& what_ifs, Interruption& interruption) {
     try {
         run(answer, what_ifs, interruption, nullptr);
-        if (!answer.completed() || path.empty() || answer.time <= path.back().end ||
-            !differs(answer, path.back().end))
+        if (!answer.completed() || path.empty() || answer.time <= path.back().end || !differs(answer, path.back().end))
             return;
         CriticalPath changed;
         run(answer, what_ifs, interruption, &changed);

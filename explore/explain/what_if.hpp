@@ -21,7 +21,7 @@ struct Answer {
     Ending ending = Ending::interrupted;
     Time time{};
     std::string refused = ""; ///< first line of the refusal; "" if the netlist was accepted
-    std::string why = ""; ///< if the run takes at least .1 % longer: the activity whose time on the path grew most
+    std::string why = "";     ///< if the run takes at least .1 % longer: the activity whose time on the path grew most
 
     bool completed() const { return refused.empty() && ending == Ending::completed; }
 };

@@ -1,5 +1,5 @@
-#include "python/module/module.hpp"
 #include "python/module/interpreter.hpp"
+#include "python/module/module.hpp"
 
 #include "explore/checkpoint_file.hpp"
 #include "explore/problems.hpp"

@@ -96,9 +96,9 @@ py::list rows_of(const Study& study, StudyResults& results) {
 
 /// REQUIRES: the network is a file, and has no kinds in Python. `store`: a file; "": the runs are kept in memory.
 py::list sweep(const LoadedNetwork& network, const Axes& axes,
-               const Given<std::vector<std::string>, "measure">& measures, std::uint64_t seed,
-               std::uint64_t seeds, std::optional<std::int64_t> until_ps, const std::string& store,
-               Given<std::size_t, "jobs"> jobs, bool heeds_signals, const py::object& progress) {
+               const Given<std::vector<std::string>, "measure">& measures, std::uint64_t seed, std::uint64_t seeds,
+               std::optional<std::int64_t> until_ps, const std::string& store, Given<std::size_t, "jobs"> jobs,
+               bool heeds_signals, const py::object& progress) {
     Study study = study_of(network, axes);
     study.first_seed = seed;
     study.seeds = seeds;

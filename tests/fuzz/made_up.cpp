@@ -199,8 +199,8 @@ std::uint64_t read_all(const Told& told, const std::vector<std::string>& seeds, 
     std::uint64_t count = 0;
     for (; count == 0 || std::chrono::steady_clock::now() < end; ++count) {
         const bool is_plain = count % 2 == 0 && count / 2 < seeds.size();
-        const std::string input = is_plain ? scattered(seeds, count / 2).substr(0, told.largest)
-                                           : Mutation(seeds, count).text(told.largest);
+        const std::string input =
+            is_plain ? scattered(seeds, count / 2).substr(0, told.largest) : Mutation(seeds, count).text(told.largest);
         kept.keep(input);
         try {
             read(input);

@@ -209,9 +209,7 @@ void check_random_traffic(std::size_t programs) {
 
 } // namespace
 
-TEST_CASE("random programs give the same on several processors as on one, and as a model") {
-    check_random_traffic(50);
-}
+TEST_CASE("random programs give the same on several processors as on one, and as a model") { check_random_traffic(50); }
 
 TEST_CASE("a thousand random programs give the same on several processors as on one" * doctest::skip()) {
     check_random_traffic(1000);
