@@ -99,7 +99,7 @@ private:
     bool has_exited_ = false;
 };
 
-/// What a program has printed, mostly its result and its ticks, and how long it took.
+/// The output of a program, mostly its result and its ticks, and the time that it took.
 struct Ran {
     std::string text;
     double simulated_s = 0, host_s = 0;
@@ -131,7 +131,8 @@ std::uint64_t fingerprint_of(const Ran& ran) {
     return fingerprint.value();
 }
 
-/// Runs a program of examples/occam/beside-inmos several times. `turns`: of its loop; 0 if it has none to tell about.
+/// Runs a program of examples/occam/beside-inmos several times. `turns`: number of turns of its loop; 0 if the rate of
+/// turns is not reported.
 void measure_program(const std::string& name, long repeats, double turns) {
     const std::string path = fmt::format("{}/examples/occam/beside-inmos/{}.occ", PLACEDPAR_SOURCE_DIR, name);
     const LoadedSource source = load_source(path);
@@ -188,7 +189,8 @@ void measure_ring(long processes) {
     fmt::print("    and {:.0f} bytes of the host each\n", each(ran.resident - before));
 }
 
-/// A program of about so many lines: copies of a procedure with declarations, loops, decisions, channels and calls.
+/// Returns a program of about `lines` lines: copies of a procedure with declarations, loops, decisions, channels and
+/// calls.
 std::string long_program(long lines) {
     std::string text, calls;
     for (long i = 0; 30 * i < lines; ++i) {

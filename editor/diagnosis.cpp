@@ -22,8 +22,8 @@ std::filesystem::path normal(const std::filesystem::path& path) {
     return std::filesystem::absolute(path).lexically_normal();
 }
 
-/// Notes the files that were read with a document. If the text has errors, some may not have been read, so those of
-/// before stay.
+/// Notes the files that were read with a document. If the text has errors, reading may have stopped early, so the files
+/// noted before are kept.
 void note_included(Document& document, const std::vector<std::string>& paths, bool failed) {
     if (!failed)
         document.included.clear();
@@ -31,7 +31,7 @@ void note_included(Document& document, const std::vector<std::string>& paths, bo
         document.included.insert(normal(each));
 }
 
-/// Returns the errors in the syntax of a file that others include.
+/// Returns the syntax errors of a file that other files include.
 std::vector<Diagnostic> check_part(Document& document) {
     if (document.language != Language::occam)
         return syntax_of(document).diagnostics;
@@ -58,7 +58,7 @@ json::object position_json(const Position& position) {
     return {{"line", position.line}, {"character", position.character}};
 }
 
-/// Returns whether a place can be shown: its file is one that an editor can open.
+/// Returns whether an editor can open the file of this place.
 bool is_in_file(const Location& at) { return at.file && std::filesystem::path(at.file->path()).is_absolute(); }
 
 json::array related_json(const Diagnostic& diagnostic, NamesOf names, const Documents& documents, RangeWriter& writer) {

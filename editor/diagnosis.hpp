@@ -11,16 +11,17 @@
 
 namespace placedpar::editor {
 
-/// Reads and checks a text that is open. Keeps in the document what can be used again. A text in TOML that names no
-/// netlist is not a study, and nothing is wrong with it.
+/// Reads and checks an open text. Keeps results in the document for later requests. A text in TOML that names no
+/// netlist is not a study; it is accepted without a check.
 std::vector<Diagnostic> check_document(Document&, const Catalogue&);
 
-/// Reads the syntax of a netlist, or returns what was read before.
+/// Returns the syntax of a netlist; reads it only if the text has changed.
 const NetlistSyntax& syntax_of(Document&);
-/// Reads and checks a program in occam, or returns what was read before.
+/// Returns the checked program in occam; checks it only if the text has changed.
 const OccamCheck& program_of(Document&);
 
-/// Writes ranges as the protocol has them. Each text is measured once. REQUIRES: the files outlive this object.
+/// Writes ranges in the format of the protocol. Computes the line lengths of each text only once. REQUIRES: the files
+/// outlive this object.
 class RangeWriter {
 public:
     /// Returns a range in one line. REQUIRES: the location has a file.
@@ -32,8 +33,8 @@ private:
     std::map<const SourceFile*, Positions> positions_;
 };
 
-/// Returns the diagnostics as the protocol has them, by the URI of their files. What is not about a file, such as a
-/// setting of a study, is at the beginning of the document.
+/// Returns the diagnostics in the format of the protocol, by the URI of their file. A diagnostic without a file, such
+/// as that of a study's setting, is reported at the beginning of the document.
 std::map<std::string, boost::json::array> diagnostics_json(const std::vector<Diagnostic>&, const Document&,
                                                            const Documents&);
 

@@ -19,7 +19,8 @@ namespace {
 
 namespace json = boost::json;
 
-/// Sets the language of a text, by its name, by the editor's name for the language, or by what is in it.
+/// Sets the language of a text, according to the name of its file, the editor's name for the language, or the text
+/// itself.
 void choose_language(Document& document, const std::string& language_id) {
     const std::string extension = lower_case(document.path.extension().string());
     document.is_part = extension != ".cfs" && extension != ".occ" && extension != ".pgm" && extension != ".toml";
@@ -34,7 +35,7 @@ void choose_language(Document& document, const std::string& language_id) {
     document.names = document.language == Language::netlist ? NamesOf::netlist : NamesOf::occam;
 }
 
-/// Returns a path for a text that is not a file, such as one that was never saved.
+/// Returns a path for a text without a file, such as a text that was never saved.
 std::filesystem::path path_without_file(const std::string& uri, const std::string& language_id) {
     std::string name = uri;
     std::ranges::replace(name, '/', '_');
@@ -46,12 +47,12 @@ std::size_t offset_in(const Positions& positions, Position position) {
         return positions.offset(position);
     } catch (const std::out_of_range&) {
         throw RequestError(ErrorCode::invalid_params,
-                           fmt::format("line {} is behind the end of the text, which has {} lines; lines count from 0",
-                                       position.line, positions.lines()));
+                           fmt::format("line {} does not exist: the text has {} lines, counted from 0", position.line,
+                                       positions.lines()));
     }
 }
 
-/// Applies one change: of a range, or of the whole text.
+/// Applies one change, which replaces a range or the whole text.
 void apply(std::string& text, const json::value& change) {
     const json::object* object = change.if_object();
     if (!object)

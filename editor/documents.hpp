@@ -21,33 +21,34 @@ namespace placedpar::editor {
 
 enum class Language : std::uint8_t { netlist, configuration, occam, study };
 
-/// A text that an editor has open, and what is known about it. What a reader has found is kept until the text changes.
+/// A text that an editor has open, and what is known about it. Results of reading the text are kept until it changes.
 struct Document {
     std::string uri;
     std::filesystem::path path;
     Language language = Language::netlist;
-    NamesOf names = NamesOf::netlist; ///< in the files that its diagnostics are about
-    bool is_part = false;             ///< it is there to be included: alone, only its syntax is checked
+    NamesOf names = NamesOf::netlist; ///< language of the names in its diagnostics
+    bool is_part = false;             ///< other files include it; by itself, only its syntax is checked
     std::optional<std::uint64_t> version = {};
     std::shared_ptr<const SourceFile> file;
 
-    std::set<std::filesystem::path> included = {};    ///< files that were read with it
-    std::optional<NetlistSyntax> syntax = {};         ///< of a netlist
-    std::shared_ptr<const OccamCheck> program = {};   ///< of a program
+    std::set<std::filesystem::path> included = {};    ///< files that the text includes
+    std::optional<NetlistSyntax> syntax = {};         ///< set for a netlist
+    std::shared_ptr<const OccamCheck> program = {};   ///< set for a program
     std::shared_ptr<const OccamCheck> last_good = {}; ///< the last version of the program without errors
     std::optional<std::map<std::size_t, LineCycles>> cycles = {};
     bool failed = false; ///< the last check has found an error, perhaps since a file was missing
 
-    /// Returns the place of a position. Throws RequestError if it is behind the end of the text.
+    /// Returns the place of a position. Throws RequestError if the position is after the end of the text.
     Location location(Position) const;
-    /// Forgets what was read, since the text or an included file has changed.
+    /// Discards the kept results. Called when the text or an included file has changed.
     void forget();
 };
 
 /// The texts that an editor has open.
 class Documents {
 public:
-    /// Opens a text. Its name says in which language it is written, or else `language_id`, or else the text itself.
+    /// Opens a text. The extension of its name determines the language; otherwise `language_id`, otherwise the text
+    /// itself.
     Document& open(const std::string& uri, const std::string& language_id, std::string text);
     /// Applies the member "contentChanges" of a notification. Throws RequestError if a place is not in the text; the
     /// text is then as before.
@@ -58,7 +59,7 @@ public:
     Document& at(const std::string& uri);
     std::map<std::string, Document>& all() { return documents_; }
     const TextsInMemory& texts() const { return texts_; }
-    /// Returns the URI of a file: that by which the editor has opened it, if it has.
+    /// Returns the URI of a file. If the editor has opened the file, returns the URI that the editor used.
     std::string uri_of(const std::filesystem::path&) const;
 
 private:

@@ -39,7 +39,7 @@ json::object capabilities() {
             {"documentSymbolProvider", true}};
 }
 
-/// Returns the number by which the protocol names a kind of completion.
+/// Returns the protocol's number for a kind of completion.
 int number_of(Completion::Kind kind) {
     switch (kind) {
     case Completion::Kind::keyword: return 14;
@@ -63,7 +63,8 @@ json::object symbol_json(const OutlineEntry& entry, const json::object& range) {
             {"selectionRange", range}};
 }
 
-/// Returns the edit that makes one text another: the lines between those that both have at their ends.
+/// Returns the edit that changes one text into another. It replaces the lines between the common beginning and the
+/// common end.
 json::array edits_between(const std::string& before, const std::string& after) {
     if (before == after)
         return {};
@@ -104,7 +105,7 @@ struct LanguageServer::State {
         send_json({{"id", id}, {"error", {{"code", static_cast<int>(code)}, {"message", why}}}});
     }
 
-    /// Tells the editor what is wrong with a notification, which has no answer.
+    /// Reports an invalid notification in the editor's log, because notifications have no answer.
     void log(const std::string& why) {
         send_json({{"method", "window/logMessage"}, {"params", {{"type", 1}, {"message", why}}}});
     }
@@ -142,7 +143,7 @@ struct LanguageServer::State {
         if (document.language == Language::netlist)
             found = complete_netlist(syntax_of(document), catalogue, at);
         else if (document.language == Language::occam) {
-            program_of(document); // keeps it as the last good one, if it is
+            program_of(document); // also stores it as the last good program, if it has no errors
             found =
                 complete_occam(*document.file, document.last_good ? document.last_good->program.get() : nullptr, at);
         }
@@ -221,7 +222,7 @@ struct LanguageServer::State {
         document.version = version_opened;
         mark_changed(document);
         for (auto& [uri, other] : documents.all())
-            if (other.failed) // it may have missed this file
+            if (other.failed) // perhaps because this file was missing
                 check_again(other);
         return nullptr;
     }
@@ -269,7 +270,7 @@ struct LanguageServer::State {
                 check_again(other);
     }
 
-    /// Returns what a line of a program takes on the transputer, as far as it can be compiled.
+    /// Returns the cycles that a line of a program takes on the transputer; "" if the program cannot be compiled.
     std::string cycles_text(Document& document, const Location& at) {
         const OccamCheck& program = program_of(document);
         if (program.failed || document.is_part)
@@ -289,7 +290,7 @@ struct LanguageServer::State {
         return hover_occam(*program.program, at) + cycles_text(document, at);
     }
 
-    /// Throws RequestError unless it is a netlist that no other text includes.
+    /// Throws RequestError unless the document is a netlist that no other open text includes.
     void refuse_to_rename_in(const Document& document) {
         if (document.language != Language::netlist)
             throw RequestError(ErrorCode::request_failed, "only names of netlists can be renamed");
@@ -321,7 +322,7 @@ struct LanguageServer::State {
             document.failed = has_errors(diagnostics);
             files = diagnostics_json(diagnostics, document, documents);
         }
-        files[uri]; // sent also if nothing is wrong
+        files[uri]; // also sends an empty list, which clears earlier errors
         std::set<std::string> uris;
         for (const auto& [file, diagnostics] : published[uri])
             uris.insert(file);
@@ -364,7 +365,7 @@ struct LanguageServer::State {
         const json::value* const id = message.if_contains("id");
         const json::value* const method = message.if_contains("method");
         if (!method && id && (message.contains("result") || message.contains("error")))
-            return; // an answer; the server asks nothing
+            return; // an answer; the server sends no requests
         const json::value* const params = message.if_contains("params");
         const bool is_optional = method && method->is_string() && method->as_string().starts_with("$/");
         const auto fail = [&](ErrorCode code, const std::string& why) {
@@ -394,8 +395,9 @@ struct LanguageServer::State {
     ProblemRegistry problems;
     Catalogue catalogue;
     Documents documents;
-    std::set<std::string> to_check;                                      ///< URIs
-    std::map<std::string, std::map<std::string, json::array>> published; ///< by the text checked, then by the file
+    std::set<std::string> to_check; ///< URIs
+    std::map<std::string, std::map<std::string, json::array>>
+        published; ///< by URI of the checked text, then by URI of the file
     bool initialized = false, shut_down = false, ended = false;
 };
 

@@ -7,21 +7,20 @@
 
 namespace placedpar::editor {
 
-/// A server of the Language Server Protocol for netlists, configurations, occam and studies. It knows nothing of how
-/// messages travel.
+/// A server of the Language Server Protocol for netlists, configurations, occam and studies. It does not depend on how
+/// messages are transported.
 class LanguageServer {
 public:
     /// `send` sends a message to the editor.
     explicit LanguageServer(std::function<void(const std::string&)> send);
     ~LanguageServer();
 
-    /// Takes a message from the editor, and sends the answer if it is a request. A wrong message is answered with an
-    /// error.
+    /// Handles a message from the editor. Answers a request with its result, and an invalid message with an error.
     void take(const std::string& message);
-    /// Answers what is not a message.
+    /// Sends an error for input that is not a message.
     void refuse(const std::string& why);
-    /// Checks the texts that have changed, and sends what is wrong with them. To be called when no message waits, so
-    /// that quick changes are checked once.
+    /// Checks the texts that have changed, and sends their diagnostics. Call it when no message waits, so that several
+    /// quick changes are checked only once.
     void publish();
 
     bool has_ended() const; ///< the editor has sent "exit"
@@ -32,7 +31,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Serves an editor until it ends or the input does. Returns whether the editor has shut the server down before.
+/// Serves an editor until it sends "exit" or the input ends. Returns whether the editor has sent "shutdown" before.
 bool serve_editor(std::istream&, std::ostream&);
 
 } // namespace placedpar::editor

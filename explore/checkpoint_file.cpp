@@ -25,9 +25,9 @@ namespace {
 
 namespace json = boost::json;
 
-constexpr std::string_view checkpoint_format = "checkpoint 1"; ///< changes with the form of the file
+constexpr std::string_view checkpoint_format = "checkpoint 1"; ///< changes whenever the format of the file changes
 
-/// Numbers are kept by their bits, so that they come back exactly.
+/// Numbers are stored as their bits, so that they are read back exactly.
 json::object json_of(const Individual& individual) {
     return {{"genome", individual.genome.to_string()},
             {"fitness_bits", std::bit_cast<std::uint64_t>(individual.fitness)}};
@@ -63,10 +63,10 @@ SearchCheckpoint checkpoint_from(const json::value& value, std::uint64_t generat
     return checkpoint;
 }
 
-/// Throws UserError if a checkpoint does not hold all that decides the results of the search.
+/// Throws UserError if the results of the search depend on data that a checkpoint does not contain.
 void require_kept_whole(const ProcessInstance& search) {
     const auto refuse = [&](std::string_view why) {
-        throw UserError(fmt::format("{}: --checkpoint: {} {}, which no checkpoint holds", search.declared.text(),
+        throw UserError(fmt::format("{}: --checkpoint: {} {}, which a checkpoint cannot store", search.declared.text(),
                                     search.name, why));
     };
     if (breeds_recoded(search))
@@ -80,7 +80,7 @@ void require_kept_whole(const ProcessInstance& search) {
 void require_equal(const std::filesystem::path& path, const std::string& what, const std::string& in_file,
                    const std::string& here) {
     if (in_file != here)
-        throw UserError(fmt::format("{}: the checkpoint has {} {}, but this run has {}: give the file of another "
+        throw UserError(fmt::format("{}: the checkpoint has {} {}, but this run has {}: give the file of a matching "
                                     "checkpoint, or delete this one to begin anew",
                                     path.string(), what, in_file, here));
 }
@@ -96,13 +96,13 @@ CheckpointFile::CheckpointFile(std::filesystem::path path, std::vector<KeptSearc
     : path_(std::move(path)), seed_(seed), every_(every), searches_(std::move(searches)) {
     if (path_ == "-" || (std::filesystem::exists(path_) && !std::filesystem::is_regular_file(path_)))
         throw UserError(
-            fmt::format("--checkpoint {}: give the name of a file, which is replaced again and again", path_.string()));
+            fmt::format("--checkpoint {}: give the name of a file, such as search.checkpoint", path_.string()));
     require_writable(path_);
     if (std::filesystem::exists(path_))
         read();
 }
 
-/// Throws UserError for a file of another form.
+/// Throws UserError for a file in another format.
 void CheckpointFile::read() {
     try {
         std::ifstream file(path_);
@@ -112,7 +112,7 @@ void CheckpointFile::read() {
     } catch (const UserError&) {
         throw;
     } catch (const std::exception&) {
-        refuse_file("it has another form");
+        refuse_file("it has another format");
     }
 }
 

@@ -15,7 +15,7 @@ namespace placedpar {
 
 struct Network; // netlist/network/network.hpp
 
-/// A search whose state is kept, with parameters that must not change between two runs.
+/// A search whose state is stored, with the parameters that must not change between two runs.
 struct KeptSearch {
     std::string search;
     std::map<std::string, std::string> parameters;
@@ -25,18 +25,18 @@ struct KeptSearch {
 /// partly written. If searches end at different generations, the last generation that all have reached is kept.
 class CheckpointFile final : public Checkpoints {
 public:
-    /// Reads the file if it exists; the searches then go on from it. `every`: a state is kept after every so many
-    /// generations, at least 1.
+    /// Reads the file if it exists; the searches then continue from it. `every` is the number of generations between
+    /// two stored states, at least 1.
     ///
-    /// Throws UserError if a search of the network has results that no checkpoint holds (it sends estimates, or belongs
-    /// to a pair), or if no process searches. Throws UserError for a file that cannot be read or is not a checkpoint,
-    /// and for one of another seed or of searches with other names, problems, codings or numbers of individuals. Other
-    /// parameters may have changed: the searches go on with the new ones.
+    /// Throws UserError if a search of the network depends on data that a checkpoint cannot store (it sends estimates,
+    /// or belongs to a pair), or if no process searches. Throws UserError for a file that cannot be read or is not a
+    /// checkpoint, and for one of another seed or of searches with other names, problems, codings or numbers of
+    /// individuals. Other parameters may have changed: the searches continue with the new values.
     CheckpointFile(std::filesystem::path, const Network&, std::uint64_t seed, std::uint64_t every);
-    /// Does the same for searches of the library, such as run_islands().
+    /// Makes a checkpoint file for searches of the library, such as run_islands().
     CheckpointFile(std::filesystem::path, std::vector<KeptSearch>, std::uint64_t seed, std::uint64_t every);
 
-    /// Returns the generation from which the searches go on; 0 if they begin anew.
+    /// Returns the generation from which the searches continue; 0 if they begin anew.
     std::uint64_t begin() const { return begin_; }
 
     /// Returns a text that is the same for two objects only if the searches go on from the same file and keep their
@@ -63,7 +63,7 @@ private:
     std::uint64_t seed_, every_;
     std::vector<KeptSearch> searches_;
     std::uint64_t begin_ = 0;
-    std::int64_t checksum_ = 0; ///< of the file that was read; 0 if there was none
+    std::int64_t checksum_ = 0; ///< checksum of the file that was read; 0 if there was none
     States begin_states_;
     std::mutex mutex_;
     std::map<std::uint64_t, States> incomplete_; ///< by generation

@@ -46,8 +46,8 @@ struct LoadedRecord {
 /// Reads a record of measurement. Throws RefusedInput.
 LoadedRecord load_record(const std::filesystem::path&, const hydraulics::RecordNeeds&, const WarningSink&);
 
-/// Returns the excavator's constants; constants in the file replace the program's constants of the same name. No file
-/// is read if the path is empty. Throws RefusedInput.
+/// Returns the excavator's constants; constants in the file replace the program's constants of the same name. If the
+/// path is empty, returns the program's constants. Throws RefusedInput.
 hydraulics::Parameters load_machine(const std::filesystem::path&, const WarningSink&);
 
 } // namespace placedpar

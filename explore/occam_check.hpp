@@ -12,15 +12,15 @@ namespace placedpar {
 /// A program in occam that has been read and checked.
 struct OccamCheck {
     std::unique_ptr<occam::Program> program;
-    occam::SourceOptions options;             ///< what the text asks for and the caller wants
+    occam::SourceOptions options;             ///< options of the text and of the caller
     const occam::Declaration* main = nullptr; ///< the last procedure of the main file; null if there is none
     std::vector<Diagnostic> diagnostics = {};
     std::string not_shown = ""; ///< a line that says how many errors are not in `diagnostics`; "" if none
     bool failed = false;        ///< there are errors, so the program cannot be compiled
 };
 
-/// Reads and checks a program, with libraries of ours and with files from these folders. Checks that are off in
-/// `wanted` are left out, as if the text left them out.
+/// Reads and checks a program. Its files may be PlacedPar's libraries or in these folders. Checks that are off in
+/// `wanted` are skipped, as if the text turned them off.
 OccamCheck check_occam_source(std::shared_ptr<const SourceFile>, std::vector<std::filesystem::path> folders,
                               const occam::SourceOptions& wanted = {});
 

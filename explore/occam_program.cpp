@@ -53,7 +53,8 @@ std::shared_ptr<const SourceFile> loaded(const std::filesystem::path& path) {
     return source.file;
 }
 
-/// Returns whether a main procedure gets the channels of a terminal, and no host: keyboard, screen and error.
+/// Returns whether a main procedure has the channels keyboard, screen and error of a terminal, instead of channels to a
+/// host.
 bool uses_terminal(const occam::Declaration& main) {
     const auto& parameters = std::get<occam::Procedure>(main.form).parameters;
     return parameters.size() == 3 && std::ranges::all_of(parameters, [](const occam::DeclarationBox& each) {
@@ -65,7 +66,7 @@ bool gets_free_memory(const occam::Declaration& main) {
     return std::get<occam::Procedure>(main.form).parameters.size() == 3;
 }
 
-/// Returns a program around a main procedure that uses a terminal.
+/// Returns a program that calls a main procedure that uses a terminal.
 std::shared_ptr<const SourceFile> around(const std::filesystem::path& path, const occam::Declaration& main) {
     const auto& keyboard = *std::get<occam::Procedure>(main.form).parameters.front();
     const bool reads = keyboard.direction != occam::Direction::unused;
@@ -92,7 +93,7 @@ CompileChoices choices_of(const OccamOptions& options) {
     for (const char* check : {"usage", "alias"})
         if (leaves_out(options, check))
             throw UserError(
-                fmt::format("--no-checks: a netlist cannot leave out the check \"{}\" of its programs; write "
+                fmt::format("--no-checks: a netlist cannot turn off the check \"{}\" of its programs; write "
                             "#OPTION \"{}\" into the file",
                             check, check[0] == 'u' ? "N" : "A"));
     const bool all = leaves_out(options, "all");
@@ -118,7 +119,7 @@ CompiledOccam compile_occam(const std::filesystem::path& path, std::span<const s
                                     "run takes a configuration",
                                     path.string()));
     if (!program.main)
-        throw UserError(fmt::format("{}: the file has no PROC that could be run", path.string()));
+        throw UserError(fmt::format("{}: the file has no PROC that can be run", path.string()));
     if (uses_terminal(*program.main))
         program = checked(around(path, *program.main), folders, typed, warn);
     const occam::CodeOptions options{.model = model,

@@ -21,11 +21,11 @@ struct OccamOptions {
     std::string no_checks = ""; ///< names of checks, separated by commas
 };
 
-/// Returns the options for the code of a netlist's processes. Throws UserError for a check of the text, which a netlist
-/// cannot leave out, and for an unknown one.
+/// Returns the options for the code of a netlist's processes. Throws UserError for an unknown check, and for a check of
+/// the text, which a netlist cannot turn off.
 CompileChoices choices_of(const OccamOptions&);
 
-/// Returns the checks that these options do not leave out. Throws UserError for an unknown one.
+/// Returns the checks that these options do not turn off. Throws UserError for an unknown check.
 occam::SourceOptions wanted_checks(const OccamOptions&);
 
 /// Returns whether a file is a program in occam, by its name. A configuration is not a program.
@@ -34,7 +34,7 @@ bool is_occam(const std::filesystem::path&);
 struct CompiledOccam {
     std::vector<std::uint8_t> file; ///< a bootable file
     std::string lines;              ///< a table of its code, for a file NAME.lines beside it
-    std::uint64_t memory_bytes = 0; ///< that the program needs, with the free memory that it gets
+    std::uint64_t memory_bytes = 0; ///< memory that the program needs, including the free memory that it receives
 };
 /// Compiles a program for a transputer. Throws RefusedInput; throws UserError for an unknown check.
 CompiledOccam compile_occam(const std::filesystem::path&, std::span<const std::string> folders, const OccamOptions&,
@@ -46,10 +46,10 @@ struct ProgramMachine {
     std::uint64_t memory_cycles = 3;
     OccamOptions occam = {};
 };
-/// Returns the bytes of a size such as 32K or 2M; nothing if it is none.
+/// Returns the number of bytes of a size such as 32K or 2M; nothing if the text is not a size.
 std::optional<std::uint64_t> bytes_of_size(const std::string& text);
-/// Returns a netlist with one transputer that the file boots. In mode stop a process may read outside of the memory
-/// before it stops, which must have no effect.
+/// Returns a netlist with one transputer that the file boots. In mode stop, a process may read beyond the memory just
+/// before it stops; the netlist makes such a read harmless.
 std::string netlist_around(const std::filesystem::path& file, const ProgramMachine&);
 /// Compiles a program for the machine. Throws as compile_occam(); throws UserError if the memory is too small.
 CompiledProgram compiled_program(const std::filesystem::path&, std::span<const std::string> folders,

@@ -16,7 +16,7 @@
 
 namespace placedpar {
 
-/// The netlist whose processes are to search.
+/// The netlist whose processes do the search.
 struct NetlistAsked {
     std::filesystem::path path;
     Overrides overrides;

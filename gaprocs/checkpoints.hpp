@@ -8,7 +8,7 @@
 
 namespace placedpar {
 
-/// What a search process needs to go on after a generation.
+/// The state from which a search process continues after a generation.
 struct SearchCheckpoint {
     SearchState search;
     std::uint64_t populations = 0; ///< hash of all generations so far
@@ -17,17 +17,18 @@ struct SearchCheckpoint {
     friend bool operator==(const SearchCheckpoint&, const SearchCheckpoint&) = default;
 };
 
-/// Keeps the states of all searches of a run, so that a later run can go on from them. The later run passes over the
+/// Keeps the states of all searches of a run, so that a later run can continue from them. The later run passes over the
 /// generations of the first: its searches receive the same samples, but evaluate, exchange and breed nothing until the
-/// generation of their checkpoint. Then they go on with the same generations, bit for bit, unless islands exchange
-/// asynchronously: emigrants that are under way are not kept.
+/// generation of their checkpoint. Then they continue with the same generations, bit for bit. This does not hold if
+/// islands exchange asynchronously, because emigrants that are under way are not stored.
 ///
 /// The functions may be called by several threads at once.
 class Checkpoints {
 public:
-    /// Returns where the search goes on; null if it begins anew. The object exists until the end of the run.
+    /// Returns the checkpoint from which the search continues; null if it begins anew. The object exists until the end
+    /// of the run.
     virtual const SearchCheckpoint* begin_of(const std::string& search) const = 0;
-    /// Returns whether searches are to hand over their state after this generation.
+    /// Returns whether searches must call keep() after this generation.
     virtual bool is_due(std::uint64_t generation) const = 0;
     virtual void keep(const std::string& search, const SearchCheckpoint&) = 0;
 

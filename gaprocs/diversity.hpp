@@ -20,9 +20,9 @@ namespace placedpar {
 //     permutations     fraction of neighbours in one closed tour that are not neighbours in the other  1 - 2/(n - 1)
 //
 // For binary strings, diversity_within() is the nucleotide diversity of Nei and Li (1979), with bits as sites, and
-// diversity_between() of two populations is their d_XY. The root mean square was chosen for real vectors so that no
-// kind needs a loop over pairs: the diversity follows from the centre of each population and the distances from the
-// centre.
+// diversity_between() of two populations is their d_XY. For real vectors we chose the root mean square. Then, for all
+// three kinds of strings, the diversity follows from the centre of each population and the distances from the centre,
+// without a loop over pairs.
 
 /// A population as points in space. For binary strings and permutations, the squared distance of two points is
 /// proportional to Representation::distance(); for real vectors, to its square.

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Evaluates generations, and remembers the merits of those that survive.
+/// Evaluates generations, and keeps the merits of the survivors.
 class FrontEvaluation {
 public:
     explicit FrontEvaluation(const SearchProblem& problem) : problem_(problem) {}

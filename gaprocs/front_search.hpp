@@ -35,15 +35,15 @@ struct FrontResult {
     /// The feasible survivors that no other dominates, in ascending order of the first cost; empty if no survivor is
     /// feasible.
     std::vector<FrontIndividual> front;
-    double least_violation = 0; ///< of the survivors; 0 if one is feasible
+    double least_violation = 0; ///< least violation of a survivor; 0 if one is feasible
     std::uint64_t generations = 0;
-    std::uint64_t evaluations = 0; ///< of this call; survivors are not evaluated again
+    std::uint64_t evaluations = 0; ///< number of evaluations in this call; survivors are not evaluated again
 };
 
 /// Searches for the front of a problem with one or several objectives, with or without constraints. If several
-/// individuals are equal, all but the first count as infeasible. A survivor population of n needs front_settings(...,
-/// 2 * n) and makes n * (generations + 1) evaluations. `after_generation` is called with the number of each generation
-/// that is done; what it throws ends the search. Checkpoints keep the search by the name "front". Throws as
+/// individuals are equal, all but the first count as infeasible. A survivor population of n needs front_settings(..., 2
+/// * n) and makes n * (generations + 1) evaluations. `after_generation` is called with the number of each completed
+/// generation; an exception from it ends the search. In checkpoints the search has the name "front". Throws as
 /// SearchSettings::validate(), require_fitting_operators() and Search::go_on_from(), and UserError for a problem with a
 /// record, for 0 generations or for an elite that is not half the population.
 FrontResult search_front(const SearchProblem&, std::size_t generations, const SearchSettings&, RandomStream,

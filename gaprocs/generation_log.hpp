@@ -72,15 +72,15 @@ public:
     std::span<const std::string> searches() const { return searches_; }
     /// Returns whether there are several searches that solve the same problem.
     bool compares() const { return compared_; }
-    /// Returns the number of the first logged generation: 1 unless the searches go on from a checkpoint.
+    /// Returns the number of the first logged generation: 1 unless the searches continue from a checkpoint.
     std::uint64_t first() const { return first_; }
     /// Returns the generations of a search, generation first() first.
     std::span<const LoggedGeneration> of(std::size_t search) const { return generations_.at(search); }
     /// Returns the generations that all searches have completed, taken together; empty unless compares().
     std::span<const LoggedGeneration> of_all() const { return all_; }
-    /// Returns the migrations; those to the same search in the order of arrival.
+    /// Returns the migrations. Migrations to the same search are in the order of arrival.
     std::span<const LoggedMigration> migrations() const { return migrations_; }
-    /// Returns the answers; those of the same analyst in the order of the generations.
+    /// Returns the answers. Answers of the same analyst are in the order of the generations.
     std::span<const LoggedAnswer> answers() const { return answers_; }
 
     /// Returns whether the search minimises an objective; false before the first generation.

@@ -87,7 +87,7 @@ public:
     /// REQUIRES: the observer outlives the islands.
     void observe_by(SearchObserver& observer);
 
-    /// Goes on from the checkpoints, and hands over new ones. The islands have the names of island_names(). Throws as
+    /// Continues from the checkpoints, and stores new ones. The islands have the names of island_names(). Throws as
     /// SearchProgress. REQUIRES: called before the first next_generation(); the checkpoints outlive the islands.
     void keep_by(Checkpoints& checkpoints);
 
@@ -139,9 +139,9 @@ struct IslandsResult {
     std::vector<Migration> migrations; ///< migrations of all generations, in the order of the generations
 };
 
-/// Runs the islands over a record, without a simulated machine. The islands go on from checkpoints as run_traditional()
-/// does; without the asynchronous schedule, the generations are those of an unbroken run, bit for bit. Throws as
-/// Islands, IslandsSettings::validate_for(), require_channels() and SearchProgress.
+/// Runs the islands over a record, without a simulated machine. The islands continue from checkpoints as
+/// run_traditional() does; without the asynchronous schedule, the generations are those of an unbroken run, bit for
+/// bit. Throws as Islands, IslandsSettings::validate_for(), require_channels() and SearchProgress.
 IslandsResult run_islands(const SearchProblem& problem, std::span<const Sample> record, const IslandsSettings& settings,
                           std::vector<RandomStream> streams, SearchObserver* observer = nullptr,
                           Checkpoints* checkpoints = nullptr);

@@ -11,7 +11,7 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-/// Returns whether the first comes before the second, so that each comes before those that it dominates.
+/// Returns whether `a` comes before `b` in an order in which each individual comes before all that it dominates.
 bool comes_before(const Merit& a, const Merit& b) {
     if (a.feasible != b.feasible)
         return a.feasible;

@@ -18,9 +18,9 @@ enum class Goal : unsigned char { minimise, maximise };
 /// fitness of a whole population can be added up.
 inline constexpr double worst_fitness = -0x1p1000;
 
-/// Returns the fitness of an individual that violates constraints by so much in all: less than the fitness of every
-/// feasible individual, and the less the greater the violation (K. Deb, "An efficient constraint handling method for
-/// genetic algorithms", 2000). So a reproduction by ranks or tournaments follows Deb's rules. NaN counts as an infinite
+/// Returns the fitness of an individual with this total violation of constraints. It is less than the fitness of every
+/// feasible individual, and decreases with the violation (K. Deb, "An efficient constraint handling method for genetic
+/// algorithms", 2000). So a reproduction by ranks or tournaments follows Deb's rules. NaN counts as an infinite
 /// violation. Violations that differ only after 42 bits have equal fitness. REQUIRES: the violation is above 0, or NaN.
 inline double infeasible_fitness(double violation) {
     const double counted = std::isnan(violation) ? std::numeric_limits<double>::infinity() : violation;
@@ -28,15 +28,15 @@ inline double infeasible_fitness(double violation) {
     return -std::bit_cast<double>(std::bit_cast<std::uint64_t>(-2 * worst_fitness) + above);
 }
 
-/// What decides between two individuals of a problem with constraints or several objectives.
+/// The values that decide between two individuals of a problem with constraints or several objectives.
 struct Merit {
     bool feasible = false;
     std::vector<double> costs = {}; ///< costs to be minimised; all feasible individuals have the same number of costs
-    double violation = 0;           ///< of an infeasible individual: by how much it violates constraints, in all
+    double violation = 0;           ///< total violation of constraints; 0 if feasible
 };
 
-/// Returns by how much an individual violates its constraints, of which each is satisfied if it is at most 0: the sum
-/// of the numbers above 0, or infinity if one is NaN.
+/// Returns the total violation: the sum of the numbers above 0, or infinity if a number is NaN. A constraint is
+/// satisfied if its number is at most 0.
 inline double violation_of(const std::vector<double>& constraints) {
     double sum = 0;
     for (double each : constraints)
@@ -55,7 +55,7 @@ inline Merit merit_of(std::vector<double> objectives, double violation, Goal goa
     return {.feasible = violation == 0, .costs = std::move(objectives), .violation = violation};
 }
 
-/// How a problem without measurements rates an individual: by one number, the objective, which is minimised or
+/// The objective by which a problem without measurements rates an individual: one number, which is minimised or
 /// maximised.
 struct Objective {
     Goal goal = Goal::minimise;

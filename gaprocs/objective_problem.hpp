@@ -33,14 +33,15 @@ namespace placedpar {
 // gaprocs/policies/coding.hpp. An objective that is infinite or NaN is worse than every other, so objective() may
 // return infinity for an individual that is not allowed.
 //
-// A problem may also have constraints(), with the same argument: numbers of which each is at most 0 if its constraint
-// is satisfied. An equation h(x) = 0 is stated as |h(x)| - tolerance. The sum of the numbers above 0 is the violation.
-// Every individual without violation is better than every individual with one; of two with, the lesser violation is
-// better (K. Deb, 2000). So a population of which no individual is feasible approaches the constraints first. If a
-// penalty is given, the objective gets worse by the penalty times the violation instead. NaN is the greatest violation.
+// A problem may also have a function constraints() with the same argument. It returns a number for each constraint,
+// which is at most 0 if the constraint is satisfied. An equation h(x) = 0 is stated as |h(x)| - tolerance. The sum of
+// the numbers above 0 is the violation. Every individual without violation is better than every individual with a
+// violation; of two individuals with a violation, the one with the lesser violation is better (K. Deb, 2000). So while
+// no individual of a population is feasible, selection first reduces the violation. If a penalty is given, the
+// objective gets worse by the penalty times the violation instead. NaN is the greatest violation.
 //
-// A problem with objectives() in place of objective() has several, and objective_names(), their names. All are
-// minimised, or all maximised.
+// A problem with several objectives has the functions objectives(), in place of objective(), and objective_names(). All
+// are minimised, or all maximised.
 
 /// An objective problem has the functions representation() and objective(). The argument of objective() is what the
 /// representation decodes. It may also have parameter_names() and parameter_units(), by default "x_1", "x_2", ...
@@ -67,7 +68,7 @@ concept StatesConstraints = requires(const P& problem, const Genome& genome) {
 template <StatesObjective P>
 class ObjectiveProblemOf final : public SearchProblem {
 public:
-    /// `penalty`: see above; 0 for none.
+    /// `penalty`: see the top of this file; 0 for none.
     ObjectiveProblemOf(P problem, Goal goal, double penalty = 0)
         : problem_(std::move(problem)),
           representation_(problem_.representation()), objective_{goal, unit(), known_optimum()}, penalty_(penalty) {}
@@ -209,7 +210,8 @@ private:
     Coding coding_ = Coding::natural;
 };
 
-/// minimise() and maximise() throw as P::representation() does. `penalty`: for each unit of violation; 0: Deb's rules.
+/// minimise() and maximise() throw as P::representation() does. `penalty` worsens the objective, for each unit of
+/// violation; 0: Deb's rules.
 template <StatesObjective P>
 std::shared_ptr<const SearchProblem> minimise(P problem, double penalty = 0) {
     return std::make_shared<ObjectiveProblemOf<P>>(std::move(problem), Goal::minimise, penalty);

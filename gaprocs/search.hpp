@@ -20,13 +20,13 @@
 
 namespace placedpar {
 
-/// What a search needs to go on between two generations, besides its settings and its random stream.
+/// The state of a search between two generations, besides its settings and its random stream.
 struct SearchState {
     std::uint64_t generation = 0; ///< number of generations evaluated
     std::uint64_t redraws = 0;
     std::uint64_t drawn = 0; ///< numbers drawn from the random stream
     std::vector<Genome> population;
-    std::optional<Individual> best; ///< of the last evaluated generation; nothing before the first
+    std::optional<Individual> best; ///< best individual of the last evaluated generation; nothing before the first
 
     friend bool operator==(const SearchState&, const SearchState&) = default;
 };
@@ -60,17 +60,17 @@ public:
     std::vector<Genome> take_population() && { return std::move(population_); }
     /// Returns the number of generations evaluated so far.
     std::uint64_t generation() const { return generation_; }
-    /// Returns how often the population, except the elite, was drawn anew because Reproduction found no parents. The
-    /// thesis does not mention this case: no fitness is positive, so the roulette wheel has no sectors.
+    /// Returns the number of times that the population, except the elite, was drawn anew because Reproduction found no
+    /// parents. The thesis does not mention this case: no fitness is positive, so the roulette wheel has no sectors.
     std::uint64_t redraws() const { return redraws_; }
 
     /// Returns the state before the next evaluation.
     SearchState state() const { return {generation_, redraws_, random_.drawn(), population_, best_}; }
-    /// Goes on from the state of a search with the same representation, settings and random stream. Throws
-    /// UserError for another number of individuals, for strings of another representation and for a best fitness that
-    /// is not finite.
+    /// Continues from the state of a search with the same representation, settings and random stream. Throws UserError
+    /// for another number of individuals, for strings of another representation and for a best fitness that is not
+    /// finite.
     void go_on_from(SearchState);
-    /// Returns whether the string is of this search's representation and the fitness finite.
+    /// Returns whether the string belongs to this search's representation and the fitness is finite.
     bool is_valid(const Individual&) const;
 
     /// A function that next_generation() calls before it breeds. At that time the population includes the immigrants of

@@ -35,7 +35,7 @@ struct ObservedGeneration {
 struct ObservedMigration {
     std::string_view from, to;
     std::uint64_t generation; ///< generation of the search `to`, from 1
-    std::optional<Time> time; ///< as in ObservedGeneration
+    std::optional<Time> time; ///< virtual time, as ObservedGeneration::time
     double fitness;           ///< fitness of Migration::individual, see gaprocs/islands.hpp
     bool accepted;            ///< false: rejected
 };

@@ -54,8 +54,8 @@ public:
     /// Returns the names of the objectives of a problem that has several; otherwise none. Such a problem has no
     /// fitness: search_front() searches for it (gaprocs/front_search.hpp).
     virtual std::vector<std::string> objective_names() const { return {}; }
-    /// Returns the costs of an individual, all to be minimised, and by how much it violates the constraints; nothing
-    /// for a problem with a record. An individual with a cost that is not a finite number is infeasible.
+    /// Returns the costs of an individual, all to be minimised, and its violation of the constraints; nothing for a
+    /// problem with a record. An individual with a cost that is not a finite number is infeasible.
     virtual std::optional<Merit> merit(const Genome&) const { return std::nullopt; }
     /// Returns merit() of each individual. A problem may evaluate a whole population at once. REQUIRES: there is an
     /// objective().

@@ -23,7 +23,7 @@ SearchProgress::SearchProgress(Search& search, std::string name, Checkpoints* ch
 
 void SearchProgress::require_passed(const Search& search) const {
     if (to_pass_over_ > 0)
-        throw UserError(fmt::format("the checkpoint is of a later generation than the last one of this search, {}: "
+        throw UserError(fmt::format("the checkpoint is from a generation after the last generation of this search, {}: "
                                     "let the search run longer, or delete the checkpoint to begin anew",
                                     search.generation() - to_pass_over_));
 }

@@ -10,16 +10,16 @@
 
 namespace placedpar {
 
-/// The course of a search over several runs, of which each goes on from the checkpoint of the run before. For each
+/// The progress of a search over several runs. Each run continues from the checkpoint of the run before. For each
 /// generation, call passes_over(); if it returns false, call note_population(), evaluate and breed, then note_best()
 /// and keep().
 class SearchProgress {
 public:
     /// Puts the search into the state of the checkpoint of this name, if there is one. Throws as Search::go_on_from().
-    /// `checkpoints`: null if the search begins anew and is not kept.
+    /// `checkpoints` is null if the search begins anew and its state is not stored.
     SearchProgress(Search&, std::string name, Checkpoints* checkpoints);
 
-    /// Returns whether an earlier run has made the next generation, and passes over it.
+    /// Passes over the next generation if an earlier run has made it. Returns whether it did so.
     bool passes_over() { return to_pass_over_ > 0 && to_pass_over_-- > 0; }
     /// Throws UserError if generations of the earlier run are left to pass over.
     void require_passed(const Search&) const;
@@ -27,10 +27,11 @@ public:
     void note_population(const Search&);
     /// Returns whether the search's best individual is the fittest of all generations so far.
     bool note_best(const Search&);
-    /// Hands over the state of the search if a checkpoint is due.
+    /// Stores the state of the search if a checkpoint is due.
     void keep(const Search&) const;
 
-    /// Returns the fittest individual of all generations, those of earlier runs included; nothing before the first.
+    /// Returns the fittest individual of all generations, including generations of earlier runs; nothing before the
+    /// first.
     const std::optional<Individual>& best() const { return best_; }
     /// Returns a hash over all populations in order.
     std::uint64_t populations() const { return populations_.value(); }
@@ -38,7 +39,7 @@ public:
 private:
     std::string name_;
     Checkpoints* checkpoints_;
-    std::uint64_t to_pass_over_ = 0; ///< generations
+    std::uint64_t to_pass_over_ = 0; ///< number of generations still to pass over
     std::optional<Individual> best_;
     Fingerprint populations_;
 };

@@ -30,7 +30,7 @@ struct WindowSettings {
 /// memory.
 inline constexpr int largest_population = 1'000'000;
 
-/// The settings of a genetic algorithm. The defaults are those of the thesis (probabilities: 5.4).
+/// The settings of a genetic algorithm. The defaults are the settings of the thesis (for the probabilities see 5.4).
 struct SearchSettings {
     std::size_t population = 120;
     double crossover_probability = 0.8;

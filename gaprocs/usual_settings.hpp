@@ -11,9 +11,9 @@
 
 namespace placedpar {
 
-/// Returns the default settings for a problem: those of the thesis, with two exceptions. For an objective, which may be
-/// negative, reproduction is by ranking. Real vectors have blend crossover and gaussian mutation; permutations have
-/// order crossover and inversion.
+/// Returns the default settings for a problem: the settings of the thesis, with two exceptions. For an objective, which
+/// may be negative, reproduction is by ranking. Real vectors have blend crossover and gaussian mutation; permutations
+/// have order crossover and inversion.
 SearchSettings usual_settings(const SearchProblem&);
 
 /// Returns the settings adapted to the problem: for an objective, a window of one sample with one generation, as

@@ -33,8 +33,9 @@ struct Sums {
     double scatter() const { return std::max(0.0, squares - values * values / weight); }
 };
 
-/// The neighbouring estimates of a series among which a change is looked for. The rest of the series tells the scatter,
-/// too: by the squares of its distances from its means, in squared standard errors, and their degrees of freedom.
+/// Neighbouring estimates of a series, which are searched for a change. The scatter is computed from the whole series,
+/// so this struct also has the rest of the series: the sum of the squared distances from its means, in squared standard
+/// errors, and their degrees of freedom.
 struct Part {
     std::span<const UncertainValue> estimates;
     double squares_elsewhere = 0;
@@ -46,8 +47,8 @@ struct Split {
     std::size_t at = 0;
     Sums before, after;
 
-    /// Returns the mean square of the distances from the means, in squared standard errors: about 1 if these are right.
-    /// Two estimates do not tell it.
+    /// Returns the mean square of the distances from the means, in squared standard errors. It is about 1 if the
+    /// standard errors are right. Returns 1 for two estimates, which do not determine it.
     double scatter(const Part& part) const {
         const std::size_t degrees = part.estimates.size() - 2 + part.degrees_elsewhere;
         const double squares = before.scatter() + after.scatter() + part.squares_elsewhere;
@@ -149,7 +150,7 @@ private:
             sum += sums_of(number).scatter();
         return sum;
     }
-    /// Returns the mean square of the distances from the means of all parts; 1 for a series that is too short to tell.
+    /// Returns the mean square of the distances from the means of all parts; 1 for a series that is too short.
     double scatter() const {
         const bool tells = series_.size() >= fewest_for_scatter && series_.size() > probabilities_.size() + 1;
         return tells ? squares() / static_cast<double>(series_.size() - probabilities_.size() - 1) : 1;
@@ -174,8 +175,9 @@ private:
     }
 
     std::vector<UncertainValue> series_;
-    double zero_;                                 ///< was subtracted from all values
-    std::map<std::size_t, double> probabilities_; ///< of the changes, by the index of the first estimate after each
+    double zero_; ///< was subtracted from all values
+    std::map<std::size_t, double>
+        probabilities_; ///< probability of each change, by the index of the first estimate after it
 };
 
 } // namespace

@@ -23,14 +23,14 @@ inline constexpr std::size_t fewest_for_scatter = 6;
 
 /// Looks for the one change that explains a series best. For each place, the difference of the weighted means before
 /// and after is divided by its standard error. If the estimates scatter around the two means more than their standard
-/// errors allow, the scatter replaces the standard errors. The greatest of these quotients is compared with those of
-/// 9,999 made-up series that do not change, with normal errors in the same proportions. A change is returned only if
-/// its probability is at most `level`. So about this share of the series without a change give one. `level` should be
-/// at least 0.001. Equal series give equal results.
+/// errors allow, the scatter replaces the standard errors. The greatest of these quotients is compared with the
+/// quotients of 9,999 made-up series that do not change, with normal errors in the same proportions. A change is
+/// returned only if its probability is at most `level`. So about this share of the series without a change give one.
+/// `level` should be at least 0.001. Equal series give equal results.
 std::optional<SeriesChange> find_change(const std::vector<UncertainValue>& series, double level);
 
-/// Looks for further changes in the parts before and after each change. The whole series tells the scatter for each
-/// part. Returns the changes in order; the means before and after a change extend to the neighbouring changes.
+/// Looks for further changes in the parts before and after each change. The scatter is computed from the whole series
+/// for each part. Returns the changes in order; the means before and after a change extend to the neighbouring changes.
 std::vector<SeriesChange> find_changes(const std::vector<UncertainValue>& series, double level);
 
 } // namespace placedpar::identification

@@ -33,8 +33,8 @@ struct AnswerInTime {
     std::string process;                        ///< the search whose answer is the fittest
     double sample_s = 0;                        ///< time of the last sample that was searched
     double after_s = 0;                         ///< time from that sample to the answer
-    bool keeps_pace = true;    ///< whether the answer to each sample is ready a period after the sample
-    std::string warnings = {}; ///< about the netlist; may be ""
+    bool keeps_pace = true;    ///< whether each answer is ready within one sampling period of its sample
+    std::string warnings = {}; ///< warnings about the netlist; "" if there are none
 };
 
 /// Throws UnfitRecord if there are too few samples for the first generation.

@@ -14,20 +14,20 @@ namespace placedpar::iserver {
 
 /// A request of a program and its answer.
 struct Exchange {
-    Bytes request; ///< without its length
+    Bytes request; ///< the request without its length field
     Answer answer;
 };
 
 /// What happened on a real board, with measured times.
 struct BoardRun {
-    /// Exchanges of so many bytes in all are noted.
+    /// The number of bytes after which exchanges are no longer noted.
     static constexpr std::size_t most_noted_bytes = 64 << 20;
 
     ServerState state = ServerState::running; ///< running: the run was interrupted
     std::int32_t exit = 0;                    ///< the program's exit status
     std::size_t requests = 0;                 ///< the number of requests that were served
-    std::chrono::microseconds boot_time{};    ///< until the last byte of the program was sent
-    std::chrono::microseconds run_time{};     ///< from then to the end
+    std::chrono::microseconds boot_time{};    ///< time until the last byte of the program was sent
+    std::chrono::microseconds run_time{};     ///< time from then to the end of the program
     std::vector<Exchange> exchanges = {};     ///< the first requests, usually all
 };
 

@@ -18,7 +18,7 @@ namespace placedpar::iserver {
 
 namespace {
 
-constexpr int look_every_ms = 100; ///< how often a wait looks for an interruption
+constexpr int look_every_ms = 100; ///< interval at which a wait checks for an interruption
 
 } // namespace
 

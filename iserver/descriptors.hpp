@@ -10,7 +10,7 @@
 
 namespace placedpar::iserver {
 
-/// Is asked several times a second, and returns whether to stop.
+/// Returns whether to stop waiting. It is called several times a second.
 using Interrupted = std::function<bool()>;
 
 enum class Wait { ready, interrupted, too_long };
@@ -23,10 +23,10 @@ struct NetworkAddress {
     std::string host, port;
 };
 
-/// Takes "tcp:HOST:PORT" apart. An address of IPv6 stands in brackets. Throws UserError if a part is missing.
+/// Splits "tcp:HOST:PORT" into host and port. An IPv6 address is in brackets. Throws UserError if a part is missing.
 NetworkAddress network_address(const std::string& name);
 
-/// Returns the addresses that a name has. Throws UserError, which begins with `name`.
+/// Returns the addresses of a host name. Throws a UserError whose message begins with `name`.
 std::unique_ptr<addrinfo, void (*)(addrinfo*)> addresses_of(const std::string& name, const NetworkAddress&);
 
 } // namespace placedpar::iserver

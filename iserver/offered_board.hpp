@@ -33,7 +33,7 @@ private:
     void open_terminal();
 
     Interrupted interrupted_;
-    OpenFile listener_; ///< of a socket
+    OpenFile listener_; ///< the listening socket
     OpenFile link_;
     std::string name_;
 };

@@ -16,12 +16,12 @@ namespace placedpar::iserver {
 struct ServerOptions {
     std::filesystem::path host_folder = ""; ///< "": no file can be opened
     std::string command_line = "";          ///< the program's own arguments
-    std::string whole_command_line = "";    ///< with the server's options
+    std::string whole_command_line = "";    ///< command line of the program, with the server's options
     /// All that a program can ask for. INMOS's tools ask for IBOARDSIZE, IDEBUGSIZE and ISEARCH.
     std::map<std::string, std::string, std::less<>> environment = {};
     std::uint64_t write_limit_bytes = 64U << 20;
     std::chrono::sys_seconds date = std::chrono::sys_days(std::chrono::year(1991) / 1 / 1); ///< when the run begins
-    std::optional<Bytes> core = std::nullopt; ///< what was read from a machine's memory before it was booted
+    std::optional<Bytes> core = std::nullopt; ///< contents of the machine's memory before it was booted
 };
 
 enum class RequestTag : std::uint8_t; // server.cpp
@@ -41,9 +41,9 @@ struct Answer {
 /// The host of a transputer program: answers the requests of the iserver protocol, as INMOS's server does. The program
 /// reaches the files of one folder, the terminal, and nothing else of the host. Any bytes are a possible request.
 ///
-/// These answers differ from those of INMOS's server. No command of the host is executed. The date is that of the
-/// options, plus the time since the start. The server claims to be version 1.0: from version 1.4 on, packets may have
-/// 1024 bytes, and a program may rely on that.
+/// These answers differ from the answers of INMOS's server. No command of the host is executed. The date is the date of
+/// the options, plus the time since the start. The server claims to be version 1.0: from version 1.4 on, packets may
+/// have 1024 bytes, and a program may rely on that.
 class Server {
 public:
     /// A program that polls the keyboard this often in a row, without another request, waits for a key.

@@ -45,7 +45,7 @@ public:
     }
 
 private:
-    /// Turns the order of messages round, and returns the oldest one.
+    /// Reverses the order of the messages, and returns the oldest message.
     static Arrival* oldest_first(Arrival* newest) {
         Arrival* oldest = nullptr;
         while (newest) {

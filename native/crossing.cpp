@@ -28,7 +28,7 @@ void Crossing::Taken::arrive() noexcept {
     c.outputter_->kernel().make_ready(*c.outputter_);
 }
 
-/// Returns whether there is an offer, which the outputter cannot give up from then on.
+/// Returns whether there is an offer. If so, the outputter can no longer withdraw it.
 bool Crossing::claim() {
     Offer made = Offer::made;
     return offer_.compare_exchange_strong(made, Offer::taken);

@@ -8,13 +8,14 @@
 
 namespace placedpar::native {
 
-/// Joins the two halves of a channel between two kernels: the outputter's kernel has the one, the inputter's the other.
+/// Joins the two halves of a channel between two kernels: one half is on the outputter's kernel, the other on the
+/// inputter's kernel.
 ///
 /// 1. The outputter offers its message, which stays where it is, and waits.
-/// 2. The inputter's kernel takes an offered message when its process inputs, and notifies the outputter's kernel. An
-/// ALT that does not take it leaves the offer.
+/// 2. The inputter's kernel takes an offered message when its process inputs, and notifies the outputter's kernel. If
+///    an ALT chooses another guard, the offer remains.
 ///
-/// So the communication is synchronous, and a message is moved once, without a copy.
+/// So the communication is synchronous, and a message is moved once and never copied.
 class Crossing {
 public:
     /// Puts the channels on their carriers. REQUIRES: the channels have the same protocol and are unused; all objects
@@ -55,13 +56,13 @@ private:
         bool give_up_input(AnyChannel&) override;
         Crossing& c;
     };
-    /// Tells the inputter's kernel that an offer may have been made.
+    /// Notifies the inputter's kernel that there may be an offer.
     struct Offered final : Arrival {
         explicit Offered(Crossing& crossing) : c(crossing) {}
         void arrive() noexcept override;
         Crossing& c;
     };
-    /// Tells the outputter's kernel that its message has been taken.
+    /// Notifies the outputter's kernel that its message has been taken.
     struct Taken final : Arrival {
         explicit Taken(Crossing& crossing) : c(crossing) {}
         void arrive() noexcept override;
@@ -76,9 +77,9 @@ private:
     Taken taken_{*this};
     std::atomic<Offer> offer_{Offer::none};
     std::atomic<bool> is_posted_{false}; ///< `offered_` is in the inbox
-    bool is_kept_ = false;               ///< an ALT has claimed the message; of the inputter's kernel
-    Process* outputter_ = nullptr;       ///< who waits; of the outputter's kernel
-    Process* inputter_ = nullptr;        ///< who waits; of the inputter's kernel
+    bool is_kept_ = false;               ///< an ALT has claimed the message; used by the inputter's kernel
+    Process* outputter_ = nullptr;       ///< the waiting process; used by the outputter's kernel
+    Process* inputter_ = nullptr;        ///< the waiting process; used by the inputter's kernel
 };
 
 } // namespace placedpar::native

@@ -22,7 +22,7 @@ namespace placedpar::native {
 
 class Group;
 
-/// The time for which a kernel looks for messages before its thread sleeps. To wake a thread takes about as long.
+/// The time for which a kernel checks for messages before its thread sleeps. Waking a thread takes about the same time.
 inline constexpr Time most_patience = std::chrono::microseconds(20);
 
 /// A kernel of a native run on threads, as the other kernels see it: messages can be posted to it.
@@ -55,18 +55,18 @@ private:
     // The mutex of the group guards these.
     State state_ = State::awake;
     bool awaits_end_ = false;
-    std::uint64_t quiet_heard_ = 0; ///< how many times the kernel has been told that all kernels were quiet
+    std::uint64_t quiet_heard_ = 0; ///< number of times that the kernel has learnt that all kernels were quiet
     std::condition_variable woken_;
 
     Time rested_{};
     std::optional<Time> rested_in_work_; ///< set at the end of the work, if the kernel goes on after it
 };
 
-/// The kernels of a native run, one for each thread. Finds out when none of them has anything to do.
+/// The kernels of a native run, one for each thread. Detects when none of them has anything to do.
 ///
 /// A kernel sleeps under one mutex, and only if its inbox is empty. If all kernels sleep without a time to wake, or
 /// have stopped, and all inboxes are empty, then nothing can wake any of them: a kernel that posts a message is awake
-/// until it has posted. So the last one that goes to sleep finds it out, for certain and at once.
+/// until it has posted. So the last kernel that goes to sleep detects at once that the work is over.
 class Group {
 public:
     Group() : begun_(std::chrono::steady_clock::now()) {}

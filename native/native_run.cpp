@@ -39,10 +39,10 @@ struct Strand {
     std::shared_ptr<const Catalogue> catalogue;
     std::unique_ptr<Software> software;
     Simulation simulation;
-    Pace* pace = nullptr;              ///< null: computations take the time that they take
+    Pace* pace = nullptr;              ///< null if computations run at the speed of the computer
     std::optional<NoticeLog> log = {}; ///< empty if the run is not recorded
-    std::vector<Time> waited = {};     ///< for how long each process waited, at the end of the work
-    std::optional<RunResult> result;   ///< empty if the run has thrown
+    std::vector<Time> waited = {};     ///< how long each process had waited in total when the work ended
+    std::optional<RunResult> result;   ///< no value if the run threw an exception
     std::exception_ptr thrown;
 };
 
@@ -114,7 +114,8 @@ private:
         gate_.notify_all();
     }
 
-    /// Starts all threads. None begins its part before all exist, for each waits for the others at its end.
+    /// Starts all threads. No thread begins its part before all threads exist, because each waits for the others at its
+    /// end.
     void start(std::vector<std::jthread>& threads) {
         try {
             for (Strand& strand : strands_)
@@ -131,7 +132,7 @@ private:
         set_gate(Gate::open);
     }
 
-    /// Runs on a thread of its own.
+    /// Executes the part on its own thread.
     void execute(Strand& strand) {
         gate_.wait(Gate::closed);
         if (gate_ == Gate::cancelled)
@@ -146,8 +147,8 @@ private:
             ended_.notify_one();
     }
 
-    /// Returns the part in which a process has thrown, the earliest of several; null if none has. Rethrows what no
-    /// process threw.
+    /// Returns the part in which a process threw an exception first; null if no process did. Rethrows an exception that
+    /// did not come from a process.
     const Strand* first_failure() const {
         const Strand* first = nullptr;
         const auto time = [](const Strand& strand) { return strand.simulation.who_failed()->time; };
@@ -206,11 +207,11 @@ void require_native(const Network& network) {
                                         node.declared.text(), node.name));
     for (const LinkConnection& wire : network.connections)
         if (wire.at_run_time)
-            throw UserError(fmt::format("{}: a switch makes this connection during the run, and a native run has no "
+            throw UserError(fmt::format("{}: this connection is switched during the run, but a native run has no "
                                         "switches",
                                         wire.connected.text()));
     if (!network.faults.empty())
-        throw UserError(fmt::format("{}: a native run has no faults, for it has no machine that could fail",
+        throw UserError(fmt::format("{}: a native run cannot have faults, because it has no simulated machine",
                                     network.faults.front().stated.text()));
 }
 

@@ -22,7 +22,7 @@ struct ChannelUsers {
     std::string outputter, inputter; ///< "" for an edge
 };
 
-/// Tells a sink the notices of all places.
+/// Passes the notices of all threads or ranks to a sink.
 class Replay {
 public:
     Replay(const Network& network, const std::string& noun, const std::vector<Notices>& of_places, TraceSink& sink)
@@ -33,7 +33,7 @@ public:
             places_.push_back(place_with(notices, fmt::format("{} {}", noun, places_.size())));
     }
 
-    /// Tells the notices before `end`.
+    /// Passes on the notices before `end`.
     void tell_until(Time end) {
         for (;;) {
             const auto earliest = std::ranges::min_element(places_, {}, &Place::next_time);
@@ -48,7 +48,7 @@ private:
     struct Place {
         const Notices& notices;
         std::string name;
-        std::vector<std::uint64_t> channels; ///< numbers among the channels of all places
+        std::vector<std::uint64_t> channels; ///< the sink's number for each channel of this place
         std::size_t next = 0;
 
         Time next_time() const { return next < notices.all.size() ? notices.all[next].at : Time::max(); }
@@ -60,8 +60,8 @@ private:
         return end.at_edge() ? "" : network.processes[end.process].name;
     }
 
-    /// A channel of the netlist has one number on all places. Other channels are local, and two places may have some of
-    /// the same name.
+    /// A channel of the netlist has the same number on all places. Other channels are local to a place; two places may
+    /// have local channels with the same name.
     Place place_with(const Notices& notices, std::string name) {
         Place place{notices, std::move(name), {}};
         for (const std::string& channel : notices.channels)
@@ -86,7 +86,7 @@ private:
             tell_message(place, notice);
     }
 
-    /// A process that runs computes: it has the thread to itself.
+    /// While a process has its turn, it is shown as computing, because no other process uses the thread.
     void tell_turn(const Place& place, const Notice& notice) const {
         Activity activity = static_cast<Activity>(notice.activity);
         std::vector<AwaitedByProgram> awaited;
@@ -145,7 +145,7 @@ void NativeTrace::replay(const Network& network, TraceSink& sink) const {
     sink.over(std::ranges::max(of_places_, {}, &Notices::over).over);
 }
 
-/// Returns the notices that became too many first; null if none did.
+/// Returns the record that was full first; null if no record was full.
 const Notices* NativeTrace::first_full() const {
     const auto when = [](const Notices& notices) { return notices.full_at.value_or(Time::max()); };
     const auto first = std::ranges::min_element(of_places_, {}, when);

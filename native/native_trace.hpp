@@ -10,26 +10,28 @@
 
 namespace placedpar {
 
-/// Records what the processes of a native run do, on all its threads or ranks, and tells it to a sink after the run.
+/// Records the activities of the processes of a native run on all its threads or ranks. After the run, passes them to a
+/// trace sink.
 class NativeTrace {
 public:
-    /// The most notices of a run, our choice: they take 200 Mbyte. A wait has two, and so has a message.
+    /// The most notices of a run: our choice, 200 Mbyte of memory. A wait makes two notices, and so does a message.
     static constexpr std::size_t most_notices = 8'000'000;
 
     /// Records nothing after `until`, and at most `most` notices of a run.
     explicit NativeTrace(Time until = Time::max(), std::size_t most = most_notices) : until_(until), most_(most) {}
 
-    // The next functions are for runs.
+    // The next three functions are called by the functions that make native runs.
     Time until() const { return until_; }
     /// Returns the most notices of each thread or rank.
     std::size_t most_of(std::size_t places) const { return most_ / places; }
-    /// `noun`: what the threads or ranks are called. REQUIRES: all notices have times of one clock.
+    /// `noun` is the word for one of them, "thread" or "rank". REQUIRES: the times of all notices are of the same
+    /// clock.
     void set(std::string noun, std::vector<native::Notices>);
 
-    /// Tells the sink everything, in the order of time. The processes are named, and on the processors "thread 0",
+    /// Passes everything to the sink, in order of time. The sink sees the processes by name, on processors "thread 0",
     /// "thread 1", ... or "rank 0", ...
     void replay(const Network&, TraceSink&) const;
-    /// Returns lines of text that tell the user what is missing; "" if nothing is.
+    /// Returns a text that tells the user which part of the record is missing; "" if it is complete.
     std::string warning() const;
 
 private:

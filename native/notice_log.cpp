@@ -11,7 +11,7 @@ namespace placedpar::native {
 
 namespace {
 
-/// Returns the number of a key in a table, to which it adds the key if it is new.
+/// Returns the number of a key in a table. Adds the key if it is new.
 template <class Numbers, class Key>
 std::uint32_t number_in(std::vector<Key>& table, Numbers& numbers, const Key& key) {
     const auto [found, is_new] = numbers.try_emplace(key, static_cast<std::uint32_t>(table.size()));
@@ -22,7 +22,7 @@ std::uint32_t number_in(std::vector<Key>& table, Numbers& numbers, const Key& ke
 
 } // namespace
 
-/// Returns this time, or a time soon after the last notice: so each activity takes time.
+/// Returns `now`, or a slightly later time if the last notice has the same time, so that no activity has the length 0.
 Time NoticeLog::later_than_last(Time now) {
     constexpr Time shortest = std::chrono::nanoseconds(1);
     return last_ = std::max(now, last_ + shortest);

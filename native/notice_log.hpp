@@ -15,20 +15,23 @@
 
 namespace placedpar::native {
 
-/// A process changes its activity, or does its part of a message. The numbers are positions in the tables of Notices.
+/// One record: a process changes its activity, or does its part of a communication. The numbers are positions in the
+/// tables of Notices.
 struct Notice {
     enum class Kind : std::uint8_t {
         turn,
-        local_message,   ///< of two processes of one kernel: the outputter's part, then at once the inputter's
-        crossing_message ///< the other process is on another kernel, whose notices have its part
+        local_message,   ///< a message between processes of one kernel; the outputter's notice is followed by the
+                         ///< inputter's
+        crossing_message ///< a message from or to another kernel; that kernel records the other process's part
     };
 
     Time at;
     std::uint32_t process;
     std::uint32_t subject = 0; ///< the list of awaited channels, or the channel of a message
-    std::uint32_t number = 0;  ///< the message is the one with this number that the kernel's processes output (input)
+    std::uint32_t number =
+        0; ///< number of the message among those that this kernel's processes output or input on the channel
     Kind kind = Kind::turn;
-    std::uint8_t activity; ///< an Activity; of a message: outputting or inputting
+    std::uint8_t activity; ///< an Activity; outputting or inputting for a message
     bool awaits_timer = false;
 };
 
@@ -38,7 +41,7 @@ struct Notices {
     std::vector<std::string> processes, channels;    ///< names
     std::vector<std::vector<std::uint32_t>> awaited; ///< lists of channels
     Time over{};                                     ///< when the work was over
-    std::optional<Time> full_at;                     ///< when there were too many notices; the rest is missing
+    std::optional<Time> full_at;                     ///< time at which the record was full; later notices are missing
 };
 
 /// Records what happens on one kernel of a native run.
@@ -72,10 +75,11 @@ private:
     std::size_t most_;
     Notices notices_;
     Time last_{};
-    std::unordered_map<std::uint32_t, std::uint32_t> living_; ///< numbers of the living processes, by their ordinals
+    std::unordered_map<std::uint32_t, std::uint32_t> living_; ///< number of each living process, by its ordinal
     std::unordered_map<std::string, std::uint32_t> processes_, channels_;
     std::map<std::vector<std::uint32_t>, std::uint32_t> awaited_;
-    std::vector<std::array<std::uint32_t, 2>> messages_; ///< of each channel, how many were output and input
+    std::vector<std::array<std::uint32_t, 2>>
+        messages_; ///< for each channel, the number of messages that were output and input
 };
 
 } // namespace placedpar::native

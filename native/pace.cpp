@@ -12,10 +12,10 @@ namespace placedpar::native {
 
 namespace {
 
-/// What a process repeats while it polls takes a cycle, so that other processes run.
+/// Each operation that a polling process repeats takes one cycle, so that other processes can run.
 constexpr OperationCosts costs_of_polls{.timer_wait_past = Cycles{1}, .alternation_end = Cycles{1}};
 
-/// The end of a computation that is too long for a Time.
+/// The end time of a computation that is too long for a Time.
 constexpr Time last_moment = Time::max() - Time{1};
 
 /// Returns how long a cycle takes; zero if the processes of the node compute in no time.

@@ -19,9 +19,9 @@ class Kernel;
 namespace placedpar::native {
 
 /// Executes the processes of one kernel of a native run at the pace of the netlist's processors: a computation takes
-/// its cycles by the clock of the process's processor, divided by the pace. The kernel waits for its end, so processes
-/// of other processors go on meanwhile. The computation itself is part of this time. If a process computes again and
-/// again without a wait, its delays do not add up.
+/// the time that its cycles take on the process's processor, divided by the pace. The kernel waits for its end, so
+/// processes of other processors go on meanwhile. The computation itself is part of this time. If a process computes
+/// repeatedly without a wait, lateness does not accumulate.
 ///
 /// A processor does one computation at a time, in the order in which they begin; meanwhile its other processes can
 /// communicate. Channels, PAR, ALT and timers are not slowed down. All processors of a kernel are one executive, so
@@ -54,7 +54,7 @@ private:
     Processor& processor_of(const Process&);
 
     Kernel& kernel_;
-    std::map<std::size_t, Processor> processors_;            ///< by node
+    std::map<std::size_t, Processor> processors_;            ///< by index of the node
     std::unordered_map<std::string, Processor*> of_process_; ///< by the name of a process at the outermost level
 };
 

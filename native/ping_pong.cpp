@@ -30,7 +30,7 @@ namespace {
 using Ball = std::vector<unsigned char>;
 using WallClock = std::chrono::steady_clock;
 
-/// The times of batches of equal actions. To read the clock takes about as long as an action.
+/// Measures equal actions in batches, because reading the clock takes about as long as one action.
 class Batches {
 public:
     explicit Batches(long batch) : batch_(batch) {}
@@ -45,7 +45,7 @@ public:
         const std::chrono::duration<double, std::nano> took = WallClock::now() - begun_;
         nanoseconds_.push_back(took.count() / static_cast<double>(std::exchange(done_, 0)));
     }
-    /// Returns the median time of an action; 0 if there was no whole batch.
+    /// Returns the median time of an action; 0 if no batch was completed.
     double median() {
         if (nanoseconds_.empty())
             return 0;
@@ -97,7 +97,7 @@ private:
     Batches rounds_;
 };
 
-/// A match on threads.
+/// A ping-pong measurement on threads.
 class Match {
 public:
     explicit Match(const PingPong& match) : players_(match), simulations_(match.kernels) {
@@ -134,7 +134,7 @@ private:
     std::list<Crossing> crossings_;
 };
 
-/// Runs two processes that switch to each other on a kernel.
+/// Runs two processes on one kernel that alternate, and returns the time of a switch.
 double run_switches(Simulation& simulation, long times) {
     Batches switches(size_of_batch(times));
     simulation.process("one", [&] {
@@ -163,7 +163,7 @@ PingPong match_of(const std::string& text) {
     return match;
 }
 
-/// Plays the part of this rank in a match.
+/// Executes this rank's part of a measurement.
 double play_on_ranks(RankMail& mail, const PingPong& match) {
     Simulation simulation;
     Channel<Ball> there("there"), back("back");
@@ -200,7 +200,8 @@ RankMatches::RankMatches(Ranks& ranks) : ranks_(ranks), mail_(ranks.open_mail())
 
 RankMatches::~RankMatches() { ranks_.send(1, no_more); }
 
-/// Begins a match. Returns when rank 1 has left the one before: until then it would take the letters of this one.
+/// Begins a measurement. Returns when rank 1 has finished the previous measurement; otherwise that measurement could
+/// take letters of the new one.
 void RankMatches::announce(const PingPong& match) {
     ranks_.send(1, text_of(match));
     wait_for_message(ranks_);

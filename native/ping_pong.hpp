@@ -20,15 +20,17 @@ struct PingPong {
     Time pause{};            ///< time before each message, in which no process has anything to do
 };
 
-/// Runs it natively, on threads. Returns the time for a message there and back, without the pauses, in nanoseconds. It
-/// is the median of batches of messages, since other programs on the computer can make some of them take much longer.
+/// Runs the two processes natively on threads. Returns the time for a message there and back, without the pauses, in
+/// nanoseconds. It is the median of batches of messages, since other programs on the computer can make some of them
+/// take much longer.
 double nanoseconds_there_and_back(const PingPong&);
 
 /// Returns the time of a switch from one process to another on a kernel, in nanoseconds: the median of batches of
 /// switches. REQUIRES: times >= 1.
 double nanoseconds_of_switch(long times);
 
-/// Measures the same on rank 0 and rank 1 of mpirun. Rank 0 measures, and rank 1 plays with it.
+/// Measures the time of a message there and back between rank 0 and rank 1 of mpirun. Rank 0 measures, and rank 1 takes
+/// part.
 ///
 /// REQUIRES: there are two ranks. Rank 1 calls play_with_rank_zero() when rank 0 makes an object of this class; the
 /// call returns when the object is destroyed.
@@ -50,7 +52,7 @@ private:
 };
 void play_with_rank_zero(Ranks&);
 
-/// Returns by how much a short pause of a rank (pause_after) lasts longer than asked, in nanoseconds.
+/// Returns by how many nanoseconds a short pause of a rank (pause_after) is longer than requested.
 double nanoseconds_of_oversleeping();
 
 } // namespace placedpar::native

@@ -20,7 +20,7 @@ std::vector<bool> nodes_with_processes(const Network& network) {
     return has_process;
 }
 
-/// Returns the rank that the node states, if any. Throws UserError if it is not a place.
+/// Returns the node's attribute `rank`, if it has one. Throws UserError if the run has no such thread or rank.
 std::optional<std::size_t> rank_on(const Places& places, const Node& node) {
     const std::optional<std::size_t> rank = node.rank;
     if (rank >= places.count)
@@ -41,7 +41,7 @@ std::vector<std::size_t> place_in_turn(const Network& network, const Places& pla
     return result;
 }
 
-/// Fills places one node after another.
+/// Assigns nodes to places one after another.
 class Balance {
 public:
     explicit Balance(std::size_t places) : filled_(places) {}

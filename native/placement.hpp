@@ -9,7 +9,7 @@
 
 namespace placedpar::native {
 
-/// The most threads of a native run (our choice, far more than computers have cores).
+/// The most threads of a native run: our choice, far above the number of cores of a computer.
 inline constexpr std::size_t most_threads = 1024;
 
 /// The threads or MPI ranks on which a network can be placed.
@@ -24,13 +24,14 @@ struct Places {
 /// nodes are higher.
 std::size_t most_places(const Network&);
 
-/// Throws UserError if the network has fewer places for processes than mpirun has started ranks.
+/// Throws UserError if mpirun has started more ranks than the network can use.
 void require_enough_nodes(const Network&, std::size_t ranks);
 
 /// Returns the place of each node; 0 for a node without processes. A node with the attribute `rank` is on this place.
 /// The others depend on the loads:
 ///
-/// - Without loads, node i of those that have processes is on place i modulo the number of places.
+/// - Without loads, the nodes that have processes are numbered from 0, and node i is on place i modulo the number of
+///   places.
 /// - With loads, one for each node, the heaviest node comes first, and each goes to the place with the least load so
 ///   far (longest processing time first: R. L. Graham, Bounds on multiprocessing timing anomalies, SIAM Journal on
 ///   Applied Mathematics 17, 1969). Among places of equal load, the one with the fewest nodes is taken, then the first.

@@ -7,9 +7,9 @@
 
 namespace placedpar::native {
 
-/// What a rank without anything to do tells about itself.
+/// The answer of a rank that has nothing to do.
 struct QuietAnswer {
-    std::uint64_t sent = 0, received = 0; ///< numbers of messages that give a rank something to do
+    std::uint64_t sent = 0, received = 0; ///< numbers of messages that can give a rank something to do
     bool awaits_end = false;              ///< processes of the rank wait for the end of the work
 };
 
@@ -17,8 +17,8 @@ struct QuietAnswer {
 ///
 /// This is the method of four counters: F. Mattern, Algorithms for distributed termination detection, Distributed
 /// Computing 2 (1987), pages 161-175. Rank 0 asks all ranks in rounds. A rank answers when it has nothing to do. If the
-/// ranks had received as many messages in a round as they have sent in the next one, then all were quiet between the
-/// two rounds, and no message was under way.
+/// number of messages received, counted in one round, equals the number sent, counted in the next round, all ranks were
+/// quiet between the rounds and no message was under way.
 class QuietDetection {
 public:
     explicit QuietDetection(std::size_t ranks) : answers_(ranks) {}
@@ -27,7 +27,7 @@ public:
         unknown, ///< answers are missing
         again,   ///< another round is needed
         quiet,   ///< no rank has anything to do
-        over     ///< the same, and no process waits for that
+        over     ///< no rank has anything to do, and no process waits for the end of the work
     };
     /// Returns whether a round has begun, and answers are missing.
     bool is_asking() const { return missing_ > 0; }
@@ -41,7 +41,7 @@ private:
 
     std::vector<QuietAnswer> answers_;
     std::size_t missing_ = 0;
-    std::optional<std::uint64_t> received_before_; ///< messages that were received, in the round before
+    std::optional<std::uint64_t> received_before_; ///< number of messages received, as counted in the previous round
 };
 
 } // namespace placedpar::native

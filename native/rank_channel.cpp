@@ -43,11 +43,11 @@ void RankGiver::taker_came() {
 }
 
 std::string RankGiver::why_not_given_up() const {
-    throw UserError("an output to another rank of mpirun cannot be given up, since that rank may have the "
+    throw UserError("an output to another rank of mpirun cannot be abandoned, because that rank may have the "
                     "message already: place both processes on one rank");
 }
 
-/// Sends once for each message that it is taken.
+/// Notifies the outputter, once for each message, that the message will be taken.
 void RankTaker::promise() {
     if (state_ != State::open)
         return;
@@ -55,7 +55,7 @@ void RankTaker::promise() {
     member_.send_taker(from_, number_);
 }
 
-/// Asks for a parcel, unless that has been done or the message has come.
+/// Requests the parcel, unless it is already requested or the message has arrived.
 void RankTaker::ask(Offer& offer) {
     if (offer.state != Offer::State::announced)
         return;
@@ -72,7 +72,7 @@ void RankTaker::input(AnyChannel& channel, const SourceLocation& where) {
         inputter_ = &Kernel::here().running();
         inputter_->wait_for(Activity::inputting, &channel, where);
         if (state_ == State::open)
-            return; // given up, perhaps just before a message came
+            return; // the process stopped waiting, perhaps just before the message arrived
     }
     const Offer& taken = first();
     first_ = 1 - first_;
@@ -95,7 +95,7 @@ void RankTaker::wake() {
 
 void RankTaker::add(Offer::State state, std::span<const std::uint8_t> packed, std::size_t bytes) {
     if (count_ == offers_.size())
-        throw NoMessage("a message that no process can have sent yet");
+        throw NoMessage("it has a message that no process can have sent yet");
     Offer& offer = offers_[(first_ + count_++) % offers_.size()];
     offer.packed.assign(packed.begin(), packed.end());
     offer.bytes = bytes;

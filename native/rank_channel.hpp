@@ -15,9 +15,10 @@ namespace placedpar::native {
 /// The outputter's end of a channel between two ranks, whose other end is a RankTaker.
 ///
 /// 1. The outputter sends its message, and waits.
-/// 2. The inputter's end sends that a taker has come, as soon as it is certain that the next message is taken: before
-/// the message comes if a process has begun to input, else after it. So an ALT that does not take a message leaves it.
-/// 3. The communication ends for each process when it has sent its part and received that of the other.
+/// 2. The inputter's end replies that a taker has come, as soon as it is certain that the next message will be taken.
+///    If a process is already inputting, it replies before the message arrives, otherwise afterwards. So a message that
+///    an ALT does not take remains.
+/// 3. For each process, the communication ends when it has sent its part and received the other process's part.
 ///
 /// So the communication is synchronous and each process sends one letter for it. A message too long for a letter is
 /// announced, and is sent as a parcel when it is input.
@@ -33,7 +34,7 @@ public:
     void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
     void input(AnyChannel&, const SourceLocation&) override {}
     bool message_waits(const AnyChannel&) const override { return false; }
-    /// Throws UserError, for a user places the processes.
+    /// Returns the reason. It throws UserError, because the user decides on which ranks processes are placed.
     std::string why_not_given_up() const override;
     void taker_came() override;
 
@@ -42,7 +43,7 @@ private:
     AnyChannel& channel_;
     std::size_t number_;
     int to_;
-    bool is_awaited_ = false; ///< a taker has come before the message
+    bool is_awaited_ = false; ///< the reply came before the message
     Process* outputter_ = nullptr;
     MessageBytes packed_;
 };
@@ -69,13 +70,13 @@ public:
 private:
     /// A message that has not been taken.
     struct Offer {
-        enum class State { announced, expected, come }; ///< a letter has come at once
+        enum class State { announced, expected, come }; ///< a message in a letter is `come` from the start
         State state = State::come;
-        MessageBytes packed;   ///< the message, if it has come
+        MessageBytes packed;   ///< the message, if it has arrived
         std::size_t bytes = 0; ///< length of a parcel
     };
     enum class State {
-        open,     ///< the first message may be left
+        open,     ///< the first message may remain untaken
         promised, ///< the other end knows that the first message is taken
         over      ///< the kernel has stopped
     };
@@ -90,10 +91,11 @@ private:
     AnyChannel& channel_;
     std::size_t number_;
     int from_;
-    std::array<Offer, 2> offers_; ///< the outputter goes on when it knows of the taker, so a second one may come early
+    std::array<Offer, 2>
+        offers_; ///< the outputter continues when it has the reply, so a second message may arrive early
     std::size_t first_ = 0, count_ = 0;
     State state_ = State::open;
-    Process* inputter_ = nullptr; ///< who waits
+    Process* inputter_ = nullptr; ///< the waiting process
 };
 
 } // namespace placedpar::native

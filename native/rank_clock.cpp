@@ -13,12 +13,12 @@ namespace placedpar::native {
 
 namespace {
 
-// 200 questions take less than a millisecond if each rank has a core. On a busy machine each may take ten.
+// 200 questions take less than 1 ms in total if each rank has a core. On a busy machine, one question may take 10 ms.
 constexpr int most_questions = 200, least_questions = 5;
 constexpr Reading patience = std::chrono::milliseconds(20);
 const std::string question = "clock", end_of_questions = "begin";
 
-/// Waits for a text without a pause, which would make the error larger.
+/// Waits for a text without pausing, since a pause would increase the error.
 std::string next_text(Ranks& ranks) {
     for (;;) {
         if (std::optional<Ranks::Message> message = ranks.receive())

@@ -21,22 +21,22 @@ Reading read_clock();
 /// The clock of a rank, compared with that of rank 0.
 struct ComparedClock {
     Reading at{};    ///< when, by rank 0's clock
-    Reading ahead{}; ///< by how much the rank's clock is ahead of rank 0's
+    Reading ahead{}; ///< how far the rank's clock is ahead of rank 0's clock
     Reading error{}; ///< `ahead` is off by at most this
 };
 
-/// Compares the clocks of all ranks with that of rank 0. Rank 0 asks each rank for its clock many times; the shortest
-/// question and answer counts. The clock was read at some time between the two, so half of their time is the error:
-/// F. Cristian, Probabilistic clock synchronization, Distributed Computing 3 (1989), pages 146-158. All ranks return at
-/// nearly the same time. Returns the clocks by rank in rank 0, and nothing in the other ranks. REQUIRES: called in all
-/// ranks, and no other text is under way between them.
+/// Compares the clocks of all ranks with that of rank 0. Rank 0 asks each rank for its clock many times and uses the
+/// exchange that took the shortest time. The clock was read at some moment of this exchange, so the error is at most
+/// half of its time: F. Cristian, Probabilistic clock synchronization, Distributed Computing 3 (1989), pages 146-158.
+/// All ranks return at nearly the same time. Returns the clocks by rank in rank 0, and nothing in the other ranks.
+/// REQUIRES: called in all ranks, and no other text is under way between the ranks.
 std::vector<ComparedClock> compare_clocks(Ranks&);
 
-/// Converts the times of all ranks to times by the clock of rank 0 since the first rank has begun. Between two
-/// comparisons each clock is assumed to have drifted evenly.
+/// Converts the times of all ranks to the clock of rank 0, counted from the moment at which the first rank began.
+/// Assumes that each clock drifts evenly between the two comparisons.
 class CommonClock {
 public:
-    /// `begun`: when each rank has begun, by its own clock.
+    /// `begun`: when each rank began, by its own clock.
     CommonClock(std::vector<ComparedClock> before, std::vector<ComparedClock> after, std::vector<Reading> begun);
 
     /// `since_begun`: time since the rank has begun, by its own clock.
@@ -47,7 +47,7 @@ public:
 private:
     Reading begun_by_rank_zero(std::size_t rank) const { return begun_[rank] - before_[rank].ahead; }
 
-    std::vector<ComparedClock> before_, after_; ///< the run
+    std::vector<ComparedClock> before_, after_; ///< clocks before and after the run
     std::vector<Reading> begun_;
     Reading first_begun_;
 };

@@ -49,7 +49,7 @@ void RankMember::send(int to, Kind kind, const Parts&... parts) {
     mail_.send(to, letter_);
 }
 
-/// Sends a letter that is counted, since it gives the other rank something to do.
+/// Sends a letter and counts it for QuietDetection, because it gives the other rank something to do.
 template <class... Parts>
 void RankMember::send_counted(int to, Kind kind, const Parts&... parts) {
     ++sent_;
@@ -99,7 +99,7 @@ void RankMember::stop_others() {
 
 Time RankMember::now() const { return std::chrono::duration_cast<Time>(std::chrono::steady_clock::now() - begun_); }
 
-/// Ends the program, and with it all ranks: without the letter their run has no sound end.
+/// Ends the program, and with it all ranks, because without this letter the run cannot end properly.
 [[noreturn]] void RankMember::refuse_damaged(const RankLetter& letter, const NoMessage& what) const {
     fmt::print(stderr, "placedpar: rank {} received a damaged letter of {} bytes from rank {}: {}\n", mail_.own(),
                letter.bytes.size(), letter.from, what.what());
@@ -129,7 +129,7 @@ bool RankMember::handle_at_once(const RankLetter& letter) {
         return true;
     case Kind::note: mail_.expect_parcel(letter.from, note_parcel, PackedForm<std::uint64_t>::read(from)); return true;
     }
-    throw NoMessage("its kind does not exist");
+    throw NoMessage("letters of this kind do not exist");
 }
 
 /// Passes a letter to the end of its channel.
@@ -147,7 +147,7 @@ void RankMember::handle_for_process(const RankLetter& letter) {
         ends_[channel]->parcel_announced(PackedForm<std::uint64_t>::read(from));
 }
 
-/// Receives letters and parcels up to the first that a process receives, which is held. Returns whether there is one.
+/// Receives letters and parcels until one is for a process, and stores it in `held_`. Returns whether there is one.
 bool RankMember::fetch() {
     while (!held_) {
         std::optional<RankLetter> letter = mail_.receive();
@@ -172,7 +172,7 @@ bool RankMember::fetch() {
     return held_ || held_parcel_;
 }
 
-/// Hands what is held to the end of its channel.
+/// Passes the held letter or parcel to the end of its channel.
 void RankMember::handle_held() {
     if (std::optional<RankParcel> parcel = std::exchange(held_parcel_, std::nullopt))
         ends_[static_cast<std::size_t>(parcel->number - parcel_of(0))]->parcel_came(std::move(parcel->bytes));
@@ -194,7 +194,7 @@ void RankMember::take_arrivals() noexcept {
         handle_held();
 }
 
-/// Answers the question whether this rank has anything to do, or asks it. REQUIRES: it has not.
+/// Takes part in the detection of the end: rank 0 asks, the others answer. REQUIRES: this rank has nothing to do.
 void RankMember::take_part_in_rounds(bool awaits_end) {
     const QuietAnswer own_answer{sent_, received_, awaits_end};
     if (mail_.own() == 0 && !detection_.is_asking())
@@ -219,13 +219,13 @@ void RankMember::heed(QuietDetection::Verdict verdict) {
     }
 }
 
-/// Returns for how long a rank looks for messages without a pause. This needs a core for each rank.
+/// Returns the time for which a rank checks for messages without a pause; 0 unless each rank has a core.
 Time RankMember::patience() const {
     static const unsigned cores = std::thread::hardware_concurrency(); // it takes microseconds to ask
     return static_cast<unsigned>(mail_.count_here()) <= cores ? most_patience_of_rank : Time{0};
 }
 
-/// Returns how the rest ends; nothing if it goes on.
+/// Returns the reason why the rest ends; nothing if the rest continues.
 std::optional<Surroundings::Rest> RankMember::look(bool is_due, bool awaits_end, bool may_answer) {
     const bool has_come = fetch();
     if (is_over_)

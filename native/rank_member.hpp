@@ -20,7 +20,7 @@ class Simulation;
 
 namespace placedpar::native {
 
-/// The time for which a rank looks for messages before it pauses.
+/// The time for which a rank checks for messages before it pauses.
 inline constexpr Time most_patience_of_rank = std::chrono::microseconds(50);
 
 /// The end of a channel that leads to another rank. Receives what the other end sends.
@@ -32,7 +32,7 @@ public:
     virtual void parcel_came(MessageBytes /*packed*/) {}
     /// The process at the other end takes the next message.
     virtual void taker_came() {}
-    /// The kernel has stopped: lets an announced parcel come, which cannot be called off.
+    /// The kernel has stopped. Receives an announced parcel, because a parcel cannot be cancelled.
     virtual void end() {}
 
 protected:
@@ -46,7 +46,7 @@ public:
     /// `channels`: number of channels of the network. REQUIRES: the mail and the simulation outlive this object.
     RankMember(RankMail&, Simulation&, std::size_t channels);
 
-    /// Sets the own end of a channel. REQUIRES: the end outlives the run.
+    /// Sets this rank's end of a channel. REQUIRES: the end outlives the run.
     void set_end(std::size_t channel, RankEnd& end) { ends_[channel] = &end; }
     /// Sends a packed message, by a letter or by a parcel.
     void send_message(int to, std::size_t channel, std::span<const std::uint8_t> packed);
@@ -55,7 +55,8 @@ public:
 
     /// Sends a note to rank 0, which is a message that no process receives.
     void send_note(MessageBytes);
-    /// Sets who receives the notes to this rank, in the order in which each rank has sent them.
+    /// Sets the function that receives the notes to this rank. The notes of one rank arrive in the order in which they
+    /// were sent.
     void receive_notes(std::function<void(int from, const MessageBytes&)> receiver) { receiver_ = std::move(receiver); }
     /// Receives notes until the condition holds. REQUIRES: the run is over.
     void receive_notes_until(const std::function<bool()>& has_all);
@@ -68,7 +69,7 @@ public:
     void interrupt();
     /// Returns how long the kernel had nothing to do before the end of the work.
     Time rested() const { return rested_in_work_.value_or(rested_); }
-    /// Sets what is called when all kernels have stopped, while the processes are still in their waits.
+    /// Sets the function that is called when all kernels have stopped, while the processes are still in their waits.
     void before_reports(std::function<void()> action) { before_reports_ = std::move(action); }
 
     Time now() const override;
@@ -105,12 +106,12 @@ private:
     std::vector<RankEnd*> ends_; ///< by the number of the channel
     std::function<void(int, const MessageBytes&)> receiver_ = [](int, const MessageBytes&) {};
     std::function<void()> before_reports_ = [] {};
-    std::optional<RankLetter> held_; ///< a message for a process, which waits for take_arrivals()
+    std::optional<RankLetter> held_; ///< a letter for a process, kept until take_arrivals() is called
     std::optional<RankParcel> held_parcel_;
     MessageBytes letter_; ///< memory of the letter that is written
     std::uint64_t sent_ = 0, received_ = 0;
     QuietDetection detection_; ///< used by rank 0
-    bool is_asked_ = false;    ///< a question of rank 0 has not been answered yet
+    bool is_asked_ = false;    ///< this rank has not yet answered a question of rank 0
     bool is_quiet_ = false, is_over_ = false, is_stopped_ = false, others_stop_ = false;
     std::atomic<bool> interrupted_{false};
     Time rested_{};

@@ -12,20 +12,21 @@
 
 namespace placedpar::native {
 
-/// Tells rank 0 about an exception that a rank has thrown.
+/// An exception that a rank threw, as reported to rank 0.
 struct RankFailure {
-    Time time{};           ///< when a process has thrown it; Time::max() if no process has
-    bool is_defect = true; ///< false: a user can be the cause
+    Time time{};           ///< when a process threw it; Time::max() if it did not come from a process
+    bool is_defect = true; ///< false if a user can be the cause
     std::string text;
 };
 
-/// What a rank tells rank 0 at the end of a run.
+/// The data that a rank sends to rank 0 at the end of a run.
 struct RankResult {
     RunPart part;
-    std::vector<StuckChannel> ends; ///< the channels to other ranks; of the other end the rank knows no user
+    std::vector<StuckChannel>
+        ends; ///< the channels to other ranks, without the user of the other end, which this rank does not know
     std::optional<RankFailure> failure;
-    Notices notices;                  ///< of a recorded run
-    std::chrono::nanoseconds begun{}; ///< when the rank has begun, by its own clock
+    Notices notices;                  ///< empty unless the run is recorded
+    std::chrono::nanoseconds begun{}; ///< when the rank began, by its own clock
 };
 
 MessageBytes packed(const RankResult&);

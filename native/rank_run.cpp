@@ -37,7 +37,7 @@ namespace {
 
 using namespace native;
 
-constexpr std::size_t most_ranks = std::numeric_limits<std::size_t>::max(); // as many as MPI starts
+constexpr std::size_t most_ranks = std::numeric_limits<std::size_t>::max(); // no limit of our own
 
 /// Returns the rank of each node.
 std::vector<std::size_t> ranks_of_nodes(const Network& network, const RankRunSettings& settings, std::size_t ranks) {
@@ -51,7 +51,7 @@ void require_packed_form(const AnyChannel& channel, const NetworkChannel& declar
         return;
     const ProcessInstance& from = network.processes[declared.from.process];
     throw UserError(fmt::format("{}: the channel \"{}\" from the port \"{}\" of kind \"{}\" leads to another rank, but "
-                                "its messages cannot be packed: the kind must state how (PackedForm)",
+                                "its messages cannot be packed: the kind must define a PackedForm",
                                 declared.connected.text(), declared.name, declared.from.port, from.kind));
 }
 
@@ -129,7 +129,7 @@ private:
         return log_ ? compare_clocks(ranks_) : std::vector<ComparedClock>{};
     }
 
-    /// Puts a channel to or from another rank on its carrier.
+    /// Gives a channel to or from another rank its carrier.
     void lead(std::size_t number) {
         const NetworkChannel& declared = network_.channels[number];
         if (declared.from.at_edge() || declared.to.at_edge())
@@ -266,8 +266,8 @@ private:
     const RankRunSettings& settings_;
     Ranks& ranks_;
     RankMail& mail_;
-    std::vector<RankResult> results_; ///< by rank; in the other ranks only the own one is used
-    std::size_t results_come_ = 0;    ///< from other ranks
+    std::vector<RankResult> results_; ///< by rank; a rank above 0 uses only its own
+    std::size_t results_come_ = 0;    ///< number of results that have arrived from other ranks
     std::exception_ptr observing_failed_;
     std::vector<std::size_t> rank_of_node_;
     std::shared_ptr<const Catalogue> catalogue_;

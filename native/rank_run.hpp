@@ -23,14 +23,15 @@ struct RankRunSettings {
     double pace = 0;              ///< as in NativeSettings
     NativeTrace* trace = nullptr; ///< records the run in rank 0; null: the run is not recorded. REQUIRES: either in all
                                   ///< ranks or in none
-    /// Returns the load of each node, by which nodes are placed (native/placement.hpp). Empty: without loads.
+    /// Returns the load of each node, for the placement of nodes (native/placement.hpp). If it is empty, nodes are
+    /// placed without loads.
     std::function<std::vector<Time>()> loads = {};
     /// Makes the kinds of the processes of this rank. `send_note`: sends bytes to rank 0 during the run; REQUIRES:
     /// called by a process.
     std::function<std::shared_ptr<const Catalogue>(std::function<void(MessageBytes)> send_note)> make_catalogue;
     /// Called in rank 0 with each note of another rank, in the order in which this rank has sent them.
     std::function<void(std::span<const std::uint8_t>)> receive_note = [](std::span<const std::uint8_t>) {};
-    /// Called about ten times a second; the run ends if it returns true.
+    /// Returns whether to end the run. Called about ten times a second.
     std::function<bool()> is_interrupted = [] { return false; };
 };
 
@@ -38,8 +39,8 @@ struct RankRunSettings {
 /// rank (native/placement.hpp). In the report, the ranks stand in place of the processors.
 ///
 /// Returns the report in rank 0, and nothing in the other ranks, which must then end silently. Throws in rank 0 alone:
-/// UserError for a network that cannot run natively on so many ranks, and what a process of any rank has thrown, with
-/// the number of the rank. REQUIRES: called in all ranks, with the same network and seed.
+/// UserError for a network that cannot run natively on this number of ranks, and the exception of a process, with the
+/// number of its rank. REQUIRES: called in all ranks, with the same network and seed.
 std::optional<RunReport> run_on_ranks(const Network&, const RankRunSettings&, Ranks&);
 
 } // namespace placedpar

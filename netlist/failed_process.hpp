@@ -12,8 +12,8 @@ namespace placedpar {
 /// system are rethrown unchanged.
 [[noreturn]] void rethrow_with_process(const Failure&, const Network&, const Catalogue&);
 
-/// Adds the places where the netlist declares the stuck processes and channels. Also sorts the channels: first those of
-/// the netlist in its order, then those that a program made.
+/// Adds the places where the netlist declares the stuck processes and channels. Also sorts the channels: first the
+/// channels of the netlist, in its order, then channels that a program made.
 void add_places(Deadlock&, const Network&);
 
 } // namespace placedpar

@@ -56,7 +56,7 @@ void check_size(WrittenOut out, const Location& at, Reporter& reporter) {
             at, fmt::format("the network is too large: written out it would have more than {} words", most_tokens));
 }
 
-/// Says what to do with a file for transputers that is given as a netlist; "" if the text is hardly of such a file.
+/// Returns a hint for a file for transputers that is given as a netlist; "" if the text does not look like such a file.
 std::string hint_for(const std::string& text) {
     const auto is_odd = [](char c) { return static_cast<unsigned char>(c) < 9 || static_cast<unsigned char>(c) > 126; };
     if (text.size() < 16 || static_cast<std::size_t>(std::ranges::count_if(text, is_odd)) < text.size() / 8)

@@ -22,12 +22,12 @@ struct ProcessUse {
         waits_since; ///< start of the last wait, if the process still waits at the end and never continues
 };
 
-/// The clock of a rank of a recorded native run, compared with that of rank 0 before and after the run.
+/// The clock of a rank of a recorded native run, compared with rank 0's clock before and after the run.
 struct RankClock {
     std::string name;               ///< "rank 1"
-    std::chrono::nanoseconds ahead; ///< by how much it was ahead of rank 0's clock before the run
+    std::chrono::nanoseconds ahead; ///< how far it was ahead of rank 0's clock before the run
     Time error;                     ///< both comparisons are off by at most this
-    Time drift;                     ///< by how much more it was ahead after the run
+    Time drift;                     ///< how much farther ahead it was after the run
 };
 
 /// Reports a run: how it ended, what the processes measured, and how its work used the machine.
@@ -38,7 +38,7 @@ struct RunReport : MachineUse {
     std::vector<Measurement> measurements;
     std::vector<ProcessUse> processes;
     std::vector<FaultUse> faults;
-    std::vector<RankClock> clocks; ///< of a recorded run on ranks, whose times are those of the clock of rank 0
+    std::vector<RankClock> clocks; ///< clocks of a recorded run on ranks; its times are those of the clock of rank 0
 
     /// Returns this time as a fraction of the run's length. Returns nothing if the run ended in a deadlock, since a
     /// deadlock lasts for ever.

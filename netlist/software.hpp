@@ -31,9 +31,9 @@ public:
     /// Makes the processes of some nodes, on the executive, or on none if it is null. REQUIRES: as start().
     void start_natively(Simulation&, const std::vector<bool>& nodes, Executive* executive = nullptr);
     /// Declares the ends of all channels. `all` holds the processes by their index in Network::processes, wherever they
-    /// were made; null for those that are in another program.
+    /// were made; null for processes that are in another program.
     void expect_partners(const std::vector<Process*>& all);
-    /// Returns the processes by their index in Network::processes; null for those that this object has not made.
+    /// Returns the processes by their index in Network::processes; null for processes that this object has not made.
     const std::vector<Process*>& processes() const { return processes_; }
 
     const Catalogue& catalogue() const { return catalogue_; }

@@ -33,7 +33,7 @@ public:
 
 private:
     class Search;
-    /// What is at or near a point: a box, a label, or wires in each direction.
+    /// The contents of a point and its surroundings: a box, a label, or wires in each direction.
     struct Cell {
         bool blocked = false, near = false, across = false, down = false, slanting = false;
 

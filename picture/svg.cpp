@@ -104,7 +104,7 @@ std::string arrow(Point centre, bool upright, bool onward) {
 /// Draws a line as a symbol in the legend.
 SvgPen line_across(const char* style_class) { return SvgPen().path("M0 0 L36 0", {{"class", style_class}}); }
 
-/// What is drawn: processors and wires, or processes and channels.
+/// The subject of the picture: processors and wires, or processes and channels.
 enum class View { hardware, software };
 
 class SvgPrinter {

@@ -10,8 +10,8 @@
 
 namespace placedpar {
 
-/// The parcels that a rank expects, each with the request by which its bytes come. Parcels of one sender with one
-/// number are taken in the order in which they were expected: a later request may be complete first.
+/// The parcels that a rank expects, each with the MPI request that receives its bytes. Of several parcels with the same
+/// sender and number, the one that was expected first is returned first, even if a later request is complete earlier.
 template <class Request>
 class ExpectedParcels {
 public:
@@ -24,7 +24,8 @@ public:
         return expected_.emplace_back(Expected{{from, number, std::vector<std::uint8_t>(bytes)}, {}});
     }
     bool empty() const { return expected_.empty(); }
-    /// Returns the first parcel that has come; nothing if none has. `is_complete` says whether an Expected has.
+    /// Returns the first parcel that has arrived; nothing if none has arrived. `is_complete` returns whether the parcel
+    /// of an Expected has arrived.
     template <class IsComplete>
     std::optional<RankParcel> take(IsComplete is_complete) {
         for (auto each = expected_.begin(); each != expected_.end(); ++each)
@@ -44,7 +45,7 @@ private:
         return &*first == &expected;
     }
 
-    std::list<Expected> expected_; ///< at fixed addresses, for the requests write to them
+    std::list<Expected> expected_; ///< at fixed addresses, because the requests write to them
 };
 
 } // namespace placedpar

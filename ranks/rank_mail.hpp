@@ -22,7 +22,8 @@ struct RankParcel {
     std::vector<std::uint8_t> bytes;
 };
 
-/// Messages between ranks in bytes, which no other mail and no text of Ranks can be confused with. No function waits.
+/// Sends bytes between ranks. Its messages cannot be confused with those of another mail or with texts of Ranks. No
+/// function waits.
 ///
 /// A letter is copied, and needs no agreement: any rank may send one to any rank. Letters from one rank to another
 /// arrive in the order in which they were sent. A parcel is not copied: the receiver states in advance which parcel it
@@ -33,10 +34,11 @@ struct RankParcel {
 /// the mail is closed.
 class RankMail {
 public:
-    /// The most bytes of a letter. Open MPI sends so few at once, without a reply of the receiver.
+    /// The most bytes of a letter. Open MPI sends a message of this length at once, without waiting for a reply of the
+    /// receiver.
     static constexpr std::size_t longest_letter = 4000;
 
-    /// The most bytes of a parcel, for which MPI counts in int.
+    /// The most bytes of a parcel. MPI counts the bytes of a message in an int.
     static constexpr std::size_t longest_parcel = std::numeric_limits<int>::max();
 
     virtual ~RankMail() = default;

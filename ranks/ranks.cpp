@@ -16,14 +16,15 @@ namespace placedpar {
 
 namespace {
 
-/// Returns whether Open MPI, or Slurm with PMIx, started this process: each sets a variable of the environment.
+/// Returns whether Open MPI, or Slurm with PMIx, started this process: each sets an environment variable.
 bool started_as_rank() {
     return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMIX_NAMESPACE") != nullptr;
 }
 
 constexpr const char* module_name = "placedpar_mpi.so";
 
-/// Loads the module from its place, or as the system's linker finds it. Returns null if there is none.
+/// Loads the module from its usual path, otherwise from where the system's linker finds it. Returns null if there is no
+/// module.
 void* load_module() {
     const std::filesystem::path place = module_of_ranks();
     const std::string path = place.empty() ? module_name : place.string();
@@ -73,7 +74,8 @@ Ranks::Message wait_for_message(Ranks& ranks) {
 
 namespace {
 
-/// What a rank above 0 tells rank 0 about its preparation: a mark, and the digest or the reason of a failure.
+/// A rank above 0 reports its preparation to rank 0 by one of these characters, followed by the digest or the reason of
+/// the failure.
 constexpr char has_prepared = '+', has_failed = '-';
 
 std::string account_of(const std::function<std::string()>& prepare) {
@@ -84,7 +86,7 @@ std::string account_of(const std::function<std::string()>& prepare) {
     }
 }
 
-/// Throws UserError unless the rank has prepared what rank 0 has.
+/// Throws UserError unless the rank has prepared the same work as rank 0.
 void require_same(const Ranks::Message& account, const std::string& digest) {
     if (account.text.front() == has_failed)
         throw UserError(fmt::format("rank {}: {}", account.from, account.text.substr(1)));
@@ -121,7 +123,7 @@ void send_to_others(Ranks& ranks, const std::string& text) {
         ranks.send(rank, text);
 }
 
-/// Prepares in rank 0, and compares the accounts of all ranks.
+/// Prepares in rank 0, and compares the reports of all ranks with its own digest.
 void prepare_first(Ranks& ranks, const std::function<std::string()>& prepare) {
     FirstFailure failure;
     std::string digest;
@@ -132,7 +134,7 @@ void prepare_first(Ranks& ranks, const std::function<std::string()>& prepare) {
     failure.rethrow();
 }
 
-/// Prepares in a rank above 0, and returns whether rank 0 begins.
+/// Prepares in a rank above 0, and returns whether rank 0 begins the work.
 bool prepare_after(Ranks& ranks, const std::function<std::string()>& prepare) {
     ranks.send(0, account_of(prepare));
     return wait_for_message(ranks).text == "begin";

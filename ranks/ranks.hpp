@@ -30,8 +30,8 @@ public:
     virtual void send(int to, const std::string& text) = 0;
     /// Returns the next message that has arrived; nothing if there is none.
     virtual std::optional<Message> receive() = 0;
-    /// Opens a mail, for messages that must be fast. All ranks call this function, equally often and in the same order.
-    /// REQUIRES: the mail is closed before the ranks are destroyed.
+    /// Opens a mail, which is faster than texts. All ranks must call this function the same number of times and in the
+    /// same order. REQUIRES: the mail is closed before the ranks are destroyed.
     virtual std::unique_ptr<RankMail> open_mail() = 0;
 };
 
@@ -47,15 +47,15 @@ Ranks::Message wait_for_message(Ranks&);
 /// MPI is loaded by this call, as a separate module (app/mpi), so that a program without ranks does not need MPI.
 std::unique_ptr<Ranks> ranks_of_mpirun();
 
-/// Returns the file of that module: beside the program, or in the folder of the installation. Returns an empty path if
-/// there is neither.
+/// Returns the path of the module (app/mpi): beside the program, or in the folder of the installation. Returns an empty
+/// path if neither exists.
 std::filesystem::path module_of_ranks();
 
 /// Ends a command that several ranks cannot share. If there are several ranks, throws UserError in rank 0 and returns
 /// true in the other ranks, which must then end silently.
 bool left_to_rank_zero(const std::string& command);
 
-/// Prepares a common work in all ranks. `prepare` returns a digest of what the rank has prepared, which must be the
+/// Prepares the same work in all ranks. `prepare` returns a digest of what the rank has prepared, which must be the
 /// same in all ranks. Returns true if all ranks have prepared the same. Otherwise returns false in the ranks above 0,
 /// which must then end silently. Rank 0 rethrows what its own `prepare` threw, or throws UserError with the number of
 /// the rank that failed or differs. REQUIRES: all ranks call this function.

@@ -38,9 +38,9 @@ public:
 ///                                                                           // parts so far; 0: they are the message
 ///     static T read(std::span<const std::uint8_t>);                         // returns the message of these bytes
 ///
-/// The parts are those of the WireForm. The last two functions may throw NoMessage. If the bytes of a message are also
-/// those of a simpler type, such as `INT::[]REAL64`, the specialisation names that type as `SameAs`. Other types have
-/// no byte form: addresses and padding mean nothing to the other program.
+/// The parts are those of the WireForm. The last two functions may throw NoMessage. If a simpler type, such as
+/// `INT::[]REAL64`, has the same bytes, the specialisation names that type as `SameAs`. Other types have no byte form:
+/// addresses and padding mean nothing to the other program.
 template <class T>
 struct ByteForm {};
 

@@ -19,7 +19,7 @@ namespace placedpar {
 
 namespace {
 
-using Processes = std::vector<const Process*>; ///< by kernel, and in order of creation
+using Processes = std::vector<const Process*>; ///< grouped by kernel, and in order of creation
 
 /// Returns a number that orders the processes of a run.
 std::uint64_t place_of(const Process& outermost, std::uint32_t ordinal) {

@@ -112,8 +112,9 @@ public:
     }
     /// Puts the process at the back of the ready queue. Only executives call this; all others call make_ready().
     void enqueue(Process& p) { hot_.ready.push_back(p); }
-    /// Takes the running process off its executive, and runs other processes until it is made ready. If there is a
-    /// successor, makes it ready; it must have an executive. Throws Unwinding when the simulation is over.
+    /// Takes the running process off its executive, and runs other processes until the running process is made ready
+    /// again. If there is a successor, makes it ready; it must have an executive. Throws Unwinding when the simulation
+    /// is over.
     void wait(Process* successor = nullptr);
     /// Runs other processes until the running process is made ready, but does not take it off its executive. Used for a
     /// process that keeps its executive while it computes, and for a process that has already left its executive.
@@ -131,8 +132,8 @@ public:
     /// Returns whether processes keep histories.
     bool keeps_histories() const { return hot_.rare_conditions.any_of(RareConditions::histories); }
     /// Counts an operation that took no time. If more than `unheeded` operations were counted since time last passed,
-    /// an interruption ends the process here. After `most_operations_at_once` operations throws std::logic_error,
-    /// because time would never pass. Does neither while processes are unwound.
+    /// and the run was interrupted, ends the process by throwing Unwinding. After `most_operations_at_once` operations
+    /// throws std::logic_error, because time would never pass. Does neither while processes are unwound.
     void takes_no_time(std::uint64_t unheeded = 0) {
         if (std::exchange(hot_.operations_at, hot_.now) != hot_.now)
             hot_.operations_at_once = 0;
@@ -140,8 +141,8 @@ public:
             heed_operations();
     }
     static constexpr std::uint64_t most_operations_at_once = 100'000'000;
-    /// The number of clock readings that are not checked for an interruption. A destructor may read the clock and must
-    /// not throw.
+    /// The number of clock readings, without time passing, before a reading checks for an interruption. Below it,
+    /// reading the clock never throws, so that a destructor may do it.
     static constexpr std::uint64_t unheeded_readings = most_operations_at_once / 1000;
     /// Makes a waiting process ready when the work is over.
     void after_work(Process& p) { end_.after_work.push_back(p); }
@@ -170,10 +171,10 @@ public:
         shuffle_.emplace(seed, "ready queue");
         hot_.rare_conditions.set(RareConditions::shuffled);
     }
-    /// Runs natively, as one of the kernels of a run: time is that of the wall clock, and others send messages. An
-    /// event that is due happens between two turns of processes, and the run is over when all its kernels have nothing
-    /// to do. Processes that a message or an event has woken come first (TurnsOfWoken). `number`: of the kernel in the
-    /// run. REQUIRES: called before the run; the surroundings outlive it.
+    /// Makes this kernel one of the kernels of a native run. Its time is the time of the wall clock, and the other
+    /// kernels send it messages. An event that is due happens between two turns of processes. The run is over when no
+    /// kernel has anything to do. Processes that a message or an event has woken come first (TurnsOfWoken). `number` is
+    /// the number of this kernel in the run. REQUIRES: called before the run; the surroundings outlive it.
     void run_among(Surroundings& surroundings, std::uint32_t number);
     /// Returns the surroundings of a native run; null in virtual time.
     Surroundings* surroundings() const { return surroundings_; }

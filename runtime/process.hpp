@@ -253,9 +253,9 @@ private:
     Process* last_ = nullptr;
 };
 
-/// Distributes the turns of a thread of a native run. A process that a message of another thread or an event has woken
-/// comes before the others that are ready, for another thread may wait for it. After `most_in_a_row` such turns one of
-/// the others comes. So neither kind keeps the other one waiting for ever.
+/// Distributes the turns of a thread of a native run. A process that was woken by an event, or by a message of another
+/// thread, runs before other ready processes, because another thread may be waiting for it. After `most_in_a_row` such
+/// turns, one of the other processes has a turn. So neither group keeps the other waiting for ever.
 class TurnsOfWoken {
 public:
     static constexpr unsigned most_in_a_row = 8;

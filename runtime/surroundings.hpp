@@ -19,8 +19,8 @@ constexpr Time pause_after(Time waited) {
     return std::clamp(waited / 8, shortest, longest);
 }
 
-/// What a kernel of a native run finds outside of itself: the wall clock, and the other kernels of the run. A kernel
-/// without surroundings keeps virtual time, and is alone.
+/// The parts of a native run outside of a kernel: the wall clock, and the other kernels of the run. A kernel without
+/// surroundings keeps virtual time, and is alone.
 class Surroundings {
 public:
     virtual ~Surroundings() = default;

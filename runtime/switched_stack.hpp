@@ -26,8 +26,8 @@ public:
 private:
     const void* bottom_ = nullptr;
     std::size_t bytes_ = 0;
-    void* fake_stack_ = nullptr; ///< of AddressSanitizer
-    void* fiber_ = nullptr;      ///< of ThreadSanitizer
+    void* fake_stack_ = nullptr; ///< fake stack of AddressSanitizer
+    void* fiber_ = nullptr;      ///< fiber of ThreadSanitizer
 };
 
 } // namespace placedpar

@@ -38,7 +38,7 @@ struct ProgramTurn {
     const std::string& process; ///< "root.phil[2]", or with the address of its workspace "root.#80000144"
     const std::string& place;   ///< the transputer, or the thread or rank of a native run
     Activity activity;
-    const std::vector<AwaitedByProgram>& awaited; ///< of a wait
+    const std::vector<AwaitedByProgram>& awaited; ///< channels and partners of a wait
     bool awaits_timer;                            ///< the wait has a time limit, too
     const std::string& partner; ///< for `ready`: the process that has ended the wait by a message, if any
 };
@@ -49,7 +49,7 @@ struct MessagePart {
     std::uint64_t message;      ///< number of the message in the run
     const std::string& process; ///< the outputter or the inputter
     const std::string& partner; ///< the other one, or the process of which it is a component; "" if unknown
-    bool is_input;              ///< of the inputter
+    bool is_input;              ///< the inputter's part of the message
 };
 
 /// Receives the log of a run. A notice states the activity of a process or a place from this time on, until the next

@@ -16,7 +16,7 @@ namespace placedpar::serve {
 
 namespace {
 
-/// What computing needs: memory, threads, clocks, signals, and open files.
+/// The system calls that a computation needs: for memory, threads, clocks, signals, and files that are already open.
 constexpr std::array allowed_calls{SYS_read,
                                    SYS_write,
                                    SYS_readv,
@@ -59,9 +59,9 @@ struct ReleaseRules {
     void operator()(void* rules) const { seccomp_release(rules); }
 };
 
-/// Allows some system calls only. A thread may be started, but no process. The C library starts threads by clone3,
-/// whose flags are in memory that rules cannot read, and by clone if there is no such call. Signals may be sent to this
-/// process only: abort() sends one. Returns whether the kernel has taken the rules.
+/// Allows some system calls only. A thread may be started, but no process. clone3 is refused, because its flags are in
+/// memory, which the rules cannot read; the C library then starts threads by clone. Signals may be sent to this process
+/// only, as abort() does. Returns whether the kernel has taken the rules.
 bool allow_calls() {
     const std::unique_ptr<void, ReleaseRules> rules(seccomp_init(SCMP_ACT_ERRNO(ENOENT)));
     bool taken = rules && seccomp_attr_set(rules.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_ERRNO(ENOSYS)) == 0;

@@ -9,7 +9,7 @@ namespace placedpar::serve {
 /// Texts by their path below a folder, such as "csp/deadlock/deadlock.cfs".
 using Texts = std::map<std::string, std::string>;
 
-/// Reads the netlists, configurations and programs in occam of the folder of examples, and what they include.
+/// Reads the netlists, configurations and programs in occam in the folder of examples, and the files that they include.
 Texts read_examples(const std::filesystem::path& folder);
 
 } // namespace placedpar::serve

@@ -66,7 +66,7 @@ Job job_of(const std::string& text) {
     return job;
 }
 
-Interruption* interrupted_by_alarm = nullptr; ///< of the job that is being done
+Interruption* interrupted_by_alarm = nullptr; ///< interruption of the current job
 
 /// Requests an interruption after a time, unless this object is destroyed earlier. REQUIRES: no other object of this
 /// class exists.
@@ -82,7 +82,7 @@ public:
     Deadline& operator=(const Deadline&) = delete;
 
 private:
-    /// Does what alarm() does, by a system call that exists on all computers and that confine() allows.
+    /// Replaces alarm(), with a system call that exists on all computers and that confine() allows.
     static void set_alarm(std::uint64_t seconds) {
         const itimerval once{.it_interval = {}, .it_value = {.tv_sec = static_cast<time_t>(seconds), .tv_usec = 0}};
         ::setitimer(ITIMER_REAL, &once, nullptr);
@@ -94,7 +94,7 @@ struct Loaded {
     Network network;
 };
 
-/// Reads the netlist, or makes one around a program in occam.
+/// Reads the job's netlist, or makes a netlist with one transputer for a program in occam.
 Loaded load(const Job& job, std::string& warnings) {
     const WarningSink warn = [&warnings](const std::string& text) { warnings += unpainted(text); };
     const ProgramMachine machine;
@@ -109,7 +109,7 @@ Loaded load(const Job& job, std::string& warnings) {
     return {std::move(parsed), std::move(network)};
 }
 
-/// Collects what programs print, and ends the run if it is too much.
+/// Collects the output of programs, and ends the run if there is too much.
 class Screen {
 public:
     explicit Screen(Interruption& interruption) : interruption_(interruption) {}
@@ -132,7 +132,7 @@ private:
     std::string output_;
 };
 
-/// Returns what the host of a changed run gives to programs: the same keys, and a screen that is not shown.
+/// Returns the host for a run with changed settings. It presses the same keys, and does not show the screen.
 HostServices silent_host(const std::string& keys) {
     HostServices host;
     host.terminal = [keys] { return std::make_shared<iserver::ScriptedTerminal>(keys, [](std::string_view) {}); };
@@ -144,7 +144,7 @@ std::string listings_of(const RunReport& report) {
     for (const ProgramUse& program : report.programs)
         if (!program.listing.empty())
             all += fmt::format("{}{}\n{}", all.empty() ? "" : "\n", program.name, program.listing);
-    return all.empty() ? "no processor has executed code: a listing shows a program in occam\n" : all;
+    return all.empty() ? "no listing: no processor has executed a program in occam\n" : all;
 }
 
 void add_page(json::object& answer, RunPage& page, const PageContent& content, std::span<const PathPart> path) {

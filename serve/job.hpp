@@ -6,7 +6,7 @@
 
 namespace placedpar::serve {
 
-/// Does one job and returns its answer, both as JSON. A job has these members:
+/// Executes one job and returns its answer. Both are JSON. A job has these members:
 ///
 ///   "do"        "check", "run", "explain", "listing" or "exercise"
 ///   "main"      the file that is checked or run: a netlist or a configuration, or a program in occam (.occ)
@@ -17,15 +17,16 @@ namespace placedpar::serve {
 ///   "keys"      the keys that are pressed for a program; none if it is missing
 ///
 /// The answer to "check" is {"faults": [...]}. The other answers have "ended" and "warnings". If there is no run, they
-/// have "faults" and "refused", which says why as the command line does. After a run they have "output" (of booted
-/// programs), "report" and "page" (HTML), and the "explanation" or "listing" that was asked for; after an exercise,
-/// "verdict", "result" (name_of(StudentRun::End)) and, of a program that ran to its end, "simulated_ms".
+/// have "faults" and "refused", which says why as the command line does. After a run they have "output" (the text that
+/// booted programs printed), "report" and "page" (HTML), and, if requested, "explanation" or "listing". After an
+/// exercise, they have "verdict", "result" (name_of(StudentRun::End)) and, if the program ran to its end,
+/// "simulated_ms".
 ///
 /// "ended" is the ending of the run as name_of(Ending) writes it, "solved" or "not solved" after an exercise, "refused"
 /// if there is no run, or "failed" after a failure. A process that is killed at a limit has no answer; the service
 /// answers with "killed" (serve/runs.hpp).
 ///
-/// After `limits.seconds` the run is interrupted, and the answer has what was there by then.
+/// After `limits.seconds` the run is interrupted, and the answer has the results up to then.
 std::string answer_of(const std::string& job, const RunLimits& limits);
 
 /// Reads a job from standard input, confines this process, and writes the answer to standard output.

@@ -20,7 +20,7 @@ namespace json = boost::json;
 
 namespace {
 
-constexpr std::chrono::milliseconds patience{50}; ///< between two looks for an interruption
+constexpr std::chrono::milliseconds patience{50}; ///< time between two checks for an interruption
 
 /// Returns the text of a file. Throws RefusedInput if it is not a text.
 std::string text_in(const fs::path& file) {
@@ -48,7 +48,7 @@ std::string text_of(const json::object& answer, const char* name) {
     return found ? std::string(found->as_string()) : "";
 }
 
-/// Makes a mark of the answer to a job (serve/job.hpp).
+/// Makes the mark from the answer to a job (serve/job.hpp).
 Mark mark_of(const fs::path& submission, const std::string& answer, const RunLimits& limits) {
     const json::object object = json::parse(answer).as_object();
     Mark mark{submission.string(), text_of(object, "result"), {}, text_of(object, "verdict")};

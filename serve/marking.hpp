@@ -13,18 +13,19 @@ namespace placedpar::serve {
 
 /// A task that many students have solved. Either `exercise` or `expected` is given.
 struct MarkedTask {
-    std::string exercise;                ///< a number of the course: "3.2"
-    std::optional<std::string> expected; ///< what a solution prints
+    std::string exercise;                ///< number of an exercise of the course, such as "3.2"
+    std::optional<std::string> expected; ///< output of a correct solution
 };
 
-/// What was found out about a submission.
+/// The result of a submission.
 struct Mark {
     std::string file; ///< path below the folder of submissions
     /// "solved", "wrong output", "deadlock", "too long" (simulated), "too much output", "failed", "refused" (with
     /// errors), "out of time" (of this computer), "killed" (at a limit), or "nothing submitted".
     std::string result;
-    std::optional<double> simulated_ms; ///< of the run in the usual order; empty: the program did not run to its end
-    std::string why;                    ///< some lines; "" if it is solved
+    std::optional<double>
+        simulated_ms; ///< simulated time of the run in the usual order; no value if the program did not run to its end
+    std::string why;  ///< explanation of a few lines; "" if the task is solved
 };
 
 /// Returns the programs in occam (.occ) in the folder and its subfolders, as paths below the folder, sorted. Throws
@@ -37,7 +38,7 @@ std::vector<std::filesystem::path> folders_without_submission(const std::filesys
 
 /// Runs each submission as check_solution() does, in a confined process of its own within the limits. A submission may
 /// include the files of its own folder that end in .inc. `progress` receives the number of marked submissions. Returns
-/// the marks so far, in the order of the submissions, if the run is interrupted.
+/// the marks in the order of the submissions; after an interruption, only the marks so far.
 std::vector<Mark> marks_of(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& submissions,
                            const MarkedTask& task, const QueueLimits& limits,
                            const std::function<void(std::size_t)>& progress, const Interruption& interruption);

@@ -28,9 +28,9 @@ using Stream = asio::posix::stream_descriptor;
 
 namespace {
 
-constexpr std::uint64_t grace_s = 3; ///< from the interruption of a run to its end by force
+constexpr std::uint64_t grace_s = 3; ///< time from the interruption of a run until it is killed
 
-/// Makes a pipe from one stream to the other.
+/// Connects two streams by a pipe.
 void connect(Stream& to_read, Stream& to_write) {
     std::array<int, 2> ends;
     if (::pipe2(ends.data(), O_CLOEXEC) != 0)
@@ -39,8 +39,8 @@ void connect(Stream& to_read, Stream& to_write) {
     to_write.assign(ends[1]);
 }
 
-/// Starts this program for one job. It inherits these ends as standard input and output, and no other file. What it
-/// writes to standard error is lost: it could fill the operator's terminal or log.
+/// Starts this program for one job. It inherits these ends as standard input and output, and no other file. Its
+/// standard error is discarded, because it could fill the operator's terminal or log.
 pid_t start(int input, int output, const RunLimits& limits) {
     posix_spawn_file_actions_t actions;
     ::posix_spawn_file_actions_init(&actions);
@@ -65,15 +65,17 @@ std::string refused(const char* ended, const std::string& why) {
     return boost::json::serialize(boost::json::object{{"ended", ended}, {"refused", why}});
 }
 
-/// Returns the answer for a process that ended without one. A process is killed only at a limit.
+/// Returns the answer for a process that ended without an answer. A killed process has exceeded a limit.
 std::string why_no_answer(int status, const RunLimits& limits) {
     if (!WIFSIGNALED(status) || (WTERMSIG(status) != SIGKILL && WTERMSIG(status) != SIGXCPU))
-        return refused("failed", fmt::format("the run has crashed: a defect of PlacedPar, unless the run needed more "
-                                             "memory than the {} Mbyte it may have",
-                                             limits.megabytes));
-    return refused("killed", fmt::format("the run was ended by force: it may take {} s and {} Mbyte of memory, and its "
-                                         "answer may have {} Mbyte",
-                                         limits.seconds, limits.megabytes, largest_answer_bytes >> 20));
+        return refused("failed",
+                       fmt::format("the run has crashed; this is a defect of PlacedPar, unless the run needed more "
+                                   "memory than the {} Mbyte it may have",
+                                   limits.megabytes));
+    return refused("killed",
+                   fmt::format("the run was killed because it exceeded a limit: {} s, {} Mbyte of memory, and its "
+                               "answer may have {} Mbyte",
+                               limits.seconds, limits.megabytes, largest_answer_bytes >> 20));
 }
 
 } // namespace
@@ -88,7 +90,7 @@ public:
     const Waiting& job() const { return job_; }
 
     void begin() {
-        Stream input(runs_->io_), output(runs_->io_); // the ends of the process
+        Stream input(runs_->io_), output(runs_->io_); // the process's ends of the pipes
         connect(input, input_);
         connect(output_, output);
         child_ = start(input.native_handle(), output.native_handle(), runs_->limits_.run);
@@ -113,7 +115,8 @@ public:
     }
 
 private:
-    /// The answer is complete, or longer than allowed, or the process has been killed.
+    /// Reads a part of the answer. The answer is finished when it is complete or too long, or when the process has been
+    /// killed.
     void read(const error_code& error) {
         kill();
         if (Runs* runs = std::exchange(runs_, nullptr))
@@ -128,18 +131,18 @@ private:
         input_.close(ignored);
         if (child_ < 0)
             return;
-        ::kill(child_, SIGKILL); // it has ended already, or must
+        ::kill(child_, SIGKILL); // the process has ended already, or must end now
         ::waitpid(std::exchange(child_, -1), &status_, 0);
         if (!runs_)
             output_.close(ignored);
     }
 
-    Runs* runs_; ///< null: the answer is not wanted any more
+    Runs* runs_; ///< null if the answer is no longer wanted
     Waiting job_;
-    Stream input_, output_; ///< of the process
+    Stream input_, output_; ///< the pipes to and from the process
     asio::steady_timer timer_;
     pid_t child_ = -1;
-    int status_ = 0; ///< of the ended process, as waitpid() returns it
+    int status_ = 0; ///< status of the ended process, as from waitpid()
     std::string text_, answer_;
 };
 

@@ -20,8 +20,8 @@ struct QueueLimits {
     RunLimits run;
 };
 
-/// Does jobs (serve/job.hpp), each in a process of its own. Other jobs wait in a queue, in which checks come before
-/// runs: they are short, and the user is typing. All functions are called from the loop's only thread.
+/// Executes jobs (serve/job.hpp), each in its own process. Further jobs wait in a queue. Checks come before runs in the
+/// queue, because checks are short and the user is typing. All functions are called from the loop's only thread.
 class Runs {
 public:
     /// Receives the answer, which is JSON.
@@ -33,10 +33,10 @@ public:
     Runs(boost::asio::io_context& io, const QueueLimits& limits);
     ~Runs();
 
-    /// Begins a job or adds it to the queue. Returns nothing if too many are waiting, of all or of this peer
+    /// Begins a job or adds it to the queue. Returns nothing if too many jobs are waiting, in total or from this peer
     /// (web::Caller). `name` is for place_of().
     std::optional<Number> add(std::string name, std::string peer, bool is_check, Text job, Done done);
-    /// Ends a job, and kills its process, without an answer. No effect if the job has been answered.
+    /// Ends a job without an answer, and kills its process. Has no effect if the job has been answered.
     void withdraw(Number job);
     /// Returns the job's place in the queue, from 1; 0 if it has begun; nothing if there is no such job.
     std::optional<std::size_t> place_of(const std::string& name) const;

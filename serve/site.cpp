@@ -46,7 +46,7 @@ std::string catalogue_json() {
     return json::serialize(kinds_json(known_kinds(problems)));
 }
 
-/// Throws std::invalid_argument if the member is there and is not a text.
+/// Throws std::invalid_argument if the job has the member and it is not a text.
 void require_text(const json::object& job, const char* name) {
     if (const json::value* found = job.if_contains(name); found && !found->is_string())
         throw std::invalid_argument(fmt::format("\"{}\" is not a text", name));
@@ -55,7 +55,7 @@ void require_text(const json::object& job, const char* name) {
 void require_task(const json::object& job) {
     constexpr std::array tasks = {"check", "run", "explain", "listing", "exercise"};
     if (std::ranges::find(tasks, std::string(job.at("do").as_string())) == tasks.end())
-        throw std::invalid_argument("\"do\" is none of check, run, explain, listing and exercise");
+        throw std::invalid_argument("\"do\" is not check, run, explain, listing or exercise");
 }
 
 void require_files(const json::object& job) {
@@ -145,7 +145,7 @@ std::string Site::completed(const std::string& body) const {
     json::object& job = value.as_object();
     json::object& files = job.at("files").as_object();
     for (const auto& [name, text] : examples_)
-        files.emplace(name, text); // a file of the page replaces it
+        files.emplace(name, text); // a file of the page replaces an example of the same name
     return json::serialize(job);
 }
 
@@ -173,7 +173,7 @@ web::Withdraw Site::begin(const web::Request& request, const web::Reply& reply) 
     return [this, job_number = *number] { runs_.withdraw(job_number); };
 }
 
-/// Stores a job with its answer, without the page of the run. A full disk must not end the service.
+/// Stores a job with its answer, but without the page of the run. A full disk must not stop the service.
 void Site::keep(const std::string& job, const std::string& answer) {
     try {
         json::object answered = json::parse(answer).as_object();

@@ -11,9 +11,9 @@
 
 namespace placedpar::serve {
 
-/// Answers the paths that browsers request. "/" is the page; "/examples", "/exercises" and "/catalogue" are its data.
-/// A POST to "/job?NAME" has a job (serve/job.hpp) with the files of the page, and waits for the answer; "/place?NAME"
-/// is the number of jobs before that one. "/healthz" alone needs no token.
+/// Answers the paths that browsers request. "/" is the page; "/examples", "/exercises" and "/catalogue" are its data. A
+/// POST to "/job?NAME" contains a job (serve/job.hpp) with the page's files; its reply is the job's answer.
+/// "/place?NAME" returns the position of that job in the queue. "/healthz" alone needs no token.
 class Site {
 public:
     /// `keep`: the folder in which jobs other than checks are stored; "": nowhere.
@@ -25,7 +25,7 @@ public:
 private:
     web::Answer data(const web::Request&) const;
     web::Withdraw begin(const web::Request&, const web::Reply&);
-    /// Returns the job with the examples among its files.
+    /// Returns the job with the examples added to its files.
     std::string completed(const std::string& body) const;
     void keep(const std::string& job, const std::string& answer);
 

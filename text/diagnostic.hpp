@@ -21,7 +21,7 @@ struct Diagnostic {
     Severity severity = Severity::error;
     std::string message;
     Location location;
-    std::string hint = "";                ///< what would be right; "" if there is nothing to say
+    std::string hint = "";                ///< advice on what would be right; "" if there is none
     std::vector<SecondPlace> others = {}; ///< usually at most one place
 };
 

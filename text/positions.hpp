@@ -24,7 +24,7 @@ public:
     std::size_t lines() const { return starts_.size(); }
     /// Returns the offset of a position. A character beyond the end of its line stands for that end, and a position in
     /// the middle of a character for its beginning. Throws std::out_of_range for a line behind the last one; the line
-    /// directly behind it stands for the end of the text.
+    /// directly after it stands for the end of the text.
     std::size_t offset(Position) const;
     Position position(std::size_t offset) const;
 

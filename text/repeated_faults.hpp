@@ -21,7 +21,7 @@ public:
 
 private:
     struct Kind {
-        std::string message; ///< of the first
+        std::string message; ///< message of the first fault
         std::size_t line, more = 0, last = 0;
     };
     std::map<std::string, Kind> kinds_; ///< by message with all digits replaced

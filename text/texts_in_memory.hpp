@@ -6,7 +6,7 @@
 
 namespace placedpar {
 
-/// Texts that stand in for files, such as those that an editor has open and has not saved.
+/// Texts that replace files, such as texts that are open in an editor and not saved.
 class TextsInMemory {
 public:
     /// Replaces the text of a file, which need not exist.

@@ -13,8 +13,8 @@ namespace placedpar::web {
 /// name nor an address.
 std::optional<std::string> host_in(std::string_view field);
 
-/// The host names under which browsers may use the service. An attacker can make his own host name resolve to this
-/// computer, and so let his web page read what the service serves under that name (DNS rebinding). Other names are
+/// The host names under which browsers may use the service. An attacker can let a host name of his own resolve to this
+/// computer; then his web page could read what the service serves under that name (DNS rebinding). Other names are
 /// therefore refused.
 class HostNames {
 public:

@@ -158,7 +158,7 @@ void Listener::accept() {
             accept();
             return;
         }
-        accept_later(); // most likely too many files are open; some client will leave
+        accept_later(); // probably too many files are open; retry later, when a client has left
     });
 }
 

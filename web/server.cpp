@@ -21,7 +21,7 @@ using boost::system::error_code;
 
 namespace {
 
-constexpr std::chrono::seconds most_patience{30}; ///< longest wait for a request to arrive or its answer to be read;
+constexpr std::chrono::seconds most_patience{30}; ///< longest wait for a request or for the client to read an answer;
                                                   ///< our choice
 constexpr std::uint32_t most_header_bytes = 8192;
 constexpr std::uint64_t largest_unwanted_body_bytes = 8192; ///< our choice
@@ -69,8 +69,8 @@ public:
 
 private:
     enum class State {
-        reading, ///< a request
-        waiting, ///< for the handler's answer
+        reading, ///< reads a request
+        waiting, ///< waits for the handler's answer
         answering
     };
 
@@ -195,7 +195,7 @@ private:
     bool trusted() const { return server_->trusts(std::string(parser_->get()[http::field::authorization])); }
 
     /// Ends the session if the client closes the connection, or sends more, before its request is answered. No browser
-    /// sends more, and the end of a connection could not be seen behind bytes that nothing reads.
+    /// sends more, and unread bytes would hide the end of the connection.
     void watch() {
         if (buffer_.size() > 0)
             return end();
@@ -248,8 +248,8 @@ private:
     beast::basic_stream<boost::asio::generic::stream_protocol> stream_;
     Caller caller_;
     std::chrono::steady_clock::time_point since_;
-    bool closes_ = false; ///< the connection closes after this answer: the token was wrong, since each guess is to cost
-                          ///< a connection, or a body was not read
+    bool closes_ = false; ///< the connection closes after this answer, because a body was not read or the token was
+                          ///< wrong: each guess must cost a connection
     State state_ = State::reading;
     Withdraw withdraw_; ///< set only while the session waits
     beast::flat_buffer buffer_{most_header_bytes};

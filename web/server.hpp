@@ -18,7 +18,7 @@ struct Request {
     std::string path;   ///< such as "/history"
     std::string query;  ///< what follows "?", such as "machine=digger-7"
     std::string body;   ///< JSON; "" unless the request posts
-    bool trusted;       ///< the client has sent the token, or none is required; if it is false, the body may be missing
+    bool trusted;       ///< the client has sent the token, or no token is required; if false, the body may be missing
     std::string peer;   ///< Caller::peer of the client
 };
 
@@ -32,7 +32,8 @@ struct ServerSettings {
     std::string realm; ///< the service's name in a browser's prompt for the token
     Token token;
     HostNames names;
-    std::size_t most_body_bytes = 0; ///< of a POST; 0: POST is refused, so that no request can change anything
+    std::size_t most_body_bytes =
+        0; ///< largest body of a POST; 0: POST is refused, so that no request can change anything
     std::size_t most_sessions = 256, most_sessions_of_peer = 64; ///< values of our choice
     /// The content security policy: by default, content and requests from this service only. Other pages must not embed
     /// the service's page.
@@ -40,16 +41,16 @@ struct ServerSettings {
                          "connect-src 'self'; img-src 'self' data:; frame-ancestors 'none'";
 };
 
-/// Gives the answer of a request. Must be called at most once; without effect if the client has gone.
+/// Sends the answer to a request. Must be called at most once; has no effect if the client has gone.
 using Reply = std::function<void(Answer)>;
-/// Learns that the client has gone before the answer was ready.
+/// Called if the client leaves before the answer is ready.
 using Withdraw = std::function<void()>;
 
 /// Serves browsers and other HTTP clients. A POST must carry JSON, and if a browser sends it, it must come from the
 /// service's own page. All functions are called from the loop's only thread.
 class Server {
 public:
-    /// Answers a request, immediately or later. May return an empty function.
+    /// Answers a request, immediately or later. Returns a function that withdraws the request, or an empty function.
     using Handler = std::function<Withdraw(const Request&, Reply)>;
 
     /// `say` receives messages for the operator.

@@ -6,7 +6,7 @@
 
 namespace placedpar::web {
 
-/// The word that a client must send to be served. With an empty token every client is served.
+/// The secret word that a client must send to be served. If the token is empty, every client is served.
 class Token {
 public:
     Token() = default;

@@ -61,16 +61,17 @@ transputer::Assembly assembled(const LoadedSource& source, transputer::Word orig
 
 struct BootableProgram {
     transputer::Assembly program;
-    std::string file, loaded; ///< the bootable file, and how the program gets into the memory
+    std::string file, loaded; ///< the bootable file, and a phrase for the report that says how the program is loaded
 };
 
-/// Assembles a program and puts before it what boots a transputer with it.
+/// Assembles a program and makes a bootable file from it: one boot packet, or a loader followed by the program.
 BootableProgram bootable(const LoadedSource& source, transputer::Model model) {
     const transputer::Word memory_start = transputer::most_negative + transputer::traits_of(model).memory_start;
     BootableProgram result{assembled(source, memory_start, model), "", "in one boot packet"};
     if (result.program.bytes.empty())
         throw UserError(fmt::format("{}: the program has no instruction", source.file->path()));
-    result.program.bytes.resize(std::max<std::size_t>(result.program.bytes.size(), 2)); // 1 byte: a peek
+    result.program.bytes.resize(
+        std::max<std::size_t>(result.program.bytes.size(), 2)); // one byte would be a peek, not a boot
     if (result.program.bytes.size() <= longest_packet) {
         append_length(result.file, result.program.bytes.size(), 1);
     } else {

@@ -55,9 +55,9 @@ struct RunOptions {
     std::optional<std::uint64_t> shuffle = {};
     std::size_t seeds = 1; ///< number of seeds, from the first on
     bool watch = false, yes = false;
-    bool listing = false, step = false, analyse = false; ///< of transputers that execute their own code
+    bool listing = false, step = false, analyse = false; ///< reports about transputers that execute their own code
     std::string offer;                           ///< where the host's link is offered to another program; "": nowhere
-    std::shared_ptr<Ranks> ranks;                ///< of a native run; null: without mpirun
+    std::shared_ptr<Ranks> ranks;                ///< ranks of a native run; null without mpirun
     std::shared_ptr<CheckpointFile> checkpoints; ///< null without the option
     std::shared_ptr<NativeTrace> native_trace;   ///< null unless a native run is recorded
 

@@ -71,7 +71,7 @@ private:
 /// The times of the program on a simulated transputer.
 struct SimulatedTimes {
     double boot = 0, run = 0;   ///< seconds
-    std::string departure = ""; ///< how the simulated run differs from that on the board; "" if it does not
+    std::string departure = ""; ///< difference between the simulated run and the run on the board; "" if there is none
 };
 
 /// Simulates the program with the replies that it got on the board. A simulated run that takes much longer is stopped.

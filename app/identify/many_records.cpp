@@ -80,7 +80,7 @@ private:
     PerLink<LinkMovements> links_;
 };
 
-/// Returns by how much the error of the equations varies from record to record (identification/verdict/deviation.hpp).
+/// Returns the deviation of the equations' error from record to record (identification/verdict/deviation.hpp).
 double repeat_error(double healthy_in3_per_psi) {
     return repeats_within * WayUnits::of(healthy_in3_per_psi).compliance_in3_per_psi;
 }
@@ -179,10 +179,10 @@ private:
     }
 
     const IdentifyOptions& options_;
-    IdentifySettings fixed_ = options_; ///< with a configuration
+    IdentifySettings fixed_ = options_; ///< settings with a configuration
     InterruptedBySignals interruption_;
     ProgressLine progress_;
-    std::size_t number_ = 0; ///< of the present record, from 1
+    std::size_t number_ = 0; ///< number of the current record, from 1
 };
 
 } // namespace

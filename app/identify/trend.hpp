@@ -17,7 +17,7 @@ namespace placedpar {
 
 /// The trend of a machine over many records (app/identify/many_records.hpp).
 
-/// What is estimated for each link, in in^3/psi, in^3/(s psi) and in.
+/// The values that are estimated for each link. Their units are in^3/psi, in^3/(s psi) and in.
 enum class TrendValue : unsigned char { compliance, leak, offset };
 inline constexpr std::array<TrendValue, 3> all_trend_values{TrendValue::compliance, TrendValue::leak,
                                                             TrendValue::offset};
@@ -25,16 +25,16 @@ inline constexpr std::array<TrendValue, 3> all_trend_values{TrendValue::complian
 std::string_view name_of(TrendValue value);
 std::string_view unit_of(TrendValue value);
 
-/// An interval of 95 % extends so many standard errors to each side.
+/// Half the length of a 95 % interval, in standard errors.
 inline constexpr double errors_of_interval = 1.96;
 
-/// The answers of one record; a value is missing if the record does not tell it.
+/// The answers of one record; a value is missing if the record does not determine it.
 struct RecordAnswer {
     std::string record;           ///< path as typed
-    std::optional<double> date_s; ///< since 1970
+    std::optional<double> date_s; ///< seconds since 1970
     hydraulics::PerLink<std::array<std::optional<identification::UncertainValue>, all_trend_values.size()>> links = {};
 
-    std::vector<Diagnostic> warnings = {}; ///< about the record
+    std::vector<Diagnostic> warnings = {}; ///< warnings about the record
     /// From what each link's compliance is found, such as "from the spool"; "" without an answer.
     hydraulics::PerLink<std::string_view> source = {};
 
@@ -68,7 +68,7 @@ public:
     bool dated() const;
     /// Returns the links with an answer.
     hydraulics::LinkSet links() const;
-    /// Returns the indices of the records that tell the value.
+    /// Returns the indices of the records that determine the value.
     std::vector<std::size_t> records_of(hydraulics::Link link, TrendValue value) const;
 
 private:

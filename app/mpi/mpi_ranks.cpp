@@ -145,7 +145,7 @@ private:
     std::size_t next_ = 0;    ///< the place that the next letter fills
     Place* in_use_ = nullptr; ///< the place whose letter is being read
     std::list<Sent> spare_;   ///< memory for a letter
-    std::list<Sent> sent_;    ///< what MPI has not sent yet
+    std::list<Sent> sent_;    ///< messages that MPI has not sent yet
     ExpectedParcels<MPI_Request> expected_;
 };
 

@@ -20,7 +20,7 @@ struct BootedOptions : ProgramMachine {
     std::optional<std::string> keys; ///< nothing: the keys are those of the terminal, or of standard input
     std::vector<std::string> environment;
     std::uint64_t write_limit_megabytes = 64;
-    std::vector<std::string> arguments; ///< of the program
+    std::vector<std::string> arguments; ///< command-line arguments of the program
 };
 /// Declares all of these options.
 void add_booted(Options&, BootedOptions&);

@@ -13,8 +13,8 @@ namespace placedpar {
 // These functions are for Option::check(). Each returns what is wrong with a value, or "".
 std::string not_a_whole_number(const std::string& text);
 std::string not_a_number_within(const std::string& text, std::uint64_t least, std::uint64_t most);
-std::string not_at_least_one(const std::string& text); ///< for a whole number
-std::string not_a_name(const std::string& text);       ///< for a name, which cannot be ""
+std::string not_at_least_one(const std::string& text); ///< checks a whole number
+std::string not_a_name(const std::string& text);       ///< checks a name, which cannot be ""
 
 /// Declares --seed, by default for every random stream.
 void add_seed(Options& command, std::uint64_t& seed,

@@ -14,9 +14,9 @@ struct IdentifyOptions : IdentifySettings {
     std::string record;               ///< the one that is being read
     std::string trend, json;
     bool strict = false;
-    std::string netlist; ///< only with --way thesis, as the two that follow
+    std::string netlist; ///< this member and the next two are used only with --way thesis
     std::vector<std::string> set;
-    ReadOptionsTyped read; ///< for the netlist
+    ReadOptionsTyped read; ///< options for reading the netlist
 };
 
 void declare_identify_options(Options& command, IdentifyOptions& options);

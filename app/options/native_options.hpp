@@ -48,15 +48,16 @@ void write_recorded(const RecordedFiles&, const NativeTrace&, const PageContent&
 /// Returns the ranks of mpirun on which a native run is made; null if it is made on this computer alone.
 std::unique_ptr<Ranks> ranks_of(const NativeOptions&);
 
-/// What a rank has loaded.
+/// The data that a rank has loaded. They must be the same in all ranks.
 struct LoadedRun {
     const Network& network;
-    std::string checkpoints; ///< their digest; "" without checkpoints
-    bool is_recorded;        ///< for a timeline or a page
+    std::string checkpoints; ///< digest of the checkpoints; "" without checkpoints
+    bool is_recorded;        ///< a timeline or a page needs a recording
 };
 
-/// Loads the network in all ranks. Returns false in a rank that must end silently. Throws UserError in rank 0 alone:
-/// what `load` throws, and if a rank has another network, checkpoint, seed or version. REQUIRES: called in all ranks.
+/// Loads the network in all ranks. Returns false in a rank that must end silently. In rank 0 alone, throws UserError if
+/// a rank has another network, checkpoint, seed or version, and rethrows exceptions of `load`. REQUIRES: called in all
+/// ranks.
 bool load_in_all(Ranks&, const NativeOptions&, std::uint64_t seed, const std::function<LoadedRun()>& load);
 
 /// Runs the network natively on the ranks. The observer and the checkpoints of rank 0 receive the events and the states

@@ -34,9 +34,9 @@ struct NetlistOptions {
     std::string file;
     std::vector<std::string> set;
     ReadOptionsTyped read;
-    std::string calibration = ""; ///< of --predict; "": the netlist's own machine is meant
-    std::size_t threads = 0;      ///< of the predicted run; 0: one for each core of this computer
-    std::size_t ranks = 0;        ///< of the predicted run; 0: it is on threads
+    std::string calibration = ""; ///< file of --predict; "" to simulate the netlist's own machine
+    std::size_t threads = 0;      ///< number of threads of the predicted run; 0: one for each core of this computer
+    std::size_t ranks = 0;        ///< number of ranks of the predicted run; 0: the run is on threads
     WarningSink warn = print_warnings;
 };
 void add_netlist(Options&, NetlistOptions&);

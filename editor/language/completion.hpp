@@ -18,12 +18,13 @@ struct Completion {
     std::string about = "";  ///< a sentence
 };
 
-/// Returns the words that can stand at a place of a netlist, in no particular order. Those of a word that has begun
-/// there are not left out: an editor chooses among them.
+/// Returns the words that can stand at a place of a netlist, in no particular order. The list is not limited to words
+/// that begin with the letters typed so far; the editor filters it.
 std::vector<Completion> complete_netlist(const NetlistSyntax&, const Catalogue&, const Location&);
 
 /// Returns the words that can stand at a place of a program in occam: keywords, the names that are visible there, and
-/// files of ours behind #USE and #INCLUDE. `checked` is the last version of the program that could be read.
+/// after #USE and #INCLUDE the names of PlacedPar's own files. `checked` is the last version of the program that could
+/// be read.
 std::vector<Completion> complete_occam(const SourceFile&, const occam::Program* checked, const Location&);
 
 } // namespace placedpar::editor

@@ -34,7 +34,7 @@ std::size_t statement_start(const Tokens& tokens, std::size_t index) {
     return 0;
 }
 
-/// Returns the index of the bracket that opens what a closing bracket closes; `first` if there is none.
+/// Returns the index of the opening bracket that matches a closing bracket; `first` if there is none.
 std::size_t opening(const Tokens& tokens, std::size_t closing, std::size_t first) {
     const bool square = tokens[closing].is("]");
     int depth = 0;
@@ -53,7 +53,7 @@ std::string name_before(const Tokens& tokens, std::size_t index, std::size_t fir
     return index > first && tokens[index - 1].kind == TokenKind::name ? tokens[index - 1].text : "";
 }
 
-/// Returns the innermost parenthesis of the statement that is open at a token; nothing if none is.
+/// Returns the innermost parenthesis that is open at a token of the statement; nothing if none is open.
 std::optional<std::size_t> open_parenthesis(const Tokens& tokens, std::size_t index, std::size_t first) {
     int depth = 0;
     for (std::size_t i = index; i-- > first;) {
@@ -82,7 +82,7 @@ NetlistContext in_attributes(const Tokens& tokens, std::size_t index, std::size_
     return context;
 }
 
-/// Returns whether the words of a statement open parentheses for attributes: those of an expression do not.
+/// Returns whether the parentheses in a statement enclose attributes, rather than an expression.
 bool opens_attributes(const Tokens& tokens, std::size_t first, std::size_t parenthesis) {
     static constexpr std::array<std::string_view, 4> with_expressions{"val", "rep", "if", "use"};
     const bool follows_name =

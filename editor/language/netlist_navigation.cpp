@@ -65,7 +65,8 @@ std::string name_text(const NetlistName& name) {
                        name.at.line);
 }
 
-/// Returns a file beside the netlist, or one of those that it includes; nothing if there is none of this name.
+/// Returns the beginning of a file with this name that is beside the netlist or included by it; nothing if there is no
+/// such file.
 std::optional<Location> named_file(const NetlistSyntax& syntax, const std::string& name) {
     const std::filesystem::path beside = std::filesystem::path(syntax.file->path()).parent_path() / name;
     std::optional<std::filesystem::path> path;
@@ -115,13 +116,15 @@ std::vector<Location> places_to_rename(const NetlistSyntax& syntax, const Catalo
                                        const std::string& new_name) {
     const NetlistName* const name = syntax.name_at(at);
     if (!name)
-        throw UserError("no name that the netlist declares is here: ports, parameters and kinds cannot be renamed");
+        throw UserError("only a name that the netlist declares can be renamed, and there is none at this place: ports, "
+                        "parameters and kinds cannot be renamed");
     if (has_errors(syntax.diagnostics))
         throw UserError("the netlist has errors; mend them first, so that all places of the name are found");
     if (!can_be_a_name(new_name))
-        throw UserError(fmt::format("\"{}\" cannot be a name: a name is letters, digits and _, and not a word of the "
-                                    "language",
-                                    new_name));
+        throw UserError(
+            fmt::format("\"{}\" cannot be a name: a name has letters, digits and _, and is not a word of the "
+                        "language",
+                        new_name));
     if (syntax.find(new_name))
         throw UserError(fmt::format("\"{}\" is declared already", new_name));
     if (new_name == "host" || catalogue.node_types().contains(new_name))

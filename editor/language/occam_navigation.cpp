@@ -57,8 +57,8 @@ bool is_routine(const Declaration& declaration) {
 
 std::size_t indentation_of(std::string_view line) { return std::min(line.find_first_not_of(' '), line.size()); }
 
-/// Returns the lines before a line whose declarations are visible there, as far as the indentation between them says: a
-/// line that is indented less ends their scope. The index is the number of the line.
+/// Returns for each earlier line whether its declarations are visible at a line. A line that is indented less ends the
+/// scope of the declarations before it. The index is the number of the line.
 std::vector<bool> visible_at(const SourceFile& file, std::size_t line) {
     std::vector<bool> visible(line);
     std::size_t least = std::string_view::npos; // indentation of the lines between
@@ -76,7 +76,7 @@ std::string type_text(const Declaration& declaration) {
     return declaration.type && !is_routine(declaration) ? occam::name_of(*declaration.type) : "";
 }
 
-/// Returns what the name at a place of the main file means; null if it is none, or not known.
+/// Returns the declaration of the name at a place of the main file; null if there is no name or it is not declared.
 const Declaration* meaning_at(const Program& program, const Location& at) {
     const auto [name, column] = name_at(*program.files.front(), at);
     for (const occam::ResolvedName& each : program.resolved)

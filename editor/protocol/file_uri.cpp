@@ -10,7 +10,7 @@ namespace placedpar::editor {
 
 namespace {
 
-/// Replaces `%20` and the like by the bytes that they stand for.
+/// Replaces escapes such as `%20` by the bytes that they represent.
 std::string decoded(std::string_view text) {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -28,7 +28,7 @@ std::optional<std::filesystem::path> path_of_uri(std::string_view uri) {
     constexpr std::string_view scheme = "file://";
     if (!uri.starts_with(scheme))
         return std::nullopt;
-    const auto slash = uri.find('/', scheme.size()); // a host may stand in front of it
+    const auto slash = uri.find('/', scheme.size()); // a host may precede it
     if (slash == uri.npos)
         return std::nullopt;
     return std::filesystem::path(decoded(uri.substr(slash))).lexically_normal();

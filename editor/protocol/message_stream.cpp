@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::string_view length_field = "content-length:";
 
-/// Returns the length that a line of a header states. What a wrong message has left in front of the field is ignored.
+/// Returns the length that a header line states. Ignores text before the field, which may be left over from a malformed
+/// message.
 std::optional<std::size_t> length_in(const std::string& line) {
     const auto field = lower_case(line).rfind(length_field);
     if (field == std::string::npos)
@@ -29,7 +30,8 @@ std::optional<std::size_t> length_in(const std::string& line) {
 
 } // namespace
 
-/// Returns a line without its end, or the last part of a very long one; nothing at the end of the input.
+/// Returns the next line without its end, and only the last part of a very long line. Returns nothing at the end of the
+/// input.
 std::optional<std::string> MessageStream::read_line() {
     constexpr std::size_t longest = 4096;
     std::string line;

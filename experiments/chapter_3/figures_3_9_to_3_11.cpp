@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t samples_in_figure_3_9 = 84; // 20 ms each, from the valves' opening to 2 s
 
-/// Compares the steady state of scenario R2 with that of an independent prototype.
+/// Compares the steady state of scenario R2 with the steady state in an independent prototype.
 Comparison steady_comparison(const TwoLinkMotion& motion) {
     const ExcavatorState& end = motion.motion.states.back();
     InternalStates states = true_states(end);

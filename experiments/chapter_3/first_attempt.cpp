@@ -36,7 +36,7 @@ std::vector<BoomData> motions_with(double offset_in, const MeasurementNoise& noi
 /// noise.
 struct KnownOffset {
     double offset_in;
-    std::optional<double> fit_percent, fit_tolerance; ///< without a tolerance only the sign is judged
+    std::optional<double> fit_percent, fit_tolerance; ///< if there is no tolerance, only the sign is judged
     std::optional<double> search_in3_per_psi;
 };
 constexpr KnownOffset known_offsets[]{

@@ -29,7 +29,7 @@ constexpr int speedup_work_alone = 1000;
 /// (alpha + 1).
 double balanced_share(int alpha, int slaves) { return std::max(0.0, 1.0 * (alpha - slaves) / (alpha + 1)); }
 
-constexpr std::size_t whole_evaluations = 30 * 10; ///< for a population of 30 and a window of 10
+constexpr std::size_t whole_evaluations = 30 * 10; ///< evaluations of a population of 30 in a window of 10
 
 /// Returns each processor's fraction of the evaluations of a generation, the master's last.
 std::vector<double> parts_of_whole_evaluations(int processors, double own_share) {

@@ -11,7 +11,7 @@
 
 namespace placedpar {
 
-/// What a program printed that has a host, and the fingerprint of its run.
+/// The output of a program with a host, and the fingerprint of its run.
 struct PrintedRun {
     std::string text;
     std::uint64_t fingerprint = 0;

@@ -180,12 +180,12 @@ constexpr const char* timed_loop = R"(
      over: ldtimer; ldl 3; diff; stl 4; stopp
 )";
 
-/// Returns the cycles between two readings of the clock of low priority, for each of so many turns.
+/// Returns the cycles of one turn of a loop, from the ticks of the low-priority clock between two readings.
 double cycles_for_each(int turns_of_loop, std::int64_t ticks) {
     return static_cast<double>(ticks * (hardware::Processor::low_tick / emulated_cycle)) / turns_of_loop;
 }
 
-/// Returns the cycles of instructions, with those of a loop.
+/// Returns the cycles of the instructions, including the cycles of the loop around them.
 double cycles_of_turn(const std::string& body, Word origin = code_on_chip) {
     constexpr int turns_of_loop = 20'000;
     EmulatedProgram t800(fmt::format(timed_loop, turns_of_loop, body), 1, origin);
@@ -193,7 +193,7 @@ double cycles_of_turn(const std::string& body, Word origin = code_on_chip) {
     return cycles_for_each(turns_of_loop, t800.word(4));
 }
 
-/// Returns the rate at which `move` copies, in Mbyte/s: that of what a longer block takes longer.
+/// Returns the rate at which `move` copies, in Mbyte/s, from the difference between the times of two blocks.
 double move_rate(const char* source, const char* target) {
     const auto cycles = [&](int bytes) {
         return cycles_of_turn(fmt::format("{}; {}; ldc {}; move; ldc 0; ldc 0", source, target, bytes));

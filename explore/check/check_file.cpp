@@ -69,7 +69,7 @@ CheckedFile check_program(const std::filesystem::path& path, const CheckOptions&
     return checked;
 }
 
-/// Returns the first run of a study whose condition holds, as far as it is found soon.
+/// Returns the first run of a study for which the condition holds; nothing if it is not among the first runs.
 std::optional<StudyRun> first_run(const Study& study) {
     constexpr std::uint64_t most_tried = 10'000;
     const StudyRuns runs(study);
@@ -79,7 +79,7 @@ std::optional<StudyRun> first_run(const Study& study) {
     return std::nullopt;
 }
 
-/// Makes a fault of a netlist as a whole one of the study that names it: the netlist may not exist.
+/// Reports a fault of a whole netlist in the study that names the netlist, because the netlist may not exist.
 void put_in_study(Diagnostic& fault, const std::filesystem::path& study) {
     if (!fault.location.file || fault.location.line > 0)
         return;

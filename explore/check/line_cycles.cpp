@@ -16,8 +16,8 @@ namespace placedpar {
 
 namespace {
 
-/// Writes the declaration of a variable or channel of a type, for an argument: an array of unknown size has one
-/// element.
+/// Returns the declaration of a variable or channel of a type, which is passed as an argument. An array of unknown size
+/// gets one element.
 std::string declaration_of(const occam::Type& type, const std::string& name) {
     std::string text = occam::name_of(type), dimensions;
     for (; text.starts_with("[]"); text.erase(0, 2))
@@ -25,7 +25,7 @@ std::string declaration_of(const occam::Type& type, const std::string& name) {
     return fmt::format("  {}{} {}:\n", dimensions, text, name);
 }
 
-/// Returns a program that calls all procedures of a file, so that the compiler makes code of each.
+/// Returns a program that calls all procedures of a file, so that the compiler makes code for each procedure.
 std::string caller_of(const occam::Program& program) {
     std::string declarations, calls;
     std::size_t number = 0;

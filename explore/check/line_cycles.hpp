@@ -10,15 +10,15 @@
 
 namespace placedpar {
 
-/// The instructions that the compiler makes of a line of occam, with the cycles that `placedpar disassemble` counts for
-/// them: each once, with code and data on the chip.
+/// The number of instructions that the compiler makes for a line of occam, and their cycles as `placedpar disassemble`
+/// counts them: each instruction once, with code and data on the chip.
 struct LineCycles {
     std::size_t instructions = 0;
     unsigned least = 0, most = 0;
     bool is_open = false; ///< the time of some instruction depends on the length of a message
 };
 
-/// Compiles all procedures of the main file. Returns what their lines take; nothing if the compiler refuses them.
+/// Compiles all procedures of the main file. Returns the cycles of each line; nothing if the compiler refuses the file.
 /// REQUIRES: the program was checked without errors.
 std::map<std::size_t, LineCycles> cycles_of_lines(const occam::Program&, std::vector<std::filesystem::path> folders,
                                                   transputer::Model);

@@ -45,7 +45,7 @@ std::array<std::string, 4> sections_of(std::string text) {
     return sections;
 }
 
-/// Returns the placements of processes, without those of channels, whose ports have a dot.
+/// Returns the placements of processes, without the placements of channels, which have a dot in their port.
 std::string without_routes(const std::string& mapping) {
     std::string kept;
     for (std::size_t begin = 0; begin < mapping.size();) {
@@ -58,7 +58,7 @@ std::string without_routes(const std::string& mapping) {
     return kept;
 }
 
-/// Returns A with one section of B. Channels are routed anew if the hardware or the software is another.
+/// Returns A with one section of B. Channels are routed anew if the section is the hardware or the software.
 std::string with_section_of(const Network& a, const Network& b, Section section) {
     auto sections = sections_of(print_cfs(a));
     const auto index = static_cast<std::size_t>(section);
@@ -137,8 +137,8 @@ private:
         return vals;
     }
 
-    /// Returns a network with other settings of its elements. The network's own settings are in the text already, so
-    /// none is set twice.
+    /// Returns a network with changed settings of its elements. The text already contains the network's own settings,
+    /// so no setting is given twice.
     static Network with_settings(const Network& network, const Overrides& set) {
         return load_silently(ParsedNetlist::of_text(print_cfs(network), network.source_path), set);
     }
@@ -153,7 +153,7 @@ private:
         return with_settings(swapped, of_a);
     }
 
-    /// Returns the part of a difference that elements of A have: the vals of B may make more elements.
+    /// Returns the difference without the elements that A lacks, because the vals of B may declare more elements.
     SettingDifference within_a(const SettingDifference& difference) const {
         const std::set<std::string> known = names_of_elements(result_.a);
         SettingDifference own{difference.name, difference.a, difference.b, {}, {}};

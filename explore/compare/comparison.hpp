@@ -34,7 +34,7 @@ Network load_compared(const ComparedRun&);
 /// Network A with one of the differences from B.
 struct OneChange {
     std::string what;   ///< "clock of t[0]: 20000000 in A, 10000000 in B"
-    Overrides set = {}; ///< settings that make the change; empty: it is a change of structure or of the run's settings
+    Overrides set = {}; ///< settings that make the change; empty if the structure or the run's settings change
     Ending ending = Ending::interrupted;
     Time time{};
     std::string refused = ""; ///< first line of the refusal; "" if the netlist was accepted
@@ -49,15 +49,16 @@ struct NetlistComparison {
     std::vector<SettingDifference> settings; ///< vals, and settings that differ although the vals have been made equal
     std::vector<StructureDifference> structure;
     std::set<StructureDifference::Section> following; ///< sections that are equal once the vals are equal
-    std::vector<OneChange> alone;                     ///< each difference made alone in A
-    std::optional<OneChange> together;                ///< all settings made in A; empty: there are fewer than two
+    std::vector<OneChange> alone;                     ///< A with one difference each
+    std::optional<OneChange> together; ///< A with all settings of B; empty if fewer than two settings differ
 
     bool both_completed() const;
     Time difference() const { return report_b.result.time - report_a.result.time; }
 };
 
-/// Compares two netlists and their runs. If both complete, makes each difference alone in A, and runs it. Throws
-/// RefusedInput if A or B is refused. `progress` is called with the number of ended runs and of all runs.
+/// Compares two netlists and their runs. If both runs complete, applies each difference separately to A, and runs the
+/// result. Throws RefusedInput if A or B is refused. `progress` is called with the number of ended runs and of all
+/// runs.
 NetlistComparison compare_runs(const ComparedRun& a, const ComparedRun& b, const Interruption&,
                                const std::function<void(std::size_t, std::size_t)>& progress);
 

@@ -50,7 +50,7 @@ private:
                 add(element, name, value, other->second);
     }
 
-    /// Compares wires that have a name. The speed of other wires follows from their processors.
+    /// Compares wires that have a name. The speed of an unnamed wire depends only on its processors.
     void compare_wires(const Network& a, const Network& b) {
         const auto wires = by_name_of(b.connections);
         for (const LinkConnection& wire : a.connections) {
@@ -131,7 +131,8 @@ Facts software_of(const Network& network) {
     return facts;
 }
 
-/// Returns where processes run, and over which links channels lead. Ways over buses follow from the places.
+/// Returns the processor of each process and the links of each channel. Routes over buses are left out, because the
+/// placement determines them.
 Facts mapping_of(const Network& network) {
     Facts facts;
     for (const ProcessInstance& process : network.processes)

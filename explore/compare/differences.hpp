@@ -14,13 +14,13 @@ namespace placedpar {
 struct SettingDifference {
     std::string name;                  ///< "clock"
     std::string a, b;                  ///< values as the netlist language writes them
-    std::vector<std::string> elements; ///< elements of both networks with these values; empty: the setting is a val
-    Overrides set;                     ///< settings that give network A the values of B
+    std::vector<std::string> elements; ///< elements that have these values in A and B; empty if the setting is a val
+    Overrides set;                     ///< settings for A that give it the values of B
 };
 
 /// A part of the structure that only one of two networks has, such as "T800 t[4]" or "t[0].link[1] to t[1].link[2]".
 struct StructureDifference {
-    /// Says which part of a netlist differs. Each is a section of the text that print_cfs() writes.
+    /// The part of a netlist that differs, which is a section of the text that print_cfs() writes.
     enum class Section { hardware, software, mapping, faults } section;
     std::vector<std::string> only_a, only_b;
 };
@@ -28,7 +28,7 @@ struct StructureDifference {
 const char* name_of(StructureDifference::Section);
 
 /// Returns the differences in attributes of nodes and wires and in parameters of processes. Elements of both networks
-/// are compared by name. Elements with the same two values are one difference.
+/// are compared by name. Elements that have the same value in A and the same value in B are one difference.
 std::vector<SettingDifference> setting_differences(const Network& a, const Network& b);
 
 /// Returns a difference for each section that differs.

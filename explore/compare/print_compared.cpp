@@ -76,7 +76,7 @@ Time sum_of(const std::vector<OneChange>& changes, Time of_a) {
     return sum;
 }
 
-/// Says how much of the difference appears only if differences are made together.
+/// Prints how much of the difference in time appears only if differences are combined.
 std::string print_verdict(const NetlistComparison& compared, Time sum) {
     const Time rest = compared.difference() - sum;
     if (compared.alone.empty())
@@ -85,8 +85,8 @@ std::string print_verdict(const NetlistComparison& compared, Time sum) {
     if (all_ran && std::chrono::abs(rest) * 1000 <= std::chrono::abs(compared.difference()))
         return "The differences add up: none changes the effect of another.\n";
     return fmt::format("{:+.6f} ms remain: {}.\n", in_milliseconds(rest),
-                       all_ran ? "the differences interact, and have this effect only together"
-                               : "the effect of differences that could not be made alone, and of interactions");
+                       all_ran ? "the differences interact, and this part appears only if they are combined"
+                               : "the effect of differences that could not be applied alone, and of interactions");
 }
 
 std::string print_changes(const NetlistComparison& compared) {
@@ -96,8 +96,8 @@ std::string print_changes(const NetlistComparison& compared) {
     std::ranges::stable_sort(changes, std::greater(), [&](const OneChange& each) {
         return each.completed() ? std::chrono::abs(each.time - of_a) : Time{-1};
     });
-    std::string out =
-        painted(Paint::heading, fmt::format("\n{:>14}  {:>9}  {}\n", "ms", "of A", "one difference made alone in A"));
+    std::string out = painted(Paint::heading,
+                              fmt::format("\n{:>14}  {:>9}  {}\n", "ms", "of A", "one difference, applied alone to A"));
     for (const OneChange& each : changes)
         out += print_change(each, of_a);
     if (changes.size() > 1)
@@ -141,7 +141,7 @@ std::string print_compared(const NetlistComparison& compared) {
     std::string out = print_ending("A", compared.name_a, compared.report_a, compared.a) +
                       print_ending("B", compared.name_b, compared.report_b, compared.b) + print_differences(compared);
     if (!compared.both_completed())
-        return out + "\nNo difference was made alone, because not both runs complete.\n";
+        return out + "\nNo difference was applied alone, because one of the runs does not complete.\n";
     return out + (compared.alone.empty() ? "" : print_changes(compared)) + print_figures(compared);
 }
 

@@ -7,9 +7,9 @@ namespace placedpar {
 
 /// An exercise of the course in occam: docs/occam-course.
 struct Exercise {
-    std::string number;   ///< page, and place on the page: "3.2"
+    std::string number;   ///< page and number on the page, such as "3.2"
     std::string start;    ///< the program to start from; its first comment is the task
-    std::string expected; ///< what a solution prints
+    std::string expected; ///< output of a correct solution
 
     /// Returns the title of the task: "An adder".
     std::string title() const;

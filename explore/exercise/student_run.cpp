@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::chrono::seconds longest_run{10};
 constexpr std::size_t most_output = 65536;
-constexpr std::uint64_t other_orders = 20; ///< number of orders of processes that a solution is tried in, besides the
+constexpr std::uint64_t other_orders = 20; ///< number of process orders in which a solution is tried, besides the
                                            ///< usual one
 
 StudentRun::End end_of(const RunReport& report, bool too_much) {
@@ -51,7 +51,7 @@ std::vector<std::string_view> printed_lines(std::string_view text) {
     return lines;
 }
 
-/// Says how the output differs from what is expected; "" if it does not.
+/// Describes how the output differs from the expected output; "" if they are equal.
 std::string difference(const std::string& output, const std::string& expected) {
     const auto printed = printed_lines(output), wanted = printed_lines(expected);
     const auto [at, other] = std::ranges::mismatch(wanted, printed);
@@ -102,7 +102,8 @@ std::string what_is_wrong(const StudentRun& made, const std::string& expected) {
     case StudentRun::End::too_long:
         return fmt::format("the program has not ended after {} s of simulated time, {}", longest_run.count(), printed);
     case StudentRun::End::too_much_output:
-        return fmt::format("the program prints more than {} bytes; expected are {}", most_output, expected.size());
+        return fmt::format("the program prints more than {} bytes, but the expected output has {}", most_output,
+                           expected.size());
     case StudentRun::End::interrupted: break;
     }
     return "";
@@ -128,8 +129,9 @@ const char* name_of(StudentRun::End end, const std::string& wrong) {
 namespace {
 
 std::string only_in_order(std::uint64_t order, const std::string& wrong) {
-    return fmt::format("it is right in the usual order of its processes, but not in all orders\nwith --shuffle {}, {}",
-                       order, wrong);
+    return fmt::format(
+        "the program is right in the usual order of its processes, but not in every order\nwith --shuffle {}, {}",
+        order, wrong);
 }
 
 } // namespace

@@ -9,17 +9,17 @@
 
 namespace placedpar {
 
-/// What a student's program has printed, and how its run has ended.
+/// The output of a student's program, and the end of its run.
 struct StudentRun {
     enum class End { completed, failed, deadlock, too_long, too_much_output, interrupted };
 
     End end = End::completed;
     std::string output = "";
-    std::string state = ""; ///< of the program: "exited with failure"
+    std::string state = ""; ///< state of the program, such as "exited with failure"
     Time time{};            ///< simulated time at the end
 };
 
-/// Returns "solved", "wrong output", "deadlock" and so on; `wrong` is what what_is_wrong() returned.
+/// Returns "solved", "wrong output", "deadlock" and so on. `wrong` is the result of what_is_wrong().
 const char* name_of(StudentRun::End, const std::string& wrong);
 
 /// Runs the program of a network with one transputer and a host. No key is pressed, and no file can be used. The run
@@ -27,20 +27,20 @@ const char* name_of(StudentRun::End, const std::string& wrong);
 /// from this seed.
 StudentRun run_student_program(const Network&, std::optional<std::uint64_t> shuffle, Interruption&);
 
-/// Says what is wrong with a run in some lines without a newline at the end; "" if nothing is. Blanks at the ends
-/// of lines, and empty lines at the end, are ignored.
+/// Describes what is wrong with a run, in a few lines without a newline at the end; returns "" if nothing is wrong.
+/// Blanks at the ends of lines, and empty lines at the end, are ignored.
 std::string what_is_wrong(const StudentRun&, const std::string& expected);
 
 /// The verdict on a solution of an exercise.
 struct SolutionVerdict {
-    StudentRun::End end; ///< of the run that decided
-    std::string wrong;   ///< some lines; "": solved, or interrupted
+    StudentRun::End end; ///< end of the run that decided the verdict
+    std::string wrong;   ///< a few lines; "" if solved or interrupted
     Time time;           ///< simulated time of the run in the usual order
 
     /// Returns "solved; ..." or "not solved: ...". REQUIRES: not interrupted.
     std::string text() const;
 };
-/// Runs the program in the usual order of its processes and in other orders, until something is wrong.
+/// Runs the program in the usual order of its processes, then in other orders. Stops at the first wrong run.
 SolutionVerdict check_solution(const Network&, const Exercise&, Interruption&);
 
 } // namespace placedpar

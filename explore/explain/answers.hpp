@@ -13,14 +13,14 @@ namespace placedpar {
 /// Returns the explanation of a run that the critical path has observed; no change has been tried yet.
 Explanation explanation_of(RunReport, const CriticalPath&);
 
-/// What is needed to run a netlist again with changes.
+/// The data for repeating a run with changes.
 struct ChangedRuns {
     ParsedNetlist parsed;
     Overrides set; ///< settings of the user; a change may replace them
     std::uint64_t seed;
     Time until;
     std::function<void(std::size_t, std::size_t)> progress; ///< as WhatIfs::progress
-    HostServices host = {};                                 ///< of the changed runs
+    HostServices host = {};                                 ///< host of the changed runs
     std::size_t at_once = count_cores();                    ///< number of runs at a time
 };
 /// Tries out the changes worth trying and adds the answers, or says in `not_tried` why none can be compared.

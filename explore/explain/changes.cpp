@@ -20,7 +20,7 @@ namespace {
 constexpr std::int64_t fastest = 1'000'000'000; ///< greatest speed that the language accepts
 constexpr std::size_t most_alone = 10;          ///< largest number of single parts of each kind that are varied
 constexpr std::size_t most_nodes_in_full = 256; ///< in larger networks, fewer changes are tried
-constexpr std::size_t most_alone_of_many = 3;   ///< of larger networks, in place of `most_alone`
+constexpr std::size_t most_alone_of_many = 3;   ///< replaces `most_alone` in larger networks
 
 /// Attributes of a bus that cost time. The time-out is left out: it only matters if a device does not respond.
 constexpr std::array bus_times{"cycle", "bytecycle", "grant"};
@@ -33,7 +33,7 @@ constexpr const char* cycles_on_chip = "1";
 struct Factor {
     const char* faster;
     const char* less;
-    double by; ///< 0: as fast as the language allows
+    double by; ///< factor of the speed; 0: as fast as the language allows
 };
 constexpr std::array<Factor, 3> factors{{
     {.faster = "10 % faster", .less = "a tenth less", .by = 1.1},

@@ -127,10 +127,10 @@ std::string print_path(const Explanation& explanation) {
     Time whole = explanation.report.result.time;
     std::vector<PathShare> by_array = shares_by_array(explanation.path), alone = shares_of(explanation.path);
     std::string out = path_heading("critical path") + print_shares(by_array, 12, whole);
-    out += fmt::format("{:>12.6f}  {:>7}  in all: the run's length to the picosecond\n", in_milliseconds(whole),
-                       "100.0 %");
+    out +=
+        fmt::format("{:>12.6f}  {:>7}  sum, which equals the length of the run\n", in_milliseconds(whole), "100.0 %");
     if (alone.size() > by_array.size())
-        out += path_heading("of it, the longest alone") + print_shares(alone, 8, whole);
+        out += path_heading("longest parts of the path") + print_shares(alone, 8, whole);
     return out;
 }
 

@@ -14,7 +14,7 @@ namespace placedpar {
 struct Explanation {
     RunReport report;
     std::map<std::string, Account> accounts; ///< key: process
-    /// Time that senders waited for receivers. Key: one direction of a link, "a.link[0] -> b.link[1]".
+    /// Time that senders waited for receivers. The key is one direction of a link, "a.link[0] -> b.link[1]".
     std::map<std::string, Time> waits_at_links;
     std::vector<PathPart> path;
     bool path_too_long = false;  ///< the path was too long to keep

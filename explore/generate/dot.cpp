@@ -18,7 +18,7 @@ namespace {
 struct DotWord {
     std::string text;
     bool is_mark = false;
-    bool is_quoted = false; ///< then it is not a keyword
+    bool is_quoted = false; ///< a quoted word is not a keyword
     std::size_t line = 0;
 
     bool is(std::string_view mark) const { return is_mark && text == mark; }
@@ -174,7 +174,7 @@ public:
             words_.refuse("expected \"{\" before the statements of the graph");
         read_statements({});
         if (!words_.peek().is_end())
-            words_.refuse("the file goes on after the end of the graph", "one file has one graph");
+            words_.refuse("the file continues after the end of the graph", "one file has one graph");
         return std::move(builder_.graph());
     }
 
@@ -184,8 +184,8 @@ private:
         GraphAttributes node, edge;
     };
 
-    /// Reads statements up to their "}", and returns all nodes in them. `defaults` is a copy, since those of a subgraph
-    /// end with it.
+    /// Reads statements up to their "}", and returns all nodes in them. `defaults` is a copy, because defaults that a
+    /// subgraph sets end with the subgraph.
     Nodes read_statements(Defaults defaults) {
         if (++depth_ > deepest_graph)
             words_.refuse(fmt::format("subgraphs are nested deeper than {} levels", deepest_graph));
@@ -273,7 +273,7 @@ private:
         if (name.is_mark)
             words_.refuse(name.is_end() ? "the graph is not closed: \"}\" is missing"
                                         : fmt::format("\"{}\" is not expected here", name.text));
-        while (words_.take_if(":")) // a port, and a compass point
+        while (words_.take_if(":")) // skips a port and a compass point
             words_.take();
         if (words_.peek().is("="))
             return {};

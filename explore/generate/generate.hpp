@@ -19,7 +19,8 @@ struct Generated {
 };
 
 /// Throws UserError if the topology or job is unknown, if the topology does not have this size, or if a processor would
-/// need more links than a transputer has. `problem`: what TopologyRequest::problem names; null if it is "".
+/// need more links than a transputer has. `problem` is the problem that TopologyRequest::problem names; null if it is
+/// "".
 Generated generate(const TopologyRequest&, const Catalogue&, const RecordedProblem* problem = nullptr);
 
 } // namespace placedpar::generate

@@ -15,7 +15,7 @@ using GraphAttributes = std::map<std::string, std::string>;
 struct GraphNode {
     std::string name;
     GraphAttributes attributes = {};
-    std::size_t line = 0; ///< of the file, counted from 1
+    std::size_t line = 0; ///< line of the file, counted from 1
 };
 
 struct GraphEdge {
@@ -33,7 +33,7 @@ struct Graph {
 /// These limits keep hostile input from costing time; a generated machine is smaller.
 inline constexpr std::size_t most_graph_elements = 100'000; ///< nodes and edges together
 inline constexpr std::size_t deepest_graph = 64;            ///< elements, brackets or subgraphs inside each other
-/// With all copies of defaults; an attribute counts once for each hundred bytes that it has.
+/// Includes all copies of defaults; an attribute counts once for each hundred bytes of its length.
 inline constexpr std::size_t most_graph_attributes = 10 * most_graph_elements;
 
 // These functions read a graph. Throw RefusedText, which shows the place of the error.
@@ -67,7 +67,7 @@ private:
     std::shared_ptr<const SourceFile> file_;
     Graph graph_;
     std::map<std::string, std::size_t> numbers_;
-    std::size_t attributes_ = 0; ///< counted so far
+    std::size_t attributes_ = 0; ///< number of attributes so far
 };
 
 } // namespace placedpar::generate

@@ -45,9 +45,9 @@ void require_equal(const GraphEdge& edge, const GraphEdge& opposite, const std::
     }
 }
 
-/// Joins pairs of edges in opposite directions, since a link carries both.
+/// Joins pairs of edges in opposite directions, since one link carries both directions.
 void join_directions(Graph& graph, const std::shared_ptr<const SourceFile>& file) {
-    std::multimap<std::pair<std::size_t, std::size_t>, std::size_t> single; // edges that no opposite edge has joined
+    std::multimap<std::pair<std::size_t, std::size_t>, std::size_t> single; // edges without an opposite edge so far
     std::vector<GraphEdge> kept;
     for (GraphEdge& edge : graph.edges) {
         const auto opposite = single.find({edge.to, edge.from});
@@ -102,8 +102,8 @@ void require_edges(const Graph& graph, const std::shared_ptr<const SourceFile>& 
                      hint);
 }
 
-/// Builds each node of more than four edges from two processors, which a wire joins. The second takes all edges after
-/// the third.
+/// Builds each node of more than four edges from two processors, which a wire joins. The first processor gets three
+/// edges, the second processor the others.
 void split_nodes(Graph& graph) {
     constexpr std::size_t edges_of_first = links_of_a_node - 1;
     const auto edges = edges_by_node(graph);
@@ -257,7 +257,7 @@ private:
             made_.attributes += fmt::format("connection wire[{}];\n{}", named, statements);
     }
 
-    /// Uses the next link of a node, and its next port.
+    /// Allocates the next free link and the next port of a node.
     WireEnd end_at(std::size_t node) {
         const std::size_t link = links_[node]++;
         return {fmt::format("[{}]", node), std::to_string(link), std::to_string(link)};
@@ -299,7 +299,7 @@ Topology topology_of_graph(const TopologyRequest& request, const Catalogue& cata
         join_directions(graph, file);
     if (request.split) {
         require_edges(graph, file, 2 * (links_of_a_node - 1),
-                      "two processors have six links beside the wire between them");
+                      "two processors have six links besides the wire between them");
         split_nodes(graph);
     }
     require_edges(graph, file, links_of_a_node,

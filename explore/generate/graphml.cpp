@@ -36,7 +36,7 @@ public:
 private:
     /// An element <node> or <edge>.
     struct Element {
-        std::map<std::string, std::string> stated; ///< in its tag
+        std::map<std::string, std::string> stated; ///< attributes in its tag
         std::size_t line = 0;
         GraphAttributes attributes = {};
         bool is_group = false; ///< a node with a graph inside
@@ -50,7 +50,7 @@ private:
             text_ += text;
     }
 
-    /// Takes the text of a label, which may have elements behind the text.
+    /// Stores the text of a label, which may have elements after the text.
     void note_label() {
         if (!inside_.empty() && inside_.back() == "NodeLabel" && !open_.empty() && !trimmed_text(text_).empty())
             open_.back().attributes["label"] = trimmed_text(text_);

@@ -27,7 +27,7 @@ std::string host_process(const ProblemStatements& problem) {
     return fmt::format("process host;\nuse \"ga.host\" for host;\nhost ({});\n", problem.host);
 }
 
-/// Returns the parameters that the record of a problem asks for.
+/// Returns the parameters that suit the record of a problem.
 std::string advised(const RecordAdvice& advice) {
     std::string text = advice.trials == 0 ? "" : fmt::format(", trials = {}", advice.trials);
     return advice.bias == 0 ? text : text + fmt::format(", bias = {:g}", advice.bias);

@@ -24,8 +24,8 @@ struct Box {
     std::size_t planes = 0, rows = 0, columns = 0;
 };
 bool has_three_dimensions(const TopologyRequest&);
-/// REQUIRES: has_three_dimensions(). Throws UserError unless there is at least one of each, and at most
-/// `most_processors` processors.
+/// REQUIRES: has_three_dimensions(). Throws UserError unless each number is at least 1, and the processors are at most
+/// `most_processors`.
 Box box_of(const TopologyRequest&);
 
 /// Returns the product of the numbers of the size.

@@ -29,7 +29,7 @@ struct Message {
 };
 
 struct Task {
-    std::string name; ///< of its process
+    std::string name; ///< name of its process
     std::string cycles;
     std::size_t processor = 0;
     std::vector<Message> messages = {};
@@ -73,7 +73,7 @@ private:
         throw RefusedText(faults_);
     }
 
-    /// Refuses the table at once if it has many faults, since the search for the nearest name takes long.
+    /// Adds a fault. Refuses the table at once if it has many faults, because the search for similar names takes long.
     void fault(const TextRow& row, const TextCell& cell, std::string message, std::string hint) {
         faults_.push_back(error_at(row.line, cell.column, std::move(message), std::move(hint)));
         if (faults_.size() >= most_faults)
@@ -147,7 +147,7 @@ private:
         task.messages.push_back({found->second, bytes});
     }
 
-    /// Reports a circle of tasks, which would wait for each other for ever.
+    /// Reports tasks in a circle, because they would wait for each other for ever.
     void require_order() {
         std::vector<std::size_t> waits_for(tasks_.size()), ready;
         for (const Task& task : tasks_)
@@ -166,7 +166,7 @@ private:
             std::ranges::find_if(waits_for, [](std::size_t left) { return left > 0; }) - waits_for.begin());
         const TextRow& row = table_.rows[stuck];
         fault(row, row.cells[task_],
-              fmt::format("the task \"{}\" is in or behind a circle of tasks", row.cells[task_].text),
+              fmt::format("the task \"{}\" is in a circle of tasks, or depends on one", row.cells[task_].text),
               "a task graph has no circles");
     }
 

@@ -7,7 +7,7 @@
 
 namespace placedpar::generate {
 
-/// One of the two ends of a wire, as expressions of the netlist language.
+/// One end of a wire, described by expressions of the netlist language.
 struct WireEnd {
     std::string at;   ///< subscripts of the processor at this end, "[r][c + 1]"
     std::string link; ///< number of the link, "1"
@@ -18,7 +18,7 @@ struct WireEnd {
 struct Wires {
     std::vector<std::string> loops; ///< "rep r = 0 for rows", the outermost first
     WireEnd from, to;
-    std::string name = ""; ///< of the `connection` of a wire that has attributes; "" if none
+    std::string name = ""; ///< name of the wire's `connection`; "" for a wire without attributes
 };
 
 /// The wires from the workstation to the processors of a topology.
@@ -42,7 +42,7 @@ struct Topology {
     HostWires host = {};
     std::string no_host = "";    ///< why no link is left for a wire to the host; "" if a link is left
     std::size_t nodes = 0;       ///< number of processors
-    std::string type = "T800";   ///< of the processors
+    std::string type = "T800";   ///< type of the processors
     std::string attributes = ""; ///< statements with attributes of single processors and wires; lines with a newline
 };
 

@@ -15,8 +15,8 @@ namespace {
 
 std::string local_name(std::string_view name) { return std::string(name.substr(name.find(':') + 1)); }
 
-/// Passes what expat finds on. An exception must not cross expat's functions, which are C: it is kept, and thrown when
-/// expat has returned.
+/// Passes the parts that expat finds to an XmlParts. An exception must not cross expat's functions, which are written
+/// in C, so it is stored, and thrown when expat has returned.
 class XmlReading {
 public:
     XmlReading(const std::shared_ptr<const SourceFile>& file, XmlParts& parts)

@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-/// Throws UserError for the first setting that was given although the way lacks it.
+/// Throws UserError for the first given setting that this way does not have.
 template <std::size_t n>
 void require_lacking(const std::array<std::pair<const char*, bool>, n>& settings, const char* why) {
     for (const auto& [name, given] : settings)

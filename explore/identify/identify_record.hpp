@@ -4,11 +4,12 @@
 
 namespace placedpar {
 
-/// Chooses the way if none was given. Throws UserError for numbers out of range and for settings that the way lacks.
+/// Chooses the way if none was given. Throws UserError for numbers out of range and for settings that the way does not
+/// have.
 void settle_way(IdentifySettings&);
 
-/// Evaluates a record by the way of the settings. Throws RefusedInput, UserError or UnfitRecord. REQUIRES: settle_way()
-/// has chosen the way.
+/// Evaluates a record in the way that the settings name. Throws RefusedInput, UserError or UnfitRecord. REQUIRES:
+/// settle_way() has chosen the way.
 IdentifyEnd identify_record(const IdentifySettings&, const RecordInput&, const IdentifyOutput&);
 
 } // namespace placedpar

@@ -14,8 +14,8 @@ namespace placedpar {
 /// Identifies the compliances in a record that is read in pieces, as the monitor does it.
 class Identifying {
 public:
-    /// Throws UserError for a wrong setting or a question that the first piece cannot answer. `warn` gets warnings
-    /// about the machine's constants.
+    /// Throws UserError for a wrong setting, or if the first piece lacks channels that the settings need. `warn` gets
+    /// warnings about the machine's constants.
     Identifying(const IdentifySettings& settings, const hydraulics::Record& first, const WarningSink& warn);
 
     hydraulics::LinkSet links() const { return links_; }
@@ -35,11 +35,11 @@ private:
 };
 
 identification::DiagnosisSettings settings_of(const IdentifySettings& settings);
-/// Returns whether the configuration of a record with these channels is to be recognised.
+/// Returns whether the configuration must be recognised from a record with these channels.
 bool moves(const IdentifySettings& settings, const hydraulics::ChannelSet& there);
 /// Returns the channels that a record must have.
 hydraulics::RecordNeeds needs_of_service(const IdentifySettings& settings);
-/// Returns how a machine whose configuration is recognised is identified.
+/// Returns the way of identifying a machine whose configuration is recognised.
 identification::WholeWay moving_way(const IdentifySettings& settings, std::size_t links);
 /// Throws UserError if a setting was given that needs a configuration.
 void require_no_fixed_settings(const IdentifySettings& settings);

@@ -21,7 +21,7 @@ namespace placedpar {
 /// Reads links by name, separated by commas. Throws UserError for an unknown link, and for a link that is named twice.
 hydraulics::LinkSet links_of(const std::string& links);
 
-/// Changes the settings of a way by those that were given. Way: DiagnosisSettings or IdentificationWay.
+/// Replaces the settings of a way by the given settings. Way: DiagnosisSettings or IdentificationWay.
 template <class Way>
 void change_way(Way& way, const IdentifySettings& given) {
     way.bits = given.bits.value_or(way.bits);

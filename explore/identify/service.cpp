@@ -23,7 +23,7 @@ using namespace identification;
 
 namespace {
 
-/// Prints movements, and keeps them for JSON if the output wants them.
+/// Prints movements, and stores them for JSON if the output needs them.
 class MovementList {
 public:
     /// REQUIRES: the output outlives the list.
@@ -71,7 +71,7 @@ void report(const Identifying& identifying, MovementList&& movements, const Iden
     output.json["movements"] = std::move(movements).json();
 }
 
-/// Reports the results of a record that has been read to its end, or has been stopped.
+/// Reports the results when the record ends or is stopped.
 IdentifyEnd end(Identifying& identifying, MovementList&& movements, const RecordStream& pieces,
                 const IdentifyOutput& output) {
     movements.show(identifying.end());

@@ -23,7 +23,7 @@ using namespace identification;
 
 namespace {
 
-/// Returns the way, changed by the settings that were typed.
+/// Returns the way, with the user's settings in place of its defaults.
 IdentificationWay way_of(const IdentifySettings& settings, IdentificationWay way) {
     change_way(way, settings);
     if (!settings.coding.empty())
@@ -129,7 +129,7 @@ boost::json::object cost_json(const SearchCost& cost) {
             {"t800_16_s", cost.seconds_on_16}};
 }
 
-/// What both ways report before the search's own results.
+/// The results that both ways report before the results of the search.
 struct Begun {
     Case asked;
     ComplianceSearch prepared;

@@ -20,23 +20,23 @@ namespace placedpar {
 class RecordStream {
 public:
     virtual ~RecordStream() = default;
-    /// Returns the next piece, or nullopt when the record is over. Throws the refusal of a wrong record.
+    /// Returns the next piece, or nullopt when the record is over. Throws an exception for a wrong record.
     virtual std::optional<hydraulics::Record> next() = 0;
     virtual std::uint64_t bytes() const = 0; ///< number of bytes read so far
     virtual bool stopped() const = 0;        ///< the caller has ended the record early
     virtual const std::vector<Diagnostic>& warnings() const = 0;
 };
 
-/// A record to be identified. One of the functions is called, once.
+/// A record to be identified. Only one of the functions is called, and only once.
 struct RecordInput {
     std::function<LoadedRecord(const hydraulics::RecordNeeds&)> whole;
     std::function<std::unique_ptr<RecordStream>(hydraulics::RecordNeeds)> pieces;
 };
 
-/// What receives the results of an identification.
+/// Receives the results of an identification.
 struct IdentifyOutput {
-    boost::json::object& json;                        ///< gets the results as `placedpar identify --json` writes them
-    bool keeps_movements;                             ///< false: `json` gets no movements, so that memory does not grow
+    boost::json::object& json; ///< receives the results, in the form of `placedpar identify --json`
+    bool keeps_movements;      ///< false if `json` must not contain movements, so that memory does not grow
     std::function<void(const std::string&)> print;    ///< text for people
     WarningSink warn;                                 ///< warnings about the machine's constants
     std::function<void(const std::string&)> progress; ///< called after each piece of a record
@@ -57,7 +57,7 @@ IdentifyEnd identify_moving(const IdentifySettings&, hydraulics::Record first, R
 /// standard error that the record's noise allows, and the cost on T800s.
 IdentifyEnd identify_over_whole(const IdentifySettings&, const RecordInput&, const IdentifyOutput&);
 
-/// The result of the way "thesis", as text and JSON have it.
+/// The result of the way "thesis", as text and as JSON.
 struct ThesisAnswer {
     identification::IdentificationWay way;
     identification::ComplianceSearch prepared;

@@ -13,7 +13,7 @@
 
 namespace placedpar {
 
-/// How many machines a reason made infeasible.
+/// The number of machines that are infeasible for one reason.
 struct Infeasible {
     std::size_t machines = 0;
     std::string said = {}; ///< full text of the reason, for the first of these machines

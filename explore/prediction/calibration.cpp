@@ -49,7 +49,7 @@ Network network_to_measure(const std::string& text, const Catalogue& catalogue) 
     return std::move(*read.network);
 }
 
-/// Returns a search of a problem on one core. A computation costs it 1000 cycles for each error in a simulated run.
+/// Returns a netlist with a search on one core. In a simulated run, each error takes 1000 cycles.
 std::string search_of(const std::string& problem, std::size_t generations) {
     return fmt::format("core (clock = 1000M) c[2]; shared_memory m;\n"
                        "rep i = 0 for 2 connect c[i].bus[0] to m.slot[i + 1];\n"
@@ -71,7 +71,7 @@ std::string farm_of(std::size_t population) {
         population);
 }
 
-/// Lets this thread, and the threads that it starts, run on every core. mpirun binds each rank to one.
+/// Lets this thread, and the threads that it starts, run on every core, because mpirun binds each rank to one core.
 class OnEveryCore {
 public:
     OnEveryCore() {
@@ -122,7 +122,7 @@ private:
         return settings_.is_interrupted() ? MeasuredCost{} : cost_of(std::move(values));
     }
 
-    /// `switches` and `matches`: measure a number of switches, or a match, in nanoseconds.
+    /// `switches` measures a number of switches, and `matches` a ping-pong match, in nanoseconds.
     template <class Switches, class Matches>
     MessageCosts measure_messages(const std::string& where, Switches switches, Matches matches) {
         constexpr std::size_t large = 256 * 1024;
@@ -193,7 +193,7 @@ private:
     KindsToMeasure kinds_;
 };
 
-/// Returns what the system calls the processor.
+/// Returns the system's name of the processor.
 std::string name_of_processor() {
     std::ifstream file("/proc/cpuinfo");
     for (std::string line; std::getline(file, line);)

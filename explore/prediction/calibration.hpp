@@ -18,32 +18,33 @@ struct MeasuredCost {
 /// REQUIRES: at least 6 values; with fewer, no interval has this probability.
 MeasuredCost cost_of(std::vector<double> nanoseconds);
 
-/// What a search costs on one thread.
+/// The cost of a search on one thread.
 struct ProblemCost {
     std::string problem;     ///< as in `problem = "..."`
-    MeasuredCost error;      ///< an individual's error at a sample, or its objective
-    MeasuredCost individual; ///< everything else of a generation, for each individual: mostly breeding
+    MeasuredCost error;      ///< computing an individual's error at one sample, or its objective
+    MeasuredCost individual; ///< the rest of a generation, mostly breeding, for each individual
 };
 
-/// What messages cost in native runs.
+/// The costs of messages in native runs.
 struct MessageCosts {
-    MeasuredCost switching;      ///< from a process to the next
+    MeasuredCost switching;      ///< switch from one process to the next
     MeasuredCost there_and_back; ///< a message between processes of a thread or rank
-    MeasuredCost across;         ///< ... between two threads or ranks that are awake
-    MeasuredCost kilobyte;       ///< 1024 bytes of a message that a thread or rank takes over from another
+    MeasuredCost across;         ///< a message between two threads or ranks that are awake
+    MeasuredCost kilobyte;       ///< 1024 bytes of a message between two threads or ranks
 };
 
-/// What native runs cost on this computer.
+/// The costs of native runs on this computer.
 struct Calibration {
     std::string processor; ///< the name of the host's processor
     std::string date;      ///< "2026-11-29"
     std::size_t repetitions = 0;
     MessageCosts threads;
     MeasuredCost across_asleep; ///< a message there and back between two threads that sleep
-    MeasuredCost string;        ///< an individual in a task and its result, beyond the message
+    MeasuredCost
+        string; ///< packing and unpacking an individual in a task and in the result, without the message itself
     std::vector<ProblemCost> problems;
-    std::optional<MessageCosts> ranks; ///< set if they were measured
-    MeasuredCost oversleeping;         ///< by how much a pause of a rank lasts longer than asked
+    std::optional<MessageCosts> ranks; ///< set if ranks were measured
+    MeasuredCost oversleeping;         ///< how much longer a pause of a rank lasts than requested
 
     /// Returns whether threads or ranks that are awake take so long to answer that they fall asleep. Other programs
     /// then use the cores, and the costs predict nothing.
@@ -51,21 +52,22 @@ struct Calibration {
 };
 
 struct CalibrationSettings {
-    std::size_t repetitions = 15;                                                 ///< at least 6
-    std::vector<std::string> problems;                                            ///< as in a netlist
-    std::function<void(const std::string&)> progress = [](const std::string&) {}; ///< called with what is measured next
-    /// Asked between measurements.
+    std::size_t repetitions = 15;      ///< at least 6
+    std::vector<std::string> problems; ///< as in a netlist
+    std::function<void(const std::string&)> progress = [](const std::string&) {
+    }; ///< called with the name of the next measurement
+    /// Called between measurements; the measurement ends if it returns true.
     std::function<bool()> is_interrupted = [] { return false; };
     /// Two ranks of mpirun, between which messages are measured, too; null: only threads are measured. REQUIRES: this
     /// is rank 0, and rank 1 calls help_to_measure().
     Ranks* ranks = nullptr;
 };
 
-/// Measures by native runs. Returns an empty list of problems if it was interrupted. Throws UserError for an unknown
+/// Measures the costs by native runs. Returns an empty list of problems if interrupted. Throws UserError for an unknown
 /// problem.
 Calibration measure_computer(const CalibrationSettings&);
 
-/// Helps rank 0 to measure. Returns when it has measured.
+/// Takes part in the measurements of rank 0. Returns when rank 0 has finished.
 void help_to_measure(Ranks&);
 
 /// Returns a netlist include that describes the computer: a type `this_core` of nodes, a type `this_memory` through

@@ -32,7 +32,7 @@ const std::string* problem_of(const ProcessInstance& process) {
     return problem == process.parameters.end() ? nullptr : std::get_if<std::string>(&problem->second);
 }
 
-/// Returns the directive that includes a file. Throws UserError if the language has no way to write its name.
+/// Returns the directive that includes a file. Throws UserError if the language cannot express the file's name.
 std::string include_of(const std::filesystem::path& path) {
     const std::string name = std::filesystem::absolute(path).string();
     if (name.find_first_of("\"\\\n\r") != std::string::npos)
@@ -42,7 +42,7 @@ std::string include_of(const std::filesystem::path& path) {
     return fmt::format("#include \"{}\"\n", name);
 }
 
-/// The costs that a calibration states.
+/// Gives access to the costs in a calibration file.
 class StatedCosts {
 public:
     /// Throws UserError if the file cannot be read, or is not an include.
@@ -67,8 +67,8 @@ public:
             refuse("it does not describe a computer");
     }
 
-    /// Returns the value of a parameter of a process, as an expression of the netlist; nothing if the process keeps its
-    /// value.
+    /// Returns the calibrated value of a process's parameter, as an expression of the netlist; nothing if the parameter
+    /// keeps its value.
     std::optional<std::string> value_of(const std::string& parameter, const ProcessInstance& process) const {
         if (parameter == "cycles_per_error")
             return of_problem("error", process);
@@ -126,7 +126,7 @@ Node node_of(const Catalogue& devices, std::string_view model, std::string type,
     return node;
 }
 
-/// The words for one kind of places.
+/// The words for threads or for ranks.
 struct PlaceWords {
     native::Places places; ///< for messages
     const char *node, *core, *memory;
@@ -138,7 +138,7 @@ PlaceWords words_for(const PredictedPlaces& places) {
     return {{places.count, "thread", "--threads"}, "thread", "this_core", "this_memory"};
 }
 
-/// Returns the network with its processes on cores, without the costs that its parameters state.
+/// Returns the network with its processes on cores, and without the costs in its parameters.
 Network on_cores(const Network& network, const PredictedPlaces& predicted) {
     const Catalogue devices;
     Network result;
@@ -163,7 +163,7 @@ Network on_cores(const Network& network, const PredictedPlaces& predicted) {
     return result;
 }
 
-/// Moves the costs of a process from its parameters to the end of the text.
+/// Replaces the costs in a process's parameters by statements at the end of the text.
 void move_costs(ProcessInstance& process, const StatedCosts& costs, std::string& text) {
     std::string list;
     for (const auto& [parameter, stated] : process.parameters)

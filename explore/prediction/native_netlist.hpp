@@ -18,13 +18,13 @@ struct PredictedPlaces {
     std::size_t count = 1; ///< at least 1
 };
 
-/// Describes a native run of the network on these places, as a netlist that can be simulated: the places are cores with
-/// the costs in `calibration`, a file that print_calibration() has made, and the searches cost what they cost there.
+/// Describes a native run of the network on these places, as a netlist that can be simulated: the places become cores,
+/// and their costs and the costs of the searches come from `calibration`, a file that print_calibration() has made.
 /// Computations of other kinds take no time, as in a native run. There are at most as many threads as nodes with
 /// processes.
 ///
-/// Throws UserError if the network cannot run natively there, if the file cannot be read, or if it lacks ranks or a
-/// problem.
+/// Throws UserError if the network cannot run natively on these places, if the file cannot be read, or if the file has
+/// no costs of ranks or of a problem.
 std::string native_netlist(const Network&, const PredictedPlaces&, const std::filesystem::path& calibration);
 
 /// Returns whether the file describes such places. Throws as native_netlist().
@@ -35,7 +35,8 @@ struct PredictedTime {
     Time time;
 };
 /// Returns the predicted times of native runs on 1, 2, 3, 4, 6, 8, 12, 16 and so on threads or ranks, as far as the
-/// network has processors. An interruption leaves some out. Throws as native_netlist(), and what the processes throw.
+/// network has processors. After an interruption, the list is incomplete. Throws as native_netlist(), and what the
+/// processes throw.
 std::vector<PredictedTime> predict_times(const Network&, PredictedPlaces::Kind,
                                          const std::filesystem::path& calibration, std::uint64_t seed,
                                          const Interruption&);

@@ -29,15 +29,16 @@ double waking_ns(const Calibration& c) {
     return both > nanoseconds(native::most_patience) ? both / 2 : both;
 }
 
-/// Returns the bytes of an individual whose copies in the model take as long as was measured. The model copies them
-/// four times, at 1.5 cycles a byte: into and out of the task, into and out of the result.
+/// Returns the number of bytes for which copying an individual takes as long in the model as in the measurement. The
+/// model copies them four times, at 1.5 cycles a byte: into and out of the task, into and out of the result.
 std::int64_t string_bytes(const Calibration& c) {
     constexpr double copies = 4 * 1.5;
     return std::clamp<std::int64_t>(std::llround(static_cast<double>(cycles(c.string.median)) / copies), 1, 65536);
 }
 
-/// Returns the declaration of the cores or ranks, but for their sleep. A message there and back in one of them is four
-/// inputs or outputs and two switches; between two, two switches and two inputs or outputs one after the other.
+/// Returns the declaration of the cores or ranks, without the parameters of sleep. A message there and back within one
+/// core takes four inputs or outputs and two switches. Between two cores it takes two switches, and two inputs or
+/// outputs that follow each other.
 std::string print_core(const MessageCosts& c, Time patience) {
     const double within = (c.there_and_back.median - 2 * c.switching.median) / 4;
     const double across = c.across.median / 2 - c.switching.median;
@@ -58,7 +59,7 @@ std::string print_threads(const Calibration& c) {
 }
 
 std::string print_ranks(const Calibration& c) {
-    return "\n/* the ranks of mpirun, and what their messages go through */\n" +
+    return "\n/* the ranks of mpirun, and the network between them */\n" +
            print_core(*c.ranks, native::most_patience_of_rank) +
            fmt::format("oversleeping = {}) this_rank;\n", std::max<std::int64_t>(cycles(c.oversleeping.median), 1)) +
            print_memory(*c.ranks, "this_network");

@@ -26,8 +26,8 @@ private:
 
     StudyResults& results_;
     const Study* study_;
-    std::map<std::string, std::map<std::string, std::string>> known_, ///< chosen spelling; keys: name, then text
-        of_runs_;                                                     ///< chosen spelling; keys: name, then meaning
+    std::map<std::string, std::map<std::string, std::string>> known_, ///< chosen spelling, by name and text
+        of_runs_;                                                     ///< chosen spelling, by name and meaning
     bool differ_ = false; ///< whether some run has a spelling that was not chosen
 };
 

@@ -66,8 +66,8 @@ private:
 /// lists all measures of the run.
 std::string there_is_no_measure(const StudyMeasure&, const StudyFigures&);
 
-/// The measures that runs of these networks may have, as far as can be told before the runs. Measures that only some
-/// runs have are included.
+/// The measures that runs of these networks may have, as far as the netlists show it. Measures that only some runs have
+/// are included.
 class PossibleMeasures {
 public:
     void add(const Network&, const Catalogue&, const ProblemRegistry&);

@@ -10,8 +10,8 @@
 
 namespace placedpar {
 
-/// Hands out the runs of a sweep from rank 0 to the other ranks (rank_helper.hpp); only rank 0 has the results. The
-/// destructor waits until all other ranks have ended their help, also after an exception.
+/// Distributes the runs of a sweep from rank 0 to the other ranks (rank_helper.hpp); only rank 0 has the results. The
+/// destructor waits until all other ranks have stopped helping, even after an exception.
 class RankZero {
 public:
     /// REQUIRES: the ranks outlive this object.
@@ -23,7 +23,7 @@ public:
     /// Tells the other ranks to begin. REQUIRES: the sweep makes runs of this source, and outlives this object.
     void begin(StudySweep& sweep, const StudySource&);
     /// Answers the requests of the other ranks and keeps the outcomes of their runs; `stopped` ends these runs early.
-    /// Returns false when all ranks have ended. Throws UserError if a rank cannot go on, or an outcome cannot be kept.
+    /// Returns false when all ranks have ended. Throws UserError if a rank fails, or if an outcome cannot be stored.
     /// REQUIRES: begin() was called.
     bool serve(bool stopped);
     /// Returns the number of runs that were handed out and have not ended. After serve() has returned false, these are

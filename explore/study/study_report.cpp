@@ -52,7 +52,7 @@ std::string print_whole(const StudySummary& summary) {
 }
 
 struct RowOfRun {
-    std::vector<std::string> values; ///< of the axes
+    std::vector<std::string> values; ///< values of the axes
     StudiedRun run;
 };
 

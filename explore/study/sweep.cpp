@@ -38,7 +38,7 @@ public:
         said_.insert(refused.what());
     }
     std::uint64_t count() const { return count_; }
-    /// Returns whether other combinations may be readable: few have been refused, or the reasons differ.
+    /// Returns whether other combinations may still be readable: only few have been refused, or the reasons differ.
     bool leave_hope() const { return count_ < most_read || (said_.size() > 1 && count_ < most_refused); }
     void rethrow_first() const { std::rethrow_exception(first_); }
 

@@ -123,7 +123,7 @@ Policy make_policy(const std::vector<double>& values) {
 }
 
 /// Returns the result of `work`, which is user-defined code. If `work` throws anything, throws UserError. Its message
-/// is the text of whose(), then that of the exception.
+/// is the text of whose(), followed by the text of the exception.
 template <class Whose, class Work>
 auto tried(const Whose& whose, const Work& work) {
     try {

@@ -21,9 +21,9 @@ bool RouletteWheel::empty() const { return ends_.empty() || ends_.back() < std::
 std::size_t RouletteWheel::sector(double turn) const { return sectors({turn}).front(); }
 
 std::vector<std::size_t> RouletteWheel::sectors(std::vector<double> balls) const {
-    // A ball is in the first sector that ends beyond it, so never in one of width 0. The last sector ends beyond every
-    // ball: a ball is at most 1 - 2^-32 turns from the start, so its product with the last end is below the last end,
-    // even when rounded.
+    // A ball is in the first sector that ends beyond it, so never in a sector of width 0. The last sector ends beyond
+    // every ball: a ball is at most 1 - 2^-32 turns from the start, so its product with the last end is below the last
+    // end, even when rounded.
     for (double& ball : balls)
         ball *= ends_.back();
     // This is std::upper_bound for all balls side by side. For a single ball, each halving would wait for the previous

@@ -26,7 +26,7 @@ struct PlacedIsland {
 /// A topology that the netlist names, applied to all islands.
 struct NamedTopology {
     Neighbours neighbours;
-    std::string does_not_fit; ///< reason why the topology cannot have so many islands; "" if it can
+    std::string does_not_fit; ///< reason why the topology cannot have this number of islands; "" if it can
 };
 
 /// The islands of a netlist: the processes of the kind ga.island. Islands are numbered from 0 in the order of their
@@ -59,8 +59,8 @@ private:
     Neighbours neighbours_;
     std::map<std::string, NamedTopology> topologies_;
     std::vector<std::vector<std::size_t>> parts_;
-    std::vector<std::size_t> samples_needed_;    ///< by part
-    std::map<std::size_t, std::size_t> numbers_; ///< by process
+    std::vector<std::size_t> samples_needed_;    ///< samples_needed_around() of each part
+    std::map<std::size_t, std::size_t> numbers_; ///< number of each island, by process
 };
 
 /// Returns the archipelago that all islands of a network share. REQUIRES: the network outlives the archipelago and does

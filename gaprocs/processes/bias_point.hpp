@@ -18,7 +18,8 @@ public:
     BiasPointEnd(const ProcessEnvironment&, RecodedProblem&, const Workload&);
 
     void before_generation();
-    /// In a coarse search, sends the bias point. `best`: the best individual of the generation, as the search bred it.
+    /// In a coarse search, sends the bias point. `best` is the best individual of the generation, in the coding of the
+    /// coarse search.
     void after_generation(const Genome& best);
 
 private:

@@ -18,7 +18,7 @@ namespace placedpar {
 
 namespace {
 
-/// Reports the objective without penalty, and by how much the individual violates the constraints.
+/// Reports the objective without penalty, and the total violation of the constraints.
 void measure_constrained(ProcessEnvironment& environment, const Objective& objective, const Merit& merit) {
     if (merit.feasible)
         environment.measure("best_objective", objective.goal == Goal::maximise ? 0 - merit.costs[0] : merit.costs[0],

@@ -102,7 +102,7 @@ void Farm::rehearse_on_demand(std::span<const Genome> population, std::vector<do
     });
 }
 
-/// Sends each slave as many tasks as it may have unanswered.
+/// Sends tasks to each slave until it has the largest allowed number of unanswered tasks.
 void Farm::deal_to_slaves(Dealer& dealer, Task::Kind kind, std::span<const Genome> population) {
     for (std::size_t task = 0; task < settings_.tasks_under_way; ++task)
         for (std::size_t slave : in_turn_)

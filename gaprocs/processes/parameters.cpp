@@ -54,8 +54,8 @@ std::vector<Genome> read_initial_population(const ProcessEnvironment& environmen
 std::size_t bits_of_field(const std::string& word) {
     std::size_t bits = parse_number<std::size_t>(word).value_or(0);
     if (bits < 1 || bits > 63)
-        throw UserError(
-            fmt::format("expected the bits of each field, numbers from 1 to 63 such as \"2 7 7\", not \"{}\"", word));
+        throw UserError(fmt::format(
+            "expected the number of bits of each field, from 1 to 63 each, such as \"2 7 7\", not \"{}\"", word));
     return bits;
 }
 

@@ -161,7 +161,7 @@ std::vector<MeasurementDescription> individual_measurements(const std::string& w
     return {
         {"best_fitness", "(unit of the error)^2", "of " + whose},
         {"best_objective", "the problem's", "for a problem without a record: the best objective of all generations"},
-        {"violation", "", "for a problem with constraints: by how much that individual violates them, in all"},
+        {"violation", "", "for a problem with constraints: total violation of the constraints by that individual"},
         {"known_optimum", "the problem's", "the best possible objective, if the problem knows it"},
         {"the problem's parameters", "", "as decoded from " + whose},
     };

@@ -12,7 +12,7 @@ namespace placedpar {
 
 namespace {
 
-/// What a packed event begins with.
+/// The first byte of a packed event.
 enum class SentKind : std::uint8_t { generation, migration, answer, state };
 
 template <class... Parts>
@@ -35,7 +35,7 @@ std::vector<RealRange> ranges_of(const RealVector& reals) {
     return ranges;
 }
 
-/// Returns what makes a representation: its ranges for real vectors, else its size.
+/// Returns the data from which a representation can be made: the ranges of real vectors, otherwise the size.
 std::pair<std::uint64_t, std::vector<RealRange>> parts_of(const Representation& representation) {
     switch (representation.kind()) {
     case StringKind::binary: return {representation.bits(), {}};

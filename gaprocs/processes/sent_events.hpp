@@ -12,7 +12,7 @@
 
 namespace placedpar {
 
-/// Packs the events of searches and sends them away, to where tell_event() passes them to another observer.
+/// Packs the events of searches and sends them to rank 0, where tell_event() passes them to an observer.
 class SentEvents final : public SearchObserver {
 public:
     explicit SentEvents(std::function<void(MessageBytes)> send) : send_(std::move(send)) {}
@@ -24,7 +24,8 @@ private:
     std::function<void(MessageBytes)> send_;
 };
 
-/// Sends the states of searches away, to where tell_event() keeps them. The searches go on from other checkpoints.
+/// Sends the states of searches to rank 0, where tell_event() stores them. The searches themselves continue from
+/// `begun`.
 class SentCheckpoints final : public Checkpoints {
 public:
     /// REQUIRES: `begun` outlives this object.
@@ -39,8 +40,9 @@ private:
     std::function<void(MessageBytes)> send_;
 };
 
-/// Passes what SentEvents or SentCheckpoints has packed to an observer or to the checkpoints. Throws NoMessage, and
-/// what these throw. REQUIRES: the observer is not null, nor are the checkpoints if other ranks keep states.
+/// Unpacks a message of SentEvents or SentCheckpoints, and passes it to the observer or the checkpoints. Throws
+/// NoMessage, and rethrows their exceptions. REQUIRES: the observer is not null; if other ranks send states, neither
+/// are the checkpoints.
 void tell_event(std::span<const std::uint8_t> packed, SearchObserver*, Checkpoints*);
 
 } // namespace placedpar

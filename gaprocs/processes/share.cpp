@@ -6,7 +6,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the number of units of work that the master keeps, of `units` in all.
+/// Returns the number of units of work, out of `units`, that the master keeps.
 std::size_t master_units(std::size_t units, std::size_t slaves, double own_share) {
     if (slaves == 0)
         return units;

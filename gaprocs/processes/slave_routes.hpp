@@ -24,8 +24,9 @@ public:
     };
     /// Returns the first hop towards a slave.
     Hop to(std::size_t slave) const;
-    /// Returns the slaves 0 ... `slaves` - 1 in the order in which tasks are sent: the slaves with address 0, then
-    /// those with address 1, and so on. So the first tasks go to different channels, and all links are soon busy.
+    /// Returns the slaves 0 ... `slaves` - 1 in the order in which tasks are sent: first the slaves with address 0,
+    /// then the slaves with address 1, and so on. So the first tasks go to different channels, and all links are soon
+    /// busy.
     std::vector<std::size_t> in_turn(std::size_t slaves) const;
 
 private:

@@ -42,7 +42,7 @@ struct ParameterField {
 /// The coding of all parameters in one binary string, as consecutive fields (thesis eq. 1.6).
 class ParameterCoding {
 public:
-    /// The largest number of bits in a field; a double holds every whole number of so many bits.
+    /// The largest number of bits in a field; a double can represent every whole number with this number of bits.
     static constexpr std::size_t most_bits = 52;
 
     /// Throws std::invalid_argument if there are no fields, or if the `bits` of a field are outside 1 ... `most_bits`.
@@ -87,7 +87,7 @@ public:
     }
 
 private:
-    /// What value() needs of a field. `first` is the position of its first bit in the string.
+    /// The data of a field that value() uses. `first` is the position of its first bit in the string.
     struct Field {
         std::size_t first, bits;
         double low, resolution;

@@ -123,7 +123,7 @@ Genome read_string(const Permutation& permutation, std::string_view text) {
     std::vector<bool> there(order.size());
     for (std::size_t each : order) {
         if (each >= order.size() || there[each])
-            throw UserError(fmt::format("{} {}, expected each of 0 to {} once", each,
+            throw UserError(fmt::format("{} {}; a permutation has each number from 0 to {} once", each,
                                         each < order.size() ? "occurs twice" : "is not an element", order.size() - 1));
         there[each] = true;
     }

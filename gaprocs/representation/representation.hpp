@@ -13,7 +13,7 @@ namespace placedpar {
 
 class RandomStream;
 
-/// What a string consists of. It determines how strings can be crossed and mutated.
+/// The kind of elements that a string has. It determines how strings can be crossed and mutated.
 enum class StringKind : unsigned char { binary, real, permutation };
 
 /// Returns "binary strings", "real vectors" or "permutations".

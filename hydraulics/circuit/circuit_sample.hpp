@@ -24,9 +24,9 @@ struct CircuitSample {
 };
 
 /// Returns a sample for every instant of the record at which the slopes are known: two samples precede it and two
-/// follow it without a gap. Slopes are those of lines fitted to 5 samples (line_fit.hpp). Throws UnfitRecord, which
-/// names the missing channel and the channels present, if the record lacks the pressure, the angle or the source of the
-/// areas of a link of the circuit.
+/// follow it without a gap. A slope is the slope of the line fitted to 5 samples (line_fit.hpp). Throws UnfitRecord,
+/// which names the missing channel and the channels present, if the record lacks the pressure, the angle or the source
+/// of the areas of a link of the circuit.
 std::vector<CircuitSample> circuit_samples(const Record& record, const Circuit& circuit,
                                            const LinkCalibrations& calibrations);
 

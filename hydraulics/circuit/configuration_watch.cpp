@@ -9,16 +9,16 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-// Ours, tuned on fifty random jobs.
+// We chose these values, and tuned them on fifty random jobs.
 constexpr double longest_step_s = 0.0004;
-constexpr double laminar_psi = 20;      ///< at least this, so that the step is stable
+constexpr double laminar_psi = 20;      ///< smaller values would make the step unstable
 constexpr double least_gain = 4000;     ///< (in^3/s)^2 by which another position must lower the misfit
-constexpr double misfit_left = 0.2;     ///< of the misfit that it may leave
+constexpr double misfit_left = 0.2;     ///< largest share of the misfit that may remain
 constexpr double doubt = 0.2;           ///< weight of a gain if no pressure was near a limit
-constexpr double near_share = 0.7;      ///< of a limit
-constexpr double largest_square = 1e4;  ///< of one flow, so that one wild reading decides nothing
+constexpr double near_share = 0.7;      ///< share of a limit from which a pressure counts as near
+constexpr double largest_square = 1e4;  ///< limits one flow's squared error, so that a wild reading decides nothing
 constexpr double back_in3_per_s = -5;   ///< oil that leaves a cylinder faster shows an open outlet
-constexpr double smoothing = 0.3;       ///< of the oil's flow, a reading
+constexpr double smoothing = 0.3;       ///< weight of a new reading in the smoothed flow of oil
 constexpr double outlet_shuts_s = 0.75; ///< six times the pilot valve's lag
 constexpr double steepest = 1;          ///< greatest change of a bypass's flow with that into the link
 constexpr double least_inlet_in2 = 0.02, least_flow_in3_per_s = 10;

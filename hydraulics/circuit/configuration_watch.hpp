@@ -18,9 +18,9 @@ struct ValveReading {
 /// The state and the flows of the main valve between two successive readings.
 struct ValveInterval {
     ValveReading end{};
-    Configuration configuration = Configuration::a; ///< at the end
-    PerLink<double> junction_psi{};                 ///< at the end
-    ValveFlows mean{};                              ///< without relief
+    Configuration configuration = Configuration::a; ///< at the end of the interval
+    PerLink<double> junction_psi{};                 ///< at the end of the interval
+    ValveFlows mean{};                              ///< mean flows, without the relief valve's flow
     double misfit = 0;                              ///< sum over the links of (oil - mean.inlet)^2
     PerLink<double> oil_in3_per_s{};                ///< flow that moves the piston and expands the hose, smoothed
     PerLink<double> forward_s{};                    ///< time since oil last left the cylinder
@@ -52,9 +52,10 @@ public:
     /// Returns the links into which oil flows all through the last `span` intervals, and that have moved forward for
     /// so long that their outlets are shut. Returns none if the configuration has changed.
     LinkSet driven() const;
-    /// Returns the means over the last `span` intervals as samples of this circuit. What the circuit leaves out is in
-    /// the piston's flow and in the bypass: the oil stored in pipes, the valves of links at rest, and the flows into
-    /// other links. Returns nullopt if the readings contradict the circuit. REQUIRES: driven() contains its links.
+    /// Returns the means over the last `span` intervals as samples of this circuit. Flows that the circuit does not
+    /// have are added to the piston's flow and to the bypass: the oil stored in pipes, the valves of links at rest, and
+    /// the flows into other links. Returns nullopt if the readings contradict the circuit. REQUIRES: driven() contains
+    /// its links.
     std::optional<std::vector<LinkSample>> samples(const Circuit&) const;
 
 private:
@@ -72,7 +73,7 @@ private:
     PerLink<double> compliance_in3_per_psi_;
     double period_s_;
     ValveInterval last_;
-    std::vector<ValveInterval> recent_; ///< at most span + 1, oldest first; of the first only its end matters
+    std::vector<ValveInterval> recent_; ///< at most span + 1 intervals, oldest first; only the end of the first is used
 };
 
 } // namespace placedpar::hydraulics

@@ -14,7 +14,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// The scales of the solver's variables: k and Q in hundreds, P_e in tens of psi, so that all are of order 1.
+/// The scales of the solver's variables: k and Q in hundreds, P_e in tens of psi, so that all variables are of order 1.
 constexpr double flow_scale = 100, tank_scale = 10;
 
 Eigen::VectorXd scaled(const FlowConstants& constants) {

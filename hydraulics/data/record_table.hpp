@@ -33,7 +33,7 @@ struct RecordChannel {
 
 /// A column whose name in the file is not the name of its channel.
 struct ColumnName {
-    std::string in_file; ///< with its unit or without
+    std::string in_file; ///< name of the column in the file, with or without its unit
     RecordChannel channel;
     std::string unit; ///< replaces the unit in the file; "": the unit in the file
 };

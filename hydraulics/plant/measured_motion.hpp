@@ -11,9 +11,9 @@ namespace placedpar::hydraulics {
 struct MeasuredState {
     double time_s;
     double inlet_psi;           ///< at the valve's end of the hose, where the sensor is
-    double inlet_cylinder_psi;  ///< at the cylinder's end
+    double inlet_cylinder_psi;  ///< at the cylinder's end of the hose
     double outlet_psi;          ///< at the valve's end of the drain side's hose
-    double outlet_cylinder_psi; ///< at the cylinder's end
+    double outlet_cylinder_psi; ///< at the cylinder's end of the drain side's hose
     double piston_in;           ///< 0 at the start
     double velocity_in_per_s;
     double spool_in;

@@ -15,7 +15,7 @@ struct MeasurementNoise {
     double pressure_psi = 0;
     double angle_deg = 0;
     double spool_in = 0;
-    double area_share = 0; ///< for measured areas of orifices, as a share of the area
+    double area_share = 0; ///< noise of measured orifice areas, as a share of the area
 };
 
 /// Reads the rows noise.*.

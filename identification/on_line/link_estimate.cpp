@@ -20,7 +20,7 @@ void push_bounded(std::vector<double>& values, double value, std::size_t limit) 
 
 bool agree(const std::vector<double>& values, double their_median, double step, double within) {
     auto [least, greatest] = std::ranges::minmax(values);
-    // A difference of twice the search's resolution still counts as agreement.
+    // Values that differ by at most twice the search's resolution always count as equal.
     return greatest - least <= std::max(within * their_median, 2 * step);
 }
 

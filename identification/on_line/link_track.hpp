@@ -18,7 +18,7 @@ public:
     /// The sums of the readings of a sample that is not complete yet.
     struct Sums {
         double inlet_psi = 0, angle_deg = 0;
-        double spool_in = 0;                  ///< as read, or as computed from the voltage
+        double spool_in = 0;                  ///< measured, or computed from the voltage
         double inlet_in2 = 0, bypass_in2 = 0; ///< areas, if they are read
         std::size_t readings = 0;
         bool areas = false; ///< whether areas are read

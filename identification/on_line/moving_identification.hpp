@@ -14,7 +14,8 @@ bool recognisable(const hydraulics::ChannelSet& there);
 
 /// How often the recognised configuration agreed with the column of configurations in the record.
 struct Recognition {
-    std::array<std::size_t, hydraulics::all_configurations.size()> samples{}; ///< of each recognised configuration
+    std::array<std::size_t, hydraulics::all_configurations.size()>
+        samples{}; ///< number of samples of each recognised configuration
     std::size_t judged = 0, right = 0;
     std::size_t changes = 0, soon = 0; ///< soon: recognised within two samples
 };
@@ -54,7 +55,7 @@ private:
     hydraulics::PerLink<double> healthy_in3_per_psi_{};
     WayFor way_;
     std::uint64_t seed_;
-    std::optional<hydraulics::ConfigurationWatch> watch_; ///< from the first reading on
+    std::optional<hydraulics::ConfigurationWatch> watch_; ///< empty before the first reading
     double period_s_ = 0, time_s_ = 0;
     std::size_t readings_ = 0;
     hydraulics::Configuration before_{};

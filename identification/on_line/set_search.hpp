@@ -16,7 +16,7 @@ namespace placedpar::identification {
 /// The answer of one population set.
 struct SetAnswer {
     hydraulics::LinkSet set;
-    std::string configurations; ///< in which the set was searched, such as "ad"
+    std::string configurations; ///< configurations in which the set was searched, such as "ad"
     std::size_t samples;
     std::uint64_t generations;
     std::vector<LinkIdentified> links; ///< in the order of links_of()

@@ -30,7 +30,7 @@ private:
     const SetProblem& problem_;
     std::vector<hydraulics::CircuitTerms> window_;
     double bias_;
-    std::vector<std::uint8_t> met_; ///< for each string, read as a number, whether it was seen
+    std::vector<std::uint8_t> met_; ///< whether a string has been seen, by the string as a number
     std::vector<double> known_;     ///< fitness of each string that was seen
 };
 

@@ -13,7 +13,7 @@
 
 namespace placedpar::identification {
 
-/// What is assumed about a link if it is healthy.
+/// The assumptions about a healthy link.
 struct LinkInHealth {
     double compliance_in3_per_psi;
     /// The source of the link's areas. Areas that are measured directly have no offset.

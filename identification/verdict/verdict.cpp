@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 9> verdict_names{
 constexpr double mean_repeats_within = 0.05;
 
 /// The standard deviation, in units, of each deviation among healthy machines of a kind. For the compliance it is about
-/// that of a uniform distribution within 10 % of the mean.
+/// as for a uniform distribution within 10 % of the mean.
 constexpr double kind_within = 0.3;
 
 /// Returns the distribution of a kind's healthy deviations. A healthy link's small leak hardly changes when the valve

@@ -42,7 +42,7 @@ private:
     /// The present movement of a set of links, and the newest answer.
     struct Recording {
         hydraulics::Circuit circuit;
-        std::vector<hydraulics::CircuitSample> samples; ///< of the movement, and up to a second before it
+        std::vector<hydraulics::CircuitSample> samples; ///< samples of the movement, and of up to a second before it
         bool moves = false;
         std::optional<NetlistAnswer> answer = {};
     };

@@ -29,7 +29,8 @@ public:
 
 private:
     struct End {
-        Direction direction; ///< as the processes see it: an edge channel declared `input` counts as an output
+        Direction
+            direction; ///< direction as the processes see it, so an edge channel declared `input` counts as an output
         const PortDescription* port = nullptr;
     };
 

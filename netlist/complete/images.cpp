@@ -302,7 +302,7 @@ private:
 
     Completion& c_;
     Network& n_;
-    std::vector<bool> has_code_;                            ///< for each node: it has an image
+    std::vector<bool> has_code_;                            ///< for each node: whether it has an image
     std::set<std::pair<std::size_t, std::size_t>> refused_; ///< nodes
 };
 

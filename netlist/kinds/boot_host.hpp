@@ -64,7 +64,7 @@ private:
     Time request_time_;
     Process* process_ = nullptr;
     iserver::Bytes reply_;
-    std::span<const std::uint8_t> to_send_; ///< of the file or the reply
+    std::span<const std::uint8_t> to_send_; ///< bytes of the file or the reply that are still to be sent
     std::vector<std::uint8_t> received_;
     iserver::PacketReader reader_;
     iserver::ServerState state_ = iserver::ServerState::running;

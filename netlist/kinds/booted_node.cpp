@@ -291,7 +291,7 @@ bool never_goes_on(const transputer::WaitingProcess& process) {
 
 } // namespace
 
-/// Returns the processes that wait, without those that only carry messages of others.
+/// Returns the waiting processes, except processes that only carry messages of others.
 std::vector<transputer::WaitingProcess> BootedNode::waiting_processes() const {
     std::vector<transputer::WaitingProcess> waiting = transputer::waiting_processes(device_.core());
     std::erase_if(waiting, [&](const auto& each) { return lines().is_carrier(each.workspace); });

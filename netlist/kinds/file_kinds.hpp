@@ -15,9 +15,9 @@ namespace placedpar {
 
 /// How the code of files is compiled.
 struct CompileChoices {
-    std::string mode = "halt";   ///< what an error at run time does: halt, stop or universal
+    std::string mode = "halt";   ///< effect of an error at run time: halt, stop or universal
     bool range_checks = true;    ///< checks of subscripts and the like
-    bool run_time_checks = true; ///< also of overflow
+    bool run_time_checks = true; ///< whether errors at run time, including overflow, are checked
 };
 
 /// Makes process kinds of files in a language of programs, and images of the processes on a node. A netlist names a
@@ -34,7 +34,7 @@ public:
                              const std::vector<std::filesystem::path>& folders, Reporter&) = 0;
     /// Returns the kind of a name that read() has returned; null for others.
     virtual const ProcessKind* find(std::string_view name) const = 0;
-    /// Returns the paths of the files that the kind is made of, without those that are part of the program.
+    /// Returns the paths of the files from which the kind is made, without files that are built into the program.
     virtual std::vector<std::string> files_of(std::string_view name) const = 0;
 
     /// States how image() compiles from now on.

@@ -102,24 +102,24 @@ struct DeviceUse {
 
 /// Reports a transputer that executed its own code.
 struct ProgramUse {
-    std::string name; ///< of the transputer
+    std::string name; ///< name of the transputer
     std::uint64_t instructions = 0;
     std::uint64_t requests = 0; ///< requests to its host
     std::string state;          ///< "exited with success", "was never booted"
     std::string listing = "";   ///< the code that was executed; "" if it was not counted
-    std::string analysis = "";  ///< the state of the transputer at the end; "" if it was not asked for
+    std::string analysis = "";  ///< the state of the transputer at the end; "" if it was not requested
     bool failed = false;        ///< the program exited with failure, or the transputer stopped
     bool halted = false;        ///< an error of the program has halted the transputer
     Time booted_at{};           ///< when the host had sent the bootable file
-    /// A process that an error has stopped, while others went on.
+    /// A process that an error stopped, while others continued.
     struct Stop {
         std::string process;
-        std::string place; ///< in its source: "ring.occ:12:3"
+        std::string place; ///< place in its source, such as "ring.occ:12:3"
         std::string error; ///< "division by zero: 1 / 0"
         Time at;
     };
-    std::vector<Stop> stops{};        ///< the first of them
-    std::uint64_t count_of_stops = 0; ///< how many they are in all
+    std::vector<Stop> stops{};        ///< the first few processes that errors stopped
+    std::uint64_t count_of_stops = 0; ///< number of all processes that errors stopped
 };
 
 /// Reports how a run used the machine. Each device adds its part (MachineNode::report).

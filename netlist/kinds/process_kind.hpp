@@ -31,7 +31,7 @@ struct PortDescription {
     std::string formerly = "";  ///< the port's name in older netlists; "" if the name has never changed
     bool has_byte_form = false; ///< messages can travel to and from programs in a transputer's own code (HasByteForm)
     std::type_index bytes_as = type; ///< the C++ type whose byte form theirs is: `type`, or ByteForm::SameAs
-    /// Lists the C++ types whose byte form is that of the messages. Only ports of code have them
+    /// Lists the C++ types that have the same byte form as the messages. Only ports of code have them
     /// (ProcessKind::is_code).
     std::vector<std::type_index> byte_types = {};
     std::int64_t elements = 0; ///< number of channels of the port; 0: the netlist decides
@@ -80,7 +80,7 @@ struct ProcessKind {
     /// says that the kind is made of a file (FileKinds): its processes are code that their node executes, and the kind
     /// has no body
     bool is_code = false;
-    std::uint64_t text_hash = 0; ///< of the texts that the kind is made of; 0: it is not made of a file
+    std::uint64_t text_hash = 0; ///< hash of the texts from which the kind is made; 0 if it is not made from a file
 
     /// Returns null if there is no port of this name.
     const PortDescription* port(std::string_view name) const;

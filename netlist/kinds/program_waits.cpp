@@ -12,8 +12,8 @@ namespace placedpar {
 
 namespace {
 
-/// Finds which process waits for which. A process is named by its number: first those of programs, then those of the
-/// report.
+/// Finds which process waits for which. Each process has a number: first the processes of programs, then the processes
+/// of the report.
 class ProgramWaitGraph {
     static constexpr std::size_t no_process = static_cast<std::size_t>(-1);
 
@@ -66,7 +66,7 @@ private:
     struct Waiting {
         std::string path;
         std::vector<ProgramEnd> awaited;
-        std::vector<std::size_t> components = {}; ///< for which it waits
+        std::vector<std::size_t> components = {}; ///< components for which the process waits
     };
     struct WaitStep {
         std::size_t process;
@@ -130,7 +130,7 @@ private:
     }
 
     std::vector<Waiting> waiting_;
-    std::map<std::string, std::size_t> numbers_; ///< by path
+    std::map<std::string, std::size_t> numbers_; ///< number of each process, by path
     std::map<ProgramEnd, std::vector<std::size_t>> comes_to_;
     std::map<ProgramEnd, std::string> ended_users_;
     std::vector<WaitStep> way_;

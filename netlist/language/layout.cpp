@@ -28,8 +28,8 @@ bool is_unary(const std::vector<Token>& tokens, std::size_t index) {
     return begins_value || (before.kind == TokenKind::symbol && !is_one_of(before, ")]"));
 }
 
-/// Returns the blanks between two words of a line. What the text has stays in front of a parenthesis that follows a
-/// name, and at braces. Two minus signs stay apart, since the lexer takes `--` for a comment of occam.
+/// Returns the blanks between two words of a line. Before a parenthesis that follows a name, and at braces, keeps the
+/// choice of the text. Two minus signs stay apart, because the lexer reads `--` as a comment of occam.
 std::string gap(const std::vector<Token>& tokens, std::size_t index, std::string_view written) {
     const Token &before = tokens[index - 1], &token = tokens[index];
     const bool either =
@@ -46,7 +46,7 @@ std::string gap(const std::vector<Token>& tokens, std::size_t index, std::string
 
 using LineAndColumn = std::pair<std::size_t, std::size_t>;
 
-/// Finds how deep statements are within blocks, and in the bodies of `rep` and `if`.
+/// Finds the depth of statements in blocks and in the bodies of `rep` and `if`.
 class Depths {
 public:
     Depths(const NetlistSyntax& syntax) : file_(syntax.file.get()) { walk(syntax.statements, 0); }
@@ -105,9 +105,9 @@ public:
 
 private:
     struct Bracket {
-        std::size_t indentation = 0; ///< of the lines within it
+        std::size_t indentation = 0; ///< indentation of the lines within the block
         bool is_block = false;
-        std::size_t depth = 0; ///< of a block
+        std::size_t depth = 0; ///< depth of the block
     };
 
     std::string_view between(std::size_t from, std::size_t until) const {
@@ -133,7 +133,7 @@ private:
         open_bracket(i);
     }
 
-    /// Returns the depth of the statement that begins with this word. The place of a `val` is that of its name.
+    /// Returns the depth of the statement that begins with this word. The place of a `val` is the place of its name.
     std::optional<std::size_t> depth_at(std::size_t i) const {
         const Token& token = tokens_[i];
         if (token.is_word("val") && i + 1 < tokens_.size())
@@ -217,7 +217,7 @@ private:
     std::vector<std::string> lines_;
     std::string line_;
     std::vector<Bracket> brackets_;
-    std::size_t depth_ = 0; ///< of the statement that began last
+    std::size_t depth_ = 0; ///< depth of the statement that began last
 };
 
 } // namespace

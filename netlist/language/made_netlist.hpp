@@ -11,22 +11,22 @@
 
 namespace placedpar {
 
-/// The place that a part of a made text stands for. The part goes on to the next one.
+/// The place in the original file of a part of a made text. The part extends to the next part.
 struct PartOrigin {
-    std::size_t offset = 0; ///< of the first character of the part
+    std::size_t offset = 0; ///< offset of the first character of the part
     Location place;
 };
 
-/// A netlist that was made of a text in another language of configurations.
+/// A netlist that was made from a configuration in another language.
 struct MadeNetlist {
     std::shared_ptr<const SourceFile> text; ///< null if the other text is a netlist itself, or has errors
-    std::vector<PartOrigin> origins;        ///< by offset; the first one has offset 0
-    std::vector<std::string> paths;         ///< of the files that it was made of, without the main one
+    std::vector<PartOrigin> origins;        ///< in ascending order of offset; the first has offset 0
+    std::vector<std::string> paths;         ///< paths of the files from which it was made, except the main file
     /// Writes a hint in the other language. Null if the other text is a netlist itself.
     std::string (*translate_hint)(const std::string&) = nullptr;
 };
 
-/// Makes a netlist of a file, which may include others from the folders. Reports the errors of the file.
+/// Makes a netlist from a file, which may include files from the folders. Reports the errors of the file.
 using NetlistMaker = std::function<MadeNetlist(const std::shared_ptr<const SourceFile>& file,
                                                const std::vector<std::filesystem::path>& folders, Reporter&)>;
 

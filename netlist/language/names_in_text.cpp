@@ -207,7 +207,7 @@ private:
     std::vector<std::string> declared_;                                    ///< in order, for leave()
     std::map<std::string, std::string> texts_;                             ///< vals that are strings
     std::string default_program_;
-    NetlistName defaults_; ///< what `process (...);` states for the processes that follow
+    NetlistName defaults_; ///< interface that `process (...);` states for the processes that follow
 };
 
 bool is_before(const Location& a, const Location& b) { return std::tie(a.line, a.column) < std::tie(b.line, b.column); }

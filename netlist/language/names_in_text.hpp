@@ -19,9 +19,9 @@ struct NetlistName {
     std::string name = "";
     Location at = {};
     Category category = Category::val;
-    std::string type = "";    ///< of a node, a process or a type: the word with which it is declared
-    std::string program = ""; ///< of a process: what `use` names; "" if nothing does
-    std::vector<std::string> inputs = {}, outputs = {}, parameters = {}; ///< of a process: those of its interface
+    std::string type = "";    ///< word with which a node, a process or a type is declared
+    std::string program = ""; ///< program that `use` gives a process; "" if none
+    std::vector<std::string> inputs = {}, outputs = {}, parameters = {}; ///< interface of a process
 };
 
 /// A place where a netlist uses a name.
@@ -33,11 +33,11 @@ struct NetlistNameUse {
 /// The syntax of a netlist as an editor needs it: words, statements, and the meaning of names.
 struct NetlistSyntax {
     std::shared_ptr<const SourceFile> file;
-    std::vector<Token> tokens = {}; ///< of the file itself, without those of included files
+    std::vector<Token> tokens = {}; ///< tokens of the file itself, without tokens of included files
     Statements statements = {};
-    std::vector<NetlistName> names = {}; ///< also of included files, in the order of the text
+    std::vector<NetlistName> names = {}; ///< names of the file and of included files, in the order of the text
     std::vector<NetlistNameUse> uses = {};
-    std::vector<Diagnostic> diagnostics = {}; ///< of lexer and parser
+    std::vector<Diagnostic> diagnostics = {}; ///< diagnostics of lexer and parser
     std::vector<std::string> included = {};   ///< paths of the included files
 
     /// Returns the name that is declared or used at a place; null if there is none.
@@ -48,10 +48,11 @@ struct NetlistSyntax {
 
 NetlistSyntax read_syntax(std::shared_ptr<const SourceFile>, std::vector<std::filesystem::path> include_folders = {});
 
-/// Returns the words of a text, with those that the lexer refuses; nothing is reported. The last one is the end.
+/// Returns the tokens of a text, including tokens that the lexer refuses, without reporting errors. The last token is
+/// the end.
 std::vector<Token> tokens_of(const std::shared_ptr<const SourceFile>&);
 
-/// Returns the index of the token that has a place, or that ends there; nothing if there is none.
+/// Returns the index of the token that contains this place or ends there; nothing if there is none.
 std::optional<std::size_t> token_at(const std::vector<Token>&, const Location&);
 
 } // namespace placedpar

@@ -146,11 +146,11 @@ struct PortBinding {
 };
 
 struct ProcessInstance {
-    std::string name;                        ///< such as "grid[1][2]"
-    std::string kind;                        ///< the kind that `use` names; "" if there is no `use`
-    bool stand_in = false;                   ///< the kind is not in the catalogue: the process cannot be run
-    bool is_code = false;                    ///< the process is part of the image of its node
-    std::uint64_t program_hash = 0;          ///< of the texts that the kind is made of; 0 if it is not made of a file
+    std::string name;               ///< such as "grid[1][2]"
+    std::string kind;               ///< the kind that `use` names; "" if there is no `use`
+    bool stand_in = false;          ///< the kind is not in the catalogue: the process cannot be run
+    bool is_code = false;           ///< the process is part of the image of its node
+    std::uint64_t program_hash = 0; ///< hash of the texts from which the kind is made; 0 if it is not made from a file
     std::map<std::string, Value> parameters; ///< every parameter of the kind, of the type that the kind states
     std::map<std::string, Location>
         given; ///< place where the netlist gives each parameter; parameters with default values are not listed
@@ -235,11 +235,11 @@ struct Fault {
 
 /// Describes a value that an option set in place of the netlist's value.
 struct SetByOption {
-    std::string name, value;           ///< as they were typed
+    std::string name, value;           ///< as typed by the user
     std::vector<std::string> elements; ///< elements that have the attribute or parameter; empty: the name is a val
 };
 
-/// What the hosts of booted nodes give to their programs.
+/// The services that the hosts of booted nodes offer to their programs.
 struct HostServices {
     std::string folder = "";       ///< the only folder whose files a program can reach; "": none
     std::string command_line = ""; ///< arguments of the program
@@ -276,7 +276,7 @@ struct Network {
 
 /// A program that boots a node and was compiled.
 struct CompiledProgram {
-    std::shared_ptr<const std::vector<std::uint8_t>> bytes; ///< as a bootable file has them
+    std::shared_ptr<const std::vector<std::uint8_t>> bytes; ///< contents of a bootable file
     std::shared_ptr<const SourceFile> lines;                ///< the table of its code; null if there is none
 };
 /// Programs by the path of the file that the netlist names. Other files are read.

@@ -83,7 +83,7 @@ public:
 
 private:
     /// Returns the path of a bootable file, or its contents' hash: a network is another one if a program was compiled
-    /// anew, and the same one if the file has moved.
+    /// anew, and finds the same file after it has moved.
     std::string boot_file(const Node& node) const {
         return order_ == ParameterOrder::as_given ? print_constant(node.boot_file)
                                                   : fmt::format("{:016x}", boot_hash(node));

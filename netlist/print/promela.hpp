@@ -11,7 +11,7 @@ namespace placedpar {
 /// model has neither time nor placement: an event that Spin proves impossible cannot happen on any machine, and an
 /// event that Spin finds possible may happen on some machine. A process that never reaches its end is an invalid end
 /// state for Spin; PlacedPar reports it as waiting. Throws UserError if the kind of a process has no Promela
-/// statements, or if Spin does not allow so many processes.
+/// statements, or if there are more processes than Spin allows.
 std::string print_promela(const Network& network, const Catalogue& catalogue);
 
 } // namespace placedpar

@@ -89,10 +89,10 @@ private:
     std::unordered_map<const AnyChannel*, std::string> carried_by_; ///< direction of the link that carries the channel
     std::unordered_map<const AnyChannel*, Time> carried_since_;     ///< when its bytes last began to flow
     std::map<std::string, Time> waits_at_links_;
-    /// What a process of a booted program does.
+    /// The activity of a process of a booted program.
     struct ProgramLane {
         Activity does = Activity::ended;
-        std::string partner = {}; ///< of its wait
+        std::string partner = {}; ///< partner of its wait
     };
     std::map<std::string, ProgramLane> programs_;
     Accounts accounts_;

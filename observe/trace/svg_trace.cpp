@@ -71,7 +71,7 @@ Look look_of(Activity activity) {
 /// A stretch of a row, in pixels from the beginning of the time axis.
 struct Bar {
     double from, to;
-    std::string subject; ///< what a processor executes
+    std::string subject; ///< the process that a processor executes
 };
 
 /// Sorts the bars by time, and joins bars that follow each other closely.

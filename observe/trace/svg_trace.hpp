@@ -16,7 +16,7 @@ namespace placedpar {
 /// are the messages between rows.
 class SvgTrace final : public TraceWriter {
 public:
-    /// Largest number of slices and messages of a drawing: more could not be told apart.
+    /// Largest number of slices and messages of a drawing: more could not be distinguished.
     static constexpr std::size_t most_entries = 20'000;
 
     /// REQUIRES: file and tracks outlive this object, and nothing has been written to the file.

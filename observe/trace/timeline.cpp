@@ -51,7 +51,7 @@ void Timeline::finish(const RunResult& result) {
     writer_.finish(std::min(window_.from, *end_), *end_, why_.empty() ? name_of(result.ending) : why_);
 }
 
-/// Returns whether the trace goes on now; ends it if its window or its limit is exceeded.
+/// Returns whether the trace continues; ends it if its window or its limit is exceeded.
 bool Timeline::taking(Time now) {
     if (!end_ && now > window_.until) {
         shut(window_.until, "end of the part that is traced");

@@ -88,8 +88,8 @@ private:
         Time since{};
         std::vector<Awaited> awaited = {};
         bool awaits_timer = false;
-        std::vector<MessageEnd> here = {};        ///< as in a Lane
-        std::vector<std::uint64_t> arriving = {}; ///< as in a Lane
+        std::vector<MessageEnd> here = {};        ///< see Lane::here
+        std::vector<std::uint64_t> arriving = {}; ///< see Lane::arriving
     };
     /// The last wait of a booted program's process for a channel that leads over a link to a process.
     struct ProgramUse {
@@ -103,7 +103,7 @@ private:
         Time at;
         std::size_t from = Tracks::none, to = Tracks::none;
         Time left{}, arrived{};
-        bool by_two_clocks = false; ///< so it may seem to arrive before it leaves
+        bool by_two_clocks = false; ///< measured by two clocks, so it may seem to arrive before it leaves
     };
 
     bool taking(Time now);

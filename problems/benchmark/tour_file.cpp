@@ -240,7 +240,7 @@ private:
 
     std::filesystem::path path_;
     std::istringstream text_, weights_; ///< the whole file; the current line of a matrix
-    std::size_t number_ = 0;            ///< of the current line
+    std::size_t number_ = 0;            ///< number of the current line
     std::size_t cities_ = 0;
     std::set<std::string> seen_; ///< keywords and sections that the file had so far
     Distance distance_ = nullptr;

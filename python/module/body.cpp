@@ -17,16 +17,16 @@ namespace {
 
 namespace py = pybind11;
 
-/// What a process in Python may measure: its environment until it ends, null then.
+/// The environment of a process in Python, which measure() needs; null once the process has ended.
 using Measured = std::shared_ptr<ProcessEnvironment*>;
 
 ProcessEnvironment& environment_of(const Measured& measured) {
     if (!*measured)
-        throw UserError("measure() is called after its process has ended");
+        throw UserError("measure() was called after its process had ended; call it in the body");
     return **measured;
 }
 
-/// A process while it runs.
+/// The state of a running process.
 struct Body {
     Interpreter& python = Interpreter::current();
     std::vector<std::shared_ptr<ChannelEnd>> ends;
@@ -63,7 +63,7 @@ struct Body {
     }
 };
 
-/// Makes the instance of the class that the process runs, with its channel ends and parameters as attributes.
+/// Makes the instance of the process's class, with the channel ends and parameters as attributes.
 py::object instance_of(py::handle process_class, const ProcessKind& kind, ProcessEnvironment& environment, Body& body) {
     const py::object instance = process_class.attr("__new__")(process_class);
     const py::set arrays(process_class.attr("_arrays")());

@@ -18,7 +18,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// A function in Python that stands for a policy.
+/// A function in Python that is used as a policy.
 struct Callable {
     static constexpr std::string_view name = "python", about = "a function in Python";
     SharedObject function;
@@ -34,7 +34,7 @@ struct Callable {
                 *failure = SharedObject(error.value());
             throw std::runtime_error(step + ": " + text_of(error.value()));
         } catch (const py::cast_error&) {
-            throw std::runtime_error(step + ": it returned something else than the policy's choice");
+            throw std::runtime_error(step + ": the function returned a value of the wrong type");
         }
     }
 };
@@ -43,7 +43,7 @@ py::array_t<double> array_of(std::span<const double> values) {
     return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
-/// Returns what a string codes: real numbers, bits, or the order of a permutation.
+/// Returns the values that a string represents: real numbers, bits, or the order of a permutation.
 py::array_t<double> values_of(const Genome& genome, const Representation& representation) {
     std::vector<double> values;
     if (representation.kind() == StringKind::real)
@@ -60,7 +60,7 @@ py::array_t<double> values_of(const Genome& genome, const Representation& repres
 Genome string_of(const std::vector<double>& values, const Representation& representation) {
     Genome genome(representation.bits());
     if (values.size() != representation.bits() / representation.unit())
-        throw std::runtime_error("it returned a string of another length");
+        throw std::runtime_error("the function returned a string of another length than the strings that it received");
     if (representation.kind() == StringKind::permutation)
         return representation.permutation().encode(std::vector<std::size_t>(values.begin(), values.end()));
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -110,7 +110,8 @@ struct CallableSchedule : Callable {
         const auto chosen = call<std::vector<std::size_t>>(exchange, all);
         const auto found = std::search(neighbours.begin(), neighbours.end(), chosen.begin(), chosen.end());
         if (found == neighbours.end() && !chosen.empty())
-            throw std::runtime_error("it must return neighbours that stand next to each other in the given list");
+            throw std::runtime_error(
+                "the function must return individuals that are next to each other in the list that it received");
         return {found, chosen.size()};
     }
 };
@@ -132,7 +133,8 @@ struct CallableAcceptance : Callable {
     }
 };
 
-/// Returns the policy of this text, or of this function. A function may state a number that the policy has.
+/// Returns the policy with this name, or one that calls this function. An attribute of the function may set a number of
+/// the policy.
 template <class Step, class Own, class Policy>
 Step step_of(const std::string& step, const py::object& given_policy, const PolicyFailure& failure) {
     if (py::isinstance<py::str>(given_policy))

@@ -8,8 +8,8 @@ namespace placedpar::python {
 /// The first exception of a policy or fitness in Python. The library reports only its text.
 using PolicyFailure = std::shared_ptr<SharedObject>;
 
-/// Changes a setting that placedpar.search() has. A policy is its name in a netlist, such as "tournament(3)", or a
-/// function in Python. REQUIRES: the caller holds the lock whenever the policy is used.
+/// Changes a setting of placedpar.search(). A policy is given by its name in a netlist, such as "tournament(3)", or as
+/// a function in Python. REQUIRES: the caller holds the lock whenever the policy is used.
 void change(IslandsSettings&, const std::string& name, const pybind11::object& value, const PolicyFailure&);
 
 } // namespace placedpar::python

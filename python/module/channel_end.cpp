@@ -118,7 +118,7 @@ std::pair<const std::string, Protocol> protocol_for(const char* name) {
 
 void ChannelEnd::require_attached() const {
     if (is_detached_)
-        throw UserError("the end " + port_ + " is used after its process has ended");
+        throw UserError("the end " + port_ + " was used after its process had ended");
 }
 
 void ChannelEnd::require(Direction direction) const {
@@ -153,7 +153,7 @@ const Protocol& protocol_named(const std::string& name) {
     std::string names;
     for (const auto& [each, protocol] : protocols)
         names += (names.empty() ? "" : ", ") + each;
-    throw UserError("no channel carries \"" + name + "\": a port has one of " + names);
+    throw UserError("no channel carries messages of the type \"" + name + "\"; the types are " + names);
 }
 
 } // namespace placedpar::python

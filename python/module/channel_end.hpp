@@ -14,16 +14,16 @@
 namespace placedpar::python {
 
 /// An end of a channel that a process in Python uses. It keeps the message between Python, which needs the lock, and
-/// the channel, which must not have it. Python may keep the end for longer than the process has the channel.
+/// the channel, which must not have it. A Python variable may refer to the end after its process has ended.
 class ChannelEnd {
 public:
     ChannelEnd(std::string port, Direction direction) : port_(std::move(port)), direction_(direction) {}
     virtual ~ChannelEnd() = default;
-    /// Ends the use of the channel: its process has ended.
+    /// Ends the use of the channel. Called when the process ends.
     void detach() { is_detached_ = true; }
     /// Throws UserError if the process of the end has ended.
     void require_attached() const;
-    /// Throws pybind11::type_error for an end of the other direction, and what require_attached() throws.
+    /// Throws pybind11::type_error for an end of the other direction, and UserError if the process has ended.
     void require(Direction) const;
 
     /// Takes the next message to be output. Throws pybind11::type_error if the object is not a message of the channel.
@@ -41,7 +41,7 @@ private:
     bool is_detached_ = false;
 };
 
-/// How a channel carries the messages of a type of Python, such as "INT32" or "[]REAL64" (protocols()).
+/// Describes how a channel carries messages of a type such as "INT32" or "[]REAL64". protocols() lists the types.
 struct Protocol {
     std::function<PortDescription(std::string name, Direction, std::string about)> port;
     std::function<std::vector<std::shared_ptr<ChannelEnd>>(const ProcessEnvironment&, const std::string& port,
@@ -49,10 +49,10 @@ struct Protocol {
         ends;
 };
 
-/// Returns the protocol of this name. Throws UserError for another name, with the names of all.
+/// Returns the protocol of this name. Throws UserError, which lists all names, for any other name.
 const Protocol& protocol_named(const std::string& name);
 
-/// A message that is any object of Python. On a link it has the length that its sender states.
+/// A message that consists of any Python object. The sender states how many bytes the message has on a link.
 struct ObjectMessage {
     SharedObject object;
     std::uint32_t bytes = 4;

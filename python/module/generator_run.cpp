@@ -15,7 +15,8 @@ using Kind = Operation::Kind;
 
 namespace {
 
-/// Returns the place at which a generator waits, "relay.py:12": that of the innermost generator (`yield from`).
+/// Returns the place at which a generator waits, such as "relay.py:12". After `yield from`, it is the place in the
+/// innermost generator.
 std::string place_of(py::object generator) {
     while (py::hasattr(generator, "gi_yieldfrom") && py::hasattr(generator.attr("gi_yieldfrom"), "gi_frame"))
         generator = generator.attr("gi_yieldfrom");
@@ -51,7 +52,7 @@ void GeneratorRun::note_place() const {
                 python_.places.try_emplace(Kernel::current()->running().path(), place);
         });
     } catch (const std::exception&) {
-        // The report of a deadlock then has the place in the library.
+        // Without a place in Python, the report of a deadlock has the place in the library.
     }
 }
 
@@ -69,7 +70,7 @@ void GeneratorRun::start(py::object component, const py::object& enclosing) {
 }
 
 void GeneratorRun::finish() {
-    // The process may be unwound in a wait: its place is noted then, too.
+    // Notes the place even if the process is unwound in a wait.
     const std::shared_ptr<const void> leaving(nullptr, [this](const void*) { note_place(); });
     if (generator_)
         python_.call([&] { step(py::none()); });
@@ -97,7 +98,8 @@ void GeneratorRun::prepare_or_fail() {
     }
 }
 
-/// Throws the error at the generator's `yield`. A generator that handles it goes on with what it yields then.
+/// Throws the error at the generator's `yield`. If the generator handles the error, the run continues with the next
+/// operation that it yields.
 void GeneratorRun::fail(const py::object& error) {
     try {
         py::object yielded = generator_.attr("throw")(error);
@@ -126,7 +128,7 @@ bool GeneratorRun::take(PySendResult sent, PyObject* yielded) {
     return false;
 }
 
-/// Takes from Python what the operation needs.
+/// Copies the operation's arguments from Python, while the lock is held.
 void GeneratorRun::prepare() {
     if (!now_)
         throw py::type_error(py::str("a body yields operations, such as self.inp.input() or pp.compute(100), not {!r}")
@@ -182,7 +184,7 @@ void GeneratorRun::begin_components() {
         components_.emplace_back().start(py::reinterpret_borrow<py::object>(each), where_);
 }
 
-/// Does the operation, without the lock. An error of the library is later thrown into the generator.
+/// Performs the operation without the lock. An error of the library is later thrown into the generator.
 void GeneratorRun::carry_out() {
     try {
         switch (now_->kind) {
@@ -196,7 +198,7 @@ void GeneratorRun::carry_out() {
         case Kind::par: return run_components();
         case Kind::stop: return stop();
         case Kind::skip:
-        case Kind::never: return; // prepare() refused it
+        case Kind::never: return; // refused by prepare()
         }
     } catch (const std::exception& error) {
         refused_ = error.what();

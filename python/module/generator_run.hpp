@@ -18,10 +18,10 @@ public:
     GeneratorRun& operator=(const GeneratorRun&) = delete;
     ~GeneratorRun();
 
-    /// Does all operations. REQUIRES: start() was called.
+    /// Performs all operations until the generator ends. REQUIRES: start() was called.
     void finish();
-    /// Takes a generator, or an operation of the enclosing generator. REQUIRES: the caller holds the lock, in
-    /// Interpreter::call().
+    /// Sets what to run: a generator, or a single operation of the enclosing generator. REQUIRES: the caller holds the
+    /// lock, in Interpreter::call().
     void start(pybind11::object component, const pybind11::object& enclosing);
 
 private:
@@ -41,13 +41,14 @@ private:
     pybind11::object result_of_operation();
 
     Interpreter& python_ = Interpreter::current();
-    pybind11::object generator_; ///< null if a single operation is to be done
-    pybind11::object where_;     ///< the generator whose line is that of this run
-    pybind11::object operation_; ///< of the generator
+    pybind11::object generator_; ///< null if this object runs a single operation
+    pybind11::object where_;     ///< the generator whose current line is reported as the place of this run
+    pybind11::object operation_; ///< the operation that the generator yielded last
     Operation* now_ = nullptr;
-    pybind11::object result_; ///< of the generator, once it has ended
+    pybind11::object result_; ///< the generator's return value, once it has ended
     std::vector<Guard> guards_;
-    std::vector<std::shared_ptr<ChannelEnd>> guarded_; ///< for each guard the end that it guards, or null
+    std::vector<std::shared_ptr<ChannelEnd>>
+        guarded_; ///< for each guard of the ALT its input end; null for a guard without an end
     std::size_t chosen_ = 0;
     std::list<GeneratorRun> components_;
     std::string refused_; ///< why the operation failed; "" if it did not

@@ -9,7 +9,7 @@
 
 namespace placedpar::python {
 
-/// Returns what a T is for a user of Python: "a whole number from 0 to 255".
+/// Returns the description of T for messages to Python users, such as "a whole number from 0 to 255".
 template <class T>
 std::string kind_of_value() {
     if constexpr (std::same_as<T, std::string>)
@@ -27,7 +27,7 @@ std::string kind_of_value() {
                std::to_string(std::numeric_limits<T>::max());
 }
 
-/// Returns the value as a T. Throws pybind11::type_error, which names the argument, for any other object.
+/// Returns the value as a T. If it cannot be a T, throws pybind11::type_error with the name of the argument.
 template <class T>
 T given(pybind11::handle value, const char* name) {
     pybind11::detail::make_caster<T> caster;
@@ -40,20 +40,22 @@ T given(pybind11::handle value, const char* name) {
 /// The name of an argument, as a parameter of templates.
 template <std::size_t n>
 struct Name {
-    consteval Name(const char (&text)[n]) { std::copy_n(text, n, characters); } // implicit: a template is given a text
+    consteval Name(const char (&text)[n]) {
+        std::copy_n(text, n, characters);
+    } // implicit, so that a text can be a template argument
     char characters[n];
 };
 
-/// An argument of a function that Python calls. pybind11 lists all signatures in C++ if an argument has a wrong type;
-/// this argument is refused by given().
+/// An argument of a function that Python calls. given() checks its type; otherwise pybind11's message would list all
+/// signatures in C++.
 template <class T, Name name>
 struct Given {
     T value{};
     operator T() const { return value; }
 };
 
-/// Returns the last overload of a function, which refuses all other arguments. Without it pybind11 lists all signatures
-/// in C++. `usage`: such as "below(n)".
+/// Returns a last overload that refuses all other arguments, so that pybind11 does not list all signatures in C++.
+/// `usage` is the correct call, such as "below(n)".
 template <class Result = pybind11::object>
 auto refusal(const char* usage) {
     return [usage](const pybind11::args&, const pybind11::kwargs&) -> Result {

@@ -22,7 +22,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// Keeps the warnings among the faults. Throws RefusedText if one of them is an error.
+/// Appends the warnings among the faults to `warnings`. Throws RefusedText if a fault is an error.
 void keep_warnings(const std::vector<Diagnostic>& faults, std::vector<Diagnostic>& warnings) {
     std::vector<Diagnostic> errors;
     for (const Diagnostic& each : faults)
@@ -31,7 +31,7 @@ void keep_warnings(const std::vector<Diagnostic>& faults, std::vector<Diagnostic
         throw RefusedText(std::move(errors));
 }
 
-/// A table of readings as comma-separated values, read in pieces as the command line reads a file.
+/// A table of readings as comma-separated values, read in pieces.
 class TableStream final : public RecordStream {
 public:
     /// REQUIRES: the other objects outlive this one.
@@ -44,7 +44,7 @@ public:
             keep_warnings(reader_.finish(), warnings_);
             return std::nullopt;
         }
-        // As the command line cuts a file, so that readings between two pieces are interpolated in the same way.
+        // The command line reads files in pieces of the same size, so both give the same interpolated readings.
         constexpr std::size_t piece_bytes = 1 << 20;
         const std::size_t most = ++pieces_ * piece_bytes;
         const std::size_t end = most < text_.size() ? text_.rfind('\n', most - 1) + 1 : text_.size();

@@ -11,7 +11,7 @@ namespace {
 
 thread_local Interpreter* current_interpreter = nullptr;
 
-/// Only the pages that are touched take memory.
+/// A page of the stack takes memory only once it has been used.
 constexpr std::size_t stack_bytes = 16 * 1024 * 1024;
 
 } // namespace
@@ -39,12 +39,12 @@ Interpreter::~Interpreter() {
 
 Interpreter& Interpreter::current() {
     if (!current_interpreter)
-        throw std::logic_error("a process in Python runs without its interpreter");
+        throw std::logic_error("a process in Python runs outside Interpreter::call()");
     return *current_interpreter;
 }
 
 void Interpreter::call(Call call) {
-    if (is_inside_) // the caller is already called by Python
+    if (is_inside_) // Python has called the caller, so the lock is held already
         return call.function(call.argument);
     call_ = call;
     stack_ = std::move(stack_).resume();

@@ -40,13 +40,13 @@ private:
     std::shared_ptr<PyObject> object_;
 };
 
-/// The virtual time that a run has reached, as far as the run has noted it. Other threads may read it.
+/// The virtual time of a run at its last completed generation. Other threads may read it.
 struct RunClock {
     std::atomic<std::int64_t> picoseconds{0};
 };
 
-/// Calls Python for the processes of one run. The run itself does not hold the lock. The calls have a stack of their
-/// own, since Python needs more than the stack of a process.
+/// Calls Python for the processes of one run. The run holds the lock only during the calls. The calls use a separate
+/// stack, because Python needs more than the stack of a process.
 ///
 /// 1. Only one object exists on a thread at a time; current() returns it.
 /// 2. All calls are made on the thread of the run.
@@ -59,8 +59,8 @@ public:
     /// REQUIRES: there is an object on this thread.
     static Interpreter& current();
 
-    /// Calls `work` with the lock, and rethrows what it throws. An exception of Python is kept, if it is the first, and
-    /// thrown as a std::runtime_error with its type and text.
+    /// Calls `work` with the lock, and rethrows what it throws. Throws a Python exception as a std::runtime_error with
+    /// its type and text, and keeps the first for failure().
     template <class Work>
     void call(Work work) {
         call({[](void* it) { (*static_cast<Work*>(it))(); }, &work});
@@ -68,7 +68,7 @@ public:
     /// Returns the first exception of Python; null if there was none.
     const SharedObject& failure() const { return failure_; }
 
-    /// For each process that was ended in a wait, the place in its program: "relay.py:12".
+    /// The place in its program, such as "relay.py:12", at which each unfinished process waited.
     std::map<std::string, std::string> places;
     RunClock* clock = nullptr; ///< null: no clock is kept
 
@@ -88,19 +88,19 @@ private:
     boost::context::fiber stack_;
 };
 
-/// Lets Python handle the signals that have come, such as that of Ctrl-C, and throws what its handlers raise. REQUIRES:
+/// Lets Python handle signals that have arrived, such as SIGINT, and throws the exceptions of their handlers. REQUIRES:
 /// the caller holds the lock.
 inline void heed_signals() {
     if (PyErr_CheckSignals() != 0)
         throw pybind11::error_already_set();
 }
 
-/// Returns the type and the text of a Python exception, as Python's last line of a traceback: "ValueError: too long".
-/// REQUIRES: the caller holds the lock.
+/// Returns the type and the text of a Python exception, such as "ValueError: too long". REQUIRES: the caller holds the
+/// lock.
 std::string text_of(pybind11::handle exception);
 
-/// Throws what Python code threw, as the cause of an exception of this class in placedpar.errors. KeyboardInterrupt and
-/// SystemExit are thrown themselves. REQUIRES: the caller holds the lock.
+/// Throws an exception of this class of placedpar.errors, with the failure as its cause. KeyboardInterrupt and
+/// SystemExit are thrown unchanged. REQUIRES: the caller holds the lock.
 [[noreturn]] void rethrow(const SharedObject& failure, const char* error_class, const std::string& text);
 
 } // namespace placedpar::python

@@ -4,7 +4,7 @@
 #include "python/module/signals.hpp"
 #include "text/user_error.hpp"
 
-/// The part of the package that calls the rooms. python/placedpar/ has what users see.
+/// Makes the part of the package that is in C++. Users call the functions in python/placedpar/, which call this part.
 PYBIND11_MODULE(_core, module) {
     using namespace placedpar::python;
     module.attr("version") = placedpar::version;

@@ -4,7 +4,7 @@
 
 namespace placedpar::python {
 
-// Parts of the module whose functions no other part uses.
+// These functions add their parts of the module. No other part uses them.
 
 void add_identifications(pybind11::module_&);
 void add_searches(pybind11::module_&);

@@ -39,7 +39,7 @@ py::dict as_dict(const Diagnostic& diagnostic) {
 
 py::object errors_of(const char* name) { return py::module_::import("placedpar.errors").attr(name); }
 
-/// Warns with the line of the program that reads an attribute of the package.
+/// Warns in Python. The warning shows the line of the user's program that read an attribute of the package.
 void warn(const std::string& text) {
     py::module_::import("warnings").attr("warn")(text, errors_of("NetlistWarning"), 3);
 }
@@ -58,7 +58,7 @@ std::vector<ProcessKind> kinds_of(const py::list& classes) {
     return kinds;
 }
 
-/// Returns a verb for an activity: also for those that reports of deadlocks do not have.
+/// Returns a verb for an activity, including activities that do not occur in reports of deadlocks.
 std::string verb_of(Activity activity) {
     switch (activity) {
     case Activity::executing: return "executes";
@@ -98,7 +98,8 @@ private:
     std::vector<Slice> slices_;
 };
 
-/// Returns the measures of a run, None for those that it does not have. Throws UserError for those of no such run.
+/// Returns the named measures of a run, None for a measure that this run does not have. Throws UserError if runs of
+/// this network cannot have the measure.
 py::list figures_in(const LoadedNetwork& network, const FinishedRun& run, const std::vector<std::string>& measures) {
     const StudyFigures figures = figures_of(run.report, network.network());
     py::list found;
@@ -112,12 +113,12 @@ py::list figures_in(const LoadedNetwork& network, const FinishedRun& run, const 
     return found;
 }
 
-/// Makes the run again, now recorded. Throws UserError if it is another one.
+/// Repeats the run and records it. Throws UserError if the repeated run differs from the first.
 FinishedRun repeated(const LoadedNetwork& network, const FinishedRun& run, TraceSink& sink) {
     FinishedRun again = network.run(run.options, &sink);
     if (again.report.result.fingerprint != run.report.result.fingerprint)
         throw UserError(
-            "the run cannot be recorded, since it has another course each time: a process in Python may use "
+            "the run cannot be recorded, because it differs each time it is repeated: a process in Python may use "
             "only its messages, its parameters and its random streams");
     return again;
 }
@@ -129,7 +130,7 @@ py::tuple timeline_of(const LoadedNetwork& network, const FinishedRun& run) {
     const FinishedRun again = repeated(network, run, timeline);
     timeline.finish(again.report.result);
     if (const auto full = timeline.full_at())
-        warn("the timeline ends at " + to_string(*full) + ", where it is full with " +
+        warn("the timeline is full and ends at " + to_string(*full) + ", after " +
              std::to_string(TraceWindow{}.most_entries) + " entries: run(until=...) makes a shorter one");
     return rows.columns();
 }
@@ -144,7 +145,7 @@ std::string json_of(const LoadedNetwork& network, const FinishedRun& run) {
     return boost::json::serialize(report_json(run.report, network.network(), run.manifest, run.log));
 }
 
-/// Keeps the log of a run, and notes the time of its generations for other threads.
+/// Logs the generations of a run, and stores the virtual time of the newest for other threads.
 class ClockedLog final : public GenerationLog {
 public:
     ClockedLog(const Network& network, RunClock* clock) : GenerationLog(log_of(network)), clock_(clock) {}
@@ -156,10 +157,11 @@ public:
     }
 
 private:
-    RunClock* clock_; ///< null: nothing is noted
+    RunClock* clock_; ///< null if no thread reads the time
 };
 
-/// Replaces the places of processes in Python, which are in the module, by those in their bodies.
+/// Replaces the places at which processes in Python wait. The report has places in this module; users need the lines of
+/// their bodies.
 void set_places(RunReport& report, const std::map<std::string, std::string>& places) {
     if (report.result.deadlock)
         for (StuckProcess& process : report.result.deadlock->processes)

@@ -31,10 +31,10 @@ struct RunOptions {
     Time until = Time::max();
     std::optional<std::uint64_t> shuffle = {};
     bool heeds_signals = false;           ///< the caller is Python's main thread
-    std::shared_ptr<RunClock> clock = {}; ///< null: nothing reads the time during the run
+    std::shared_ptr<RunClock> clock = {}; ///< null if no thread reads the time during the run
 };
 
-/// Returns the latest end of a run, from picoseconds; nothing stands for none.
+/// Returns the time limit of a run; no value means no limit.
 inline Time limit_of_run(std::optional<std::int64_t> until_ps) { return until_ps ? Time{*until_ps} : Time::max(); }
 
 /// A finished run of a network.
@@ -57,7 +57,7 @@ public:
     /// Returns the warnings about the netlist.
     const std::vector<Diagnostic>& warnings() const { return warnings_; }
     bool has_own_kinds() const { return !kinds_.empty(); }
-    /// Returns the network with other settings, silently. Throws RefusedInput.
+    /// Returns the network with changed settings, without printing warnings. Throws RefusedInput.
     Network with(const Overrides&) const;
     Catalogue kinds(const ProblemRegistry&, SearchObserver* = nullptr) const;
 
@@ -74,9 +74,9 @@ private:
     Network network_;
 };
 
-/// Returns a dictionary for each error and warning. REQUIRES: the caller holds the lock, as for the next function.
+/// Returns a dictionary for each error and warning. REQUIRES: the caller holds the lock.
 pybind11::list as_dicts(const std::vector<Diagnostic>&);
-/// Raises an exception of this class in placedpar.errors, which has these errors.
+/// Raises an exception of this class of placedpar.errors, with these errors. REQUIRES: the caller holds the lock.
 [[noreturn]] void raise(const char* error_class, const std::string& text, const pybind11::list& diagnostics);
 
 void add_networks(pybind11::module_&);

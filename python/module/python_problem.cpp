@@ -19,7 +19,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// The parameters of a problem whose objective is computed elsewhere.
+/// The parameters of a problem. Another class computes the objective.
 struct Parameters {
     ParameterCoding coding;
     ParameterCoding representation() const { return coding; }
@@ -39,7 +39,7 @@ struct Table {
     }
 };
 
-/// What a function returned for a population.
+/// The values that a function returned for a population.
 struct Rated {
     Table objectives, constraints;
     Merit merit(std::size_t i, Goal goal) const {
@@ -47,7 +47,7 @@ struct Rated {
     }
 };
 
-/// Throws UserError for anything but a number, or a row of numbers, for each individual.
+/// Returns the returned array. Throws UserError unless it has a number, or a row of numbers, for each individual.
 Table table_of(const py::object& returned, const py::array& population, const char* what) {
     constexpr std::string_view kinds = "biuf"; // NumPy's whole and real numbers
     const py::array any = py::array::ensure(returned);
@@ -80,7 +80,7 @@ Rated rated_of(const py::object& returned, const py::array& population) {
 
 class PythonProblem final : public SearchProblem {
 public:
-    /// `parameters` knows all but the objectives. REQUIRES: see FunctionInPython::problem().
+    /// `parameters` describes the problem except for its objectives. REQUIRES: see FunctionInPython::problem().
     PythonProblem(std::shared_ptr<const SearchProblem> parameters, SharedObject function)
         : parameters_(std::move(parameters)), function_(std::move(function)) {}
 
@@ -141,7 +141,7 @@ void PythonProblem::fitness_of(std::span<const Genome> population, std::span<con
     const Rated rated = rate(population);
     if (rated.objectives.columns != 1)
         throw UserError(fmt::format("a search has one objective, but the function returned {} for each individual: "
-                                    "search_front() searches for the front of several",
+                                    "use search_front() for several objectives",
                                     rated.objectives.columns));
     const Objective objective = *parameters_->objective();
     std::ranges::transform(std::span(rated.objectives.values.data(), out.size()), out.begin(),

@@ -15,19 +15,19 @@ namespace placedpar::python {
 /// The least and the greatest value of each parameter.
 using Bounds = std::vector<std::pair<double, double>>;
 
-/// A problem whose objectives, and constraints if it has any, are computed by a function in Python. The function gets a
-/// population, an array with a row for each individual. It returns an array of objectives, or a tuple of objectives and
-/// constraints, each with a row or a number for each individual.
+/// A problem whose objectives and constraints a function in Python computes. The function receives an array with a row
+/// for each individual of a population. It returns an array of objectives, or a tuple of objectives and constraints,
+/// each with a row or a number for each individual.
 struct FunctionInPython {
     pybind11::object function;
     Bounds bounds;
-    std::vector<std::size_t> bits; ///< of each parameter's field
+    std::vector<std::size_t> bits; ///< number of bits for each parameter
     bool maximises;
 
-    /// Throws UserError for bounds that give no fields. REQUIRES: the caller holds the lock whenever the problem is
+    /// Throws UserError for bounds that cannot be encoded. REQUIRES: the caller holds the lock whenever the problem is
     /// used.
     std::shared_ptr<const SearchProblem> problem() const;
-    /// Returns what can be said of the function: the goal and the fields.
+    /// Returns a description: the goal (minimise or maximise) and the fields.
     std::string text() const;
 };
 

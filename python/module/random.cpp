@@ -7,7 +7,7 @@ namespace placedpar::python {
 
 RandomStream& PythonRandom::stream() const {
     if (!random_)
-        throw UserError("random exists only during the call of the policy");
+        throw UserError("random can be used only during the call of the policy that received it");
     return *random_;
 }
 

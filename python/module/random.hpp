@@ -9,15 +9,15 @@
 
 namespace placedpar::python {
 
-/// A random stream of Python, its own or one that is lent by the library. Python may keep it for longer than it is
-/// lent.
+/// A random stream for Python: a new one, or a stream that the library lends during a call. Python may keep a reference
+/// after the call.
 class PythonRandom {
 public:
     explicit PythonRandom(const RandomStream& own) : own_(own), random_(&*own_) {}
     explicit PythonRandom(RandomStream* lent) : random_(lent) {}
     PythonRandom(const PythonRandom&) = delete;
     PythonRandom& operator=(const PythonRandom&) = delete;
-    /// Throws UserError after end().
+    /// Throws UserError if the stream was lent and the loan has ended.
     RandomStream& stream() const;
     void end() { random_ = nullptr; }
 

@@ -54,14 +54,14 @@ struct SearchOptions {
     std::string coding;
     py::dict settings;
     std::string checkpoint; ///< a file; "" for none
-    std::string problem;    ///< what a checkpoint says of the problem
+    std::string problem;    ///< the problem's description in a checkpoint
     py::object progress;
 };
 
-/// Lets Ctrl-C, the end of Python and other threads come between two generations.
+/// Pauses between two generations, so that Ctrl-C, the end of Python and other threads can take effect.
 class Pauses {
 public:
-    /// `progress` is None, or is called with the numbers of generations that are made and will be made.
+    /// `progress` is None, or a function that receives the number of completed generations and of all generations.
     Pauses(py::object progress, std::uint64_t all) : progress_(std::move(progress)), all_(all) {}
     void pause(std::uint64_t made) {
         if (!progress_.is_none())
@@ -69,7 +69,7 @@ public:
         { const py::gil_scoped_release turn_of_other_threads; }
         heed_signals();
         if (interruption_.requested())
-            throw UserError("the search ends early, since Python ends");
+            throw UserError("the search was stopped because Python is exiting");
     }
 
 private:
@@ -86,7 +86,7 @@ public:
     void observe(const ObservedGeneration& event) override {
         log.observe(event);
         std::uint64_t& last = last_[std::string(event.search)];
-        made_ += event.number - std::exchange(last, event.number); // a checkpoint's generations count, too
+        made_ += event.number - std::exchange(last, event.number); // includes the generations before a checkpoint
         pauses_.pause(made_);
     }
     void observe(const ObservedMigration& event) override { log.observe(event); }
@@ -100,7 +100,7 @@ private:
     std::uint64_t made_ = 0;
 };
 
-/// Runs the search on the record of the problem, or for so many generations if it has none.
+/// Runs the search on the problem's record, or for `generations` generations if the problem has no record.
 IslandsResult run(const SearchProblem& problem, const RecordedProblem* recorded, std::size_t generations,
                   const IslandsSettings& settings, std::uint64_t seed, SearchObserver& observer,
                   Checkpoints* checkpoints) {
@@ -110,7 +110,7 @@ IslandsResult run(const SearchProblem& problem, const RecordedProblem* recorded,
     return run_islands(problem, generations, settings, std::move(streams), &observer, checkpoints);
 }
 
-/// Returns the file that keeps the search; nothing if none is asked for.
+/// Returns the checkpoint file of the search; null if the options name none.
 std::unique_ptr<CheckpointFile> checkpoint_of(const SearchOptions& options, const SearchProblem& problem,
                                               const std::vector<std::string>& names, std::size_t population) {
     constexpr std::uint64_t every = 10; // generations, as in `placedpar run`
@@ -183,11 +183,11 @@ py::dict search_front(const SearchProblem& coded, std::size_t population, const 
     return found;
 }
 
-/// A problem that Python names, or defines by a function.
+/// A problem that the Python program names, or defines by a function.
 struct GivenProblem {
-    std::string text; ///< what a checkpoint says of the problem
+    std::string text; ///< the problem's description in a checkpoint
     std::shared_ptr<const SearchProblem> problem;
-    std::optional<RecordedProblem> recorded; ///< nothing for a function
+    std::optional<RecordedProblem> recorded; ///< no value if the problem is a function
 };
 
 GivenProblem given_problem(const FunctionInPython& given, std::uint64_t seed) {
@@ -198,7 +198,8 @@ GivenProblem given_problem(const FunctionInPython& given, std::uint64_t seed) {
     return {name, recorded.problem(), recorded};
 }
 
-/// The runs with one setting: its name, the first generation, and for each run the values from this generation on.
+/// The runs with one setting: the setting's name, the first generation, and for each run its values from this
+/// generation on.
 using RunsOfSetting = std::tuple<std::string, std::uint64_t, std::vector<std::vector<double>>>;
 
 /// Draws for each setting the median and the quartiles of its runs over the generations.

@@ -5,29 +5,29 @@
 namespace placedpar::python {
 
 /// An interruption that Ctrl-C (SIGINT) and the end of Python request. Ctrl-C is also passed on to Python, which raises
-/// KeyboardInterrupt as soon as it has the lock again. If Python ignores Ctrl-C, it is ignored here, too.
+/// KeyboardInterrupt as soon as it has the lock again. If Python ignores Ctrl-C, this class ignores it, too.
 ///
-/// 1. Objects that heed Ctrl-C exist on Python's main thread only, and end in reverse order: a process may call a
-/// sweep.
-/// 2. An object begins and ends while its thread has the lock.
+/// 1. Objects that react to Ctrl-C exist on Python's main thread only. They may be nested, because a process may call a
+///    sweep, and end in reverse order.
+/// 2. An object is made and destroyed while its thread holds the lock.
 class InterruptedByKeyboard : public Interruption {
 public:
-    /// `heeds`: false on another thread, where Python ignores signals.
+    /// `heeds` is whether the object reacts to Ctrl-C: false outside Python's main thread.
     explicit InterruptedByKeyboard(bool heeds);
     ~InterruptedByKeyboard();
     InterruptedByKeyboard(const InterruptedByKeyboard&) = delete;
     InterruptedByKeyboard& operator=(const InterruptedByKeyboard&) = delete;
 
-    /// Requests the interruption that exists around this one, and so on outwards.
+    /// Requests this interruption and all those around it.
     void request_all() noexcept;
 
 private:
     const bool heeds_;
-    InterruptedByKeyboard* outer_ = nullptr; ///< another one that heeds Ctrl-C, or null
+    InterruptedByKeyboard* outer_ = nullptr; ///< the enclosing object that reacts to Ctrl-C; null if there is none
 };
 
-/// Requests all interruptions and waits until they have ended, but not longer than 10 s: Python's end ends the other
-/// threads as soon as they ask for the lock, which a run does not survive. REQUIRES: the caller holds the lock.
+/// Requests all interruptions and waits, at most 10 s, until their runs have ended. When Python exits, it ends each
+/// thread that asks for the lock, and a run would crash. REQUIRES: the caller holds the lock.
 void end_all_runs();
 
 } // namespace placedpar::python

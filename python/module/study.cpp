@@ -25,7 +25,7 @@ namespace py = pybind11;
 /// The settings of a sweep: names, and the values of each.
 using Axes = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
-/// Calls a function of the numbers of runs that have ended and of all runs, unless it is None.
+/// Calls `progress` with the number of ended runs and of all runs, unless it is None.
 void tell(const py::object& progress, std::size_t ended, std::size_t all) {
     const py::gil_scoped_acquire locked;
     if (!progress.is_none())
@@ -54,8 +54,8 @@ Study study_of(const LoadedNetwork& network, const Axes& axes) {
     return study;
 }
 
-/// Makes the missing runs on so many cores (0: on all), without the lock. `progress` is None, or is called with the
-/// numbers of runs made and missing.
+/// Makes the missing runs without the lock, on `jobs` cores (0: on all). `progress` is None, or a function that
+/// receives the number of runs made and of runs missing.
 void make_runs(const Study& study, StudyResults& results, std::size_t jobs, bool heeds_signals,
                const py::object& progress) {
     InterruptedByKeyboard interruption(heeds_signals);
@@ -94,7 +94,8 @@ py::list rows_of(const Study& study, StudyResults& results) {
     return rows;
 }
 
-/// REQUIRES: the network is a file, and has no kinds in Python. `store`: a file; "": the runs are kept in memory.
+/// REQUIRES: the network is a file, and has no kinds in Python. `store` is a file; if it is "", the runs are kept in
+/// memory.
 py::list sweep(const LoadedNetwork& network, const Axes& axes,
                const Given<std::vector<std::string>, "measure">& measures, std::uint64_t seed, std::uint64_t seeds,
                std::optional<std::int64_t> until_ps, const std::string& store, Given<std::size_t, "jobs"> jobs,
@@ -115,11 +116,11 @@ py::list sweep(const LoadedNetwork& network, const Axes& axes,
     return rows_of(study, *results);
 }
 
-/// Runs the network, tries changes out, and returns the explanation as JSON and as text.
+/// Runs the network, measures the effect of changes, and returns the explanation as JSON and as text.
 py::tuple explain(const LoadedNetwork& network, std::uint64_t seed, std::optional<std::int64_t> until_ps,
                   bool heeds_signals, const py::object& progress) {
     if (network.has_own_kinds())
-        throw UserError("explain makes changed runs on several threads, but the processes of this network are in "
+        throw UserError("explain tries changes on several threads, but the processes of this network are in "
                         "Python, which runs one at a time: compare the times of runs with changed settings, such as "
                         "net.changed({\"clock\": \"40M\"}).run(), or sweep(net, clock=[\"20M\", \"40M\"])");
     const Time until = limit_of_run(until_ps);

@@ -82,7 +82,7 @@ void ComputerCore::leave(Process&, Process* successor) {
         take_next();
 }
 
-/// Returns the time from now to the end of the pause in which a core is that has waited for so long.
+/// Returns the time until the current pause ends of a core that has waited for this time.
 Time ComputerCore::rest_of_pause(Time waited) const {
     Time end = duration(core_.patience);
     while (end < waited)

@@ -23,7 +23,8 @@ struct CoreCosts {
     Cycles switching{};     ///< a switch to the next process
     Cycles patience{};      ///< time without work after which the thread sleeps
     Cycles waking{};        ///< time until a thread that sleeps has woken
-    Cycles oversleeping{};  ///< by how much each pause (pause_after) lasts longer; 0: messages wake the thread
+    Cycles
+        oversleeping{}; ///< how much longer each pause (pause_after) lasts than requested; 0: messages wake the thread
 
     static constexpr std::int64_t usual_clock = 1'000'000'000; ///< a cycle is a nanosecond
 };
@@ -94,7 +95,7 @@ public:
     bool message_waits(const AnyChannel&) const override;
 
 private:
-    /// What is under way on a channel.
+    /// The communication that is under way on a channel.
     struct Transfer {
         std::int64_t bytes = 0;     ///< length of the message
         bool is_full = false;       ///< a message waits

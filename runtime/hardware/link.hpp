@@ -17,8 +17,8 @@
 
 namespace placedpar::hardware {
 
-/// Is told before the two ends of a link change its state by give(), take() or a reset. A processor that has computed
-/// its future meanwhile can then return to the present. Must not wait or throw.
+/// Receives a call before an end of a link changes the link's state by give(), take() or a reset. A processor that has
+/// computed its future meanwhile can then return to the present. Must not wait or throw.
 class LinkEngineWatcher {
 public:
     virtual void link_will_change() = 0;
@@ -76,7 +76,7 @@ protected:
 /// Throws std::logic_error if a second channel uses the direction, and for a message without bytes.
 class alignas(64) LinkDirection final : public Carrier {
 public:
-    /// `number`: 0 for the direction from a to b, 1 for the other. The course is that of the link.
+    /// `number` is 0 for the direction from a to b, 1 for the other direction. Both directions share the link's course.
     LinkDirection(Kernel&, std::string name, const PacketTimes&, LinkCourse&, std::size_t number);
 
     /// States that one of the two engines moves the messages from or to this memory. Throws std::logic_error if both

@@ -66,8 +66,8 @@ void LinkPeriod::replay(LinkPackets& packets, const PacketTimes& times, const Li
     run_each(packets, times, limit);
 }
 
-/// Compares the packets with those of one noted earlier time. A new time is noted after 1, 2, 4, 8 ... bytes, so a
-/// period of any length is found.
+/// Compares the packets with the packets at one earlier time that was noted. A new time is noted after 1, 2, 4, 8 ...
+/// bytes, so a period of any length is found.
 bool LinkPeriod::find(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) {
     since = never;
     LinkPackets noted;

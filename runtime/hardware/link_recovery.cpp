@@ -133,7 +133,7 @@ void LinkDirection::receiver_leaves(LinkCourse::Touch& touch) {
     direction.first_byte = LinkState::FirstByte::asked_for;
 }
 
-/// Takes back the receiver's request. A byte that is on its way becomes one that was not asked for.
+/// Takes back the receiver's request. A byte that is on its way becomes an unrequested byte.
 void LinkDirection::forget_asked_byte(LinkCourse::Touch& touch) {
     LinkState::Direction& direction = touch->directions[number_];
     LinkPackets::Stream& stream = touch->packets.streams[number_];

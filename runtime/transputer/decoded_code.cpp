@@ -74,7 +74,7 @@ bool DecodedCode::fill(Block& block, Word address, const Bytes& bytes) {
         if (description.unit != Unit::scheduler)
             after += 2 * cycles_of(read.operation, timing_.model);
         else
-            ++extra; // it does not begin in the half cycle in which others may act
+            ++extra; // it may not begin in the half cycle in which links and events act
         extra += 2u * description.extra_cycles + std::uint32_t{description.accesses} * timing_.penalty;
         Word operand = read.operand;
         if (branches_by_operand(read.operation))
@@ -223,7 +223,7 @@ void DecodedCode::forget_in_page(Word index, Word offset, Word bytes) {
     }
     if (!is_decoded)
         return;
-    // Blocks of many prefixes may begin several pages before.
+    // A block with many prefixes may begin several pages before this page.
     for (Word before = index; page->reached_from_before && before-- > 0 && index - before <= longest_reach;)
         forget_blocks(before, offset, bytes);
     forget_blocks(index, offset, bytes);

@@ -32,7 +32,7 @@ struct BoomMotion {
     hydraulics::MeasurementNoise noise = hydraulics::no_noise;
     double spool_offset_in = 0; ///< error of the spool's readings and of A.1; positive: too high
     std::optional<double> inlet_compliance_in3_per_psi = {}, spool_desired_in = {}, duration_s = {};
-    bool slow = false; ///< only for the simple plant: scenario B, with a heavier load and a ramp
+    bool slow = false; ///< scenario B, with a heavier load and a ramp; only for the simple plant
 };
 
 /// Simulates the motion once, and measures it for each seed with the noise of the streams (seed, "sensors").

@@ -66,7 +66,7 @@ Panel compliance_panel(const WatchedIdentification& watched, double until_s) {
     Series best{"best individual", {}};
     for (const TransientEstimate& estimate : watched.identified.found.estimates)
         best.points.push_back({estimate.time_s, 1000 * estimate.compliance_in3_per_psi[0]});
-    best.points.push_back({until_s, best.points.back().y}); // after the end of the search the last answer stays
+    best.points.push_back({until_s, best.points.back().y}); // the last answer is kept after the end of the search
     return {"c: estimated C_BOi",
             time_axis(until_s),
             {"compliance [0.001 in³/psi]", 0, 20},
@@ -74,7 +74,7 @@ Panel compliance_panel(const WatchedIdentification& watched, double until_s) {
             {{"true", 1000 * watched.data.boom.inlet_compliance_in3_per_psi}}};
 }
 
-/// Returns the error of the equations with the last answer, at every instant at which the inlet is open.
+/// Returns the error of the equations at every instant with an open inlet, if the compliance is the last answer.
 Series error_of_answer(const WatchedIdentification& watched, double until_s) {
     Series series{"last answer", {}};
     const Circuit circuit = boom_circuit();

@@ -8,13 +8,13 @@
 
 namespace placedpar {
 
-/// The measures of how well a search followed the pole. Times are in generations; an event that never happens has the
-/// greatest possible time.
+/// The measures of how well a search followed the pole. Delays are in generations; for an event that never happens, the
+/// delay is the greatest possible.
 enum class Tracking : unsigned char {
     delay_20, ///< delay after generation 200 until the running median of alpha over 11 generations has covered 20 % of
-              ///< the change; 40 for the true alpha
-    delay_63, ///< as `delay_20`, for 63 % of the change; 126 for the true alpha
-    lag,      ///< delay with which the true alpha is nearest to the found alpha
+              ///< the change; the true alpha has a delay of 40
+    delay_63, ///< as `delay_20`, but for 63 % of the change; the true alpha has a delay of 126
+    lag,      ///< delay at which the delayed true alpha is nearest to the found alpha
     error_before,     ///< rms distance between found and true pole in generations 100 to 199
     error_during,     ///< rms distance in generations 200 to 399
     error_after,      ///< rms distance in generations 500 to 599
