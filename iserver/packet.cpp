@@ -38,7 +38,7 @@ void PacketReader::check_length() {
         refusal_ = fmt::format("request {} to the host has the length {}; a length is even, and from {} to {}{}",
                                complete_ + 1, length, shortest_data, longest_data,
                                length > longest_data && length <= longest_of_later_servers && length % 2 == 0
-                                   ? ": version 1.0, as which the host answers, has no longer ones"
+                                   ? ": the host serves version 1.0 of the protocol, which has no longer requests"
                                    : "");
 }
 

@@ -63,7 +63,7 @@ void Kernel::refuse_outside_a_run() {
 [[gnu::cold, gnu::noinline]] void Kernel::unwind_running() {
     constexpr unsigned enough = 1000;
     if (++hot_.running->times_unwound_ > enough) {
-        std::fprintf(stderr, "process %s catches every exception, also the one that ends it: let Unwinding pass\n",
+        std::fprintf(stderr, "process %s catches every exception, including the one that ends it: rethrow Unwinding\n",
                      hot_.running->path().c_str());
         std::abort();
     }

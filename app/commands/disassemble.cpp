@@ -43,8 +43,8 @@ transputer::FileRange typed_range(const DisassembleOptions& options, std::size_t
     const transputer::FileRange range{.from = position_of(options.from).value_or(0),
                                       .until = position_of(options.until).value_or(bytes)};
     if (range.from >= std::min(range.until, bytes))
-        throw UserError(fmt::format("{}: no byte is from position {} on and before {}: the file has {}", options.file,
-                                    range.from, range.until, counted(bytes, "byte")));
+        throw UserError(fmt::format("{}: the range from position {} to before {} has no byte: the file has {}",
+                                    options.file, range.from, range.until, counted(bytes, "byte")));
     return range;
 }
 

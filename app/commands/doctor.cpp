@@ -116,7 +116,7 @@ Action declare_doctor(Options&, const std::string&) { return doctor; }
 
 extern const Command doctor_command{
     .name = "doctor",
-    .about = "Says what is installed, what is missing for which command, and all versions",
+    .about = "Lists what is installed, what is missing for which command, and all versions",
     .place = 95,
     .declare = declare_doctor,
 };

@@ -28,9 +28,8 @@ struct MarkOptions {
 
 serve::MarkedTask task_of(const MarkOptions& options) {
     if (options.exercise.empty() == options.expected.empty())
-        throw UserError(
-            "the task is missing: name an exercise of the course with --exercise 3.2, or a file with what a "
-            "solution prints with --expected FILE; not both");
+        throw UserError("the task is missing: name an exercise of the course with --exercise 3.2, or a file with the "
+                        "expected output with --expected FILE; not both");
     if (!options.expected.empty()) {
         const LoadedSource expected = load_source(options.expected);
         if (!expected.problems.empty())
@@ -89,7 +88,7 @@ Action declare_mark(Options& command, const std::string&) {
     auto options = std::make_shared<MarkOptions>();
     command.add("FOLDER", options->folder, "folder with programs in occam (.occ), also in its subfolders").required();
     command.add("--exercise", options->exercise, "number of an exercise of the course").type("NUMBER");
-    add_file(command, "--expected", options->expected, "file with what a solution of another task prints");
+    add_file(command, "--expected", options->expected, "file with the expected output of another task");
     add_file(command, "--csv", options->csv, "writes the marks to this file as comma-separated values");
     add_jobs(command, options->limits.at_once, "number of submissions at a time; default: number of cores");
     add_number(command, "--seconds", options->limits.run.seconds, 1, 3600, "time that a submission may take")

@@ -282,7 +282,8 @@ Action declare_optimise(Options& command, const std::string&) {
     add_search_size(command, *options);
     command.add_list("--price", options->price, "PART=PRICE",
                      "price of each T800, C004, link ..., for the measure \"price\"; may be repeated");
-    command.add_flag("--random", options->random, "also tries as many machines drawn at random, for comparison");
+    command.add_flag("--random", options->random,
+                     "also tries the same number of machines drawn at random, for comparison");
     command.add_flag("--exhaustive", options->exhaustive, "also tries all machines, for comparison");
     add_file(command, "--results", options->results,
              "file of the results, which is read and extended; default: the study's name with .sqlite, in this folder");

@@ -303,7 +303,7 @@ std::optional<Network> load(RunOptions& options, const Options& command) {
 
 void say_begin(const RunOptions& options) {
     if (options.checkpoints && options.checkpoints->begin() > 0)
-        print_error(fmt::format("placedpar: goes on after generation {} of {}\n", options.checkpoints->begin(),
+        print_error(fmt::format("placedpar: continues after generation {} of {}\n", options.checkpoints->begin(),
                                 options.checkpoint));
 }
 
@@ -365,9 +365,9 @@ void add_searches(Options& command, RunOptions& options) {
              "draws best fitness, mean fitness and diversity over the generations as SVG; with --seeds medians "
              "and quartiles");
     command.add_flag("--yes", options.yes, "starts any number of runs without asking");
-    Option checkpoint = add_file(command, "--checkpoint", options.checkpoint,
-                                 "keeps the populations of all searches in this file, and goes on from it if it is "
-                                 "there");
+    Option checkpoint =
+        add_file(command, "--checkpoint", options.checkpoint,
+                 "keeps the populations of all searches in this file, and continues from it if it exists");
     add_count(command, "--checkpoint-every", options.checkpoint_every, "number of generations between two checkpoints")
         .check(not_at_least_one)
         .show_default()

@@ -95,7 +95,7 @@ std::optional<SimulatedTimes> simulate(const SendOptions& options, const Options
     const Time booted = report.programs.front().booted_at;
     SimulatedTimes times{.boot = in_seconds(booted), .run = in_seconds(report.result.time - booted)};
     if (host.departed())
-        times.departure = fmt::format("request {} differs from that on the board", host.repeated() + 1);
+        times.departure = fmt::format("request {} differs from the board's request", host.repeated() + 1);
     else if (host.repeated() < board.requests)
         times.departure =
             fmt::format("it ends after {}: {}", counted(host.repeated(), "request"), report.programs.front().state);
@@ -125,7 +125,7 @@ std::string print_board_run(const SendOptions& options, std::size_t bytes, const
         text += fmt::format("simulated: {} with {} of memory, an access in {} cycles; the host takes no time\n",
                             options.booted.processor, options.booted.memory, options.booted.memory_cycles);
     if (simulated && !simulated->departure.empty())
-        text += fmt::format("the simulated program departs: {}\n", simulated->departure);
+        text += fmt::format("the simulated program differs: {}\n", simulated->departure);
     return text;
 }
 

@@ -208,7 +208,7 @@ ExitCode identify_trend(const IdentifyOptions& options, boost::json::object& jso
     }
     const Trend trend(std::move(answers));
     if (trend.links().empty() && !reader.stopped())
-        throw UserError("no record has a movement that tells a compliance");
+        throw UserError("no record has a movement from which a compliance can be identified");
     print_out(print_trend(trend));
     if (reader.stopped())
         return ExitCode::interrupted;

@@ -20,7 +20,7 @@ void declare_question(Options& command, IdentifyOptions& options) {
     command.add_list("--column", options.columns, "NAME=NAME_IN_FILE",
                      "name of a column in the record, such as boom.inlet_pressure=P_boom_in, \"angle [deg]=Phi 1\" or "
                      "time=Timestamp; without a link: the boom's");
-    add_file(command, "--columns-from", options.columns_from, "file with such names, one a line");
+    add_file(command, "--columns-from", options.columns_from, "file with column names, one in each line");
     add_links(command, options.links,
               "links to identify, with commas: bucket, boom, stick, swing; default: every link with readings; "
               "with --way thesis: boom");

@@ -63,19 +63,19 @@ private:
         if (const toml::table* table = node.as_table())
             read_table(*table, handlers_of(job_.start), "start");
         else
-            report(node.source().begin, "it takes a pose",
+            report(node.source().begin, "expected a table with the pose of the arm",
                    "start = {reach = 300, height = -20, pitch = -60, swing = 0}");
     }
 
     void read_moves(const toml::node& node) {
-        for (const toml::table* table : tables_in(node, "it takes tables of moves", "[[move]]")) {
+        for (const toml::table* table : tables_in(node, "expected tables of moves", "[[move]]")) {
             JoystickMove move{0, {}, 0, table->source().begin.line};
             Handlers handlers = handlers_of(move.velocity);
             handlers["seconds"] = [&](const toml::node& each) { move.seconds = number(each, 0.02, most_s); };
             handlers["soil"] = [&](const toml::node& each) { move.soil_lbf = number(each, 0, 1e6); };
             read_table(*table, handlers, "move");
             if (move.seconds == 0)
-                report(table->source().begin, "a move lasts some time", "seconds = 2");
+                report(table->source().begin, "the move has no duration", "seconds = 2");
             job_.moves.push_back(move);
             places_.push_back(table->source().begin);
         }

@@ -277,9 +277,10 @@ private:
             if (first)
                 return c_.reporter.error(
                     process.declared,
-                    fmt::format("\"{}\" and \"{}\" use the host of \"{}\", which one process can use", first->name,
+                    fmt::format("\"{}\" and \"{}\" use the host of \"{}\", which only one process can use", first->name,
                                 process.name, n_.nodes[node].name),
-                    "let the others send to it what they print", {{"the first one is declared here", first->declared}});
+                    "let the other processes send their output to it",
+                    {{"the first one is declared here", first->declared}});
             first = &process;
         }
     }

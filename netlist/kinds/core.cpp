@@ -101,7 +101,7 @@ std::vector<AttributeDescription> core_attributes() {
     attributes.push_back(cost("crossing", 0, "an input or output between processes of two cores"));
     attributes.push_back(cost("switching", 0, "a switch to the next process"));
     attributes.push_back(cost("patience", 20'000, "time without work after which the thread sleeps"));
-    attributes.push_back(cost("waking", 0, "time until a thread that sleeps has woken"));
+    attributes.push_back(cost("waking", 0, "time to wake a sleeping thread"));
     attributes.push_back(cost(
         "oversleeping", 0, "extra length of each pause in which an idle MPI rank sleeps; 0: messages wake the thread"));
     return attributes;

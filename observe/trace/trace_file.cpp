@@ -65,7 +65,7 @@ std::string TraceFile::finish(const RunResult& result, std::span<const PathPart>
 
 std::string TraceFile::warnings() const {
     if (std::optional<Time> full = timeline_.full_at())
-        return fmt::format("{}: the trace ends at {}, where it is full with {} entries; choose a part of the run "
+        return fmt::format("{}: the trace is full and ends at {}, after {} entries; choose a part of the run "
                            "with --trace-from and --trace-until, or raise --trace-limit\n",
                            shown_output(path_), to_string(*full), window_.most_entries);
     if (std::string why = timeline_.why_empty(); !why.empty())

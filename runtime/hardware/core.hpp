@@ -22,7 +22,7 @@ struct CoreCosts {
     Cycles crossing{};      ///< an input or output between processes of two cores
     Cycles switching{};     ///< a switch to the next process
     Cycles patience{};      ///< time without work after which the thread sleeps
-    Cycles waking{};        ///< time until a thread that sleeps has woken
+    Cycles waking{};        ///< time to wake a sleeping thread
     Cycles
         oversleeping{}; ///< how much longer each pause (pause_after) lasts than requested; 0: messages wake the thread
 

@@ -202,9 +202,9 @@ void AdapterBroadcast::require_same(const AnyChannel& channel, const WireForm& f
             fmt::format("{}, but its message has {}, not {}", both, bytes_in_words(form), bytes_in_words(*form_)));
     auto is_same = channel.has_message_of(*first_);
     if (!is_same)
-        throw BroadcastError(both + ", and it cannot be told whether the messages are the same: their type has no ==");
+        throw BroadcastError(both + ", and the messages cannot be compared: their type has no ==");
     if (!*is_same)
-        throw BroadcastError(both + ", but its message is another one");
+        throw BroadcastError(both + ", but its message differs");
 }
 
 void AdapterBroadcast::write_all(const WireForm& form, const SourceLocation& where) {

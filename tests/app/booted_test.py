@@ -123,7 +123,7 @@ class Booted(unittest.TestCase):
             done = placedpar("send", self.file, "--to", f"tcp:127.0.0.1:{server.getsockname()[1]}", "--keys", "")
             thread.join(30)
         self.assertIn("Hallo from", done.stdout)
-        self.assertIn("the simulated program departs: request 1 differs from that on the board\n", done.stdout)
+        self.assertIn("the simulated program differs: request 1 differs from the board's request\n", done.stdout)
         run.wait(60)
 
     def test_an_offer_ends_when_the_other_program_leaves_or_the_user_interrupts(self):

@@ -90,7 +90,7 @@ class Checkpoints(unittest.TestCase):
         begin = self.stop_in_the_middle(ISLANDS)
         log = self.file.with_name("log.csv")
         run = placedpar("run", ISLANDS, "--checkpoint", self.file, "--log", log)
-        self.assertIn(f"placedpar: goes on after generation {begin} of {self.file}\n", run.stderr)
+        self.assertIn(f"placedpar: continues after generation {begin} of {self.file}\n", run.stderr)
         rows = log.read_text(encoding="utf-8").splitlines()
         numbers = {int(row.split(",")[rows[0].split(",").index("generation")]) for row in rows[1:]}
         self.assertEqual(min(numbers), begin + 1)
@@ -154,11 +154,11 @@ class Refusals(unittest.TestCase):
         stored = json.loads(self.file.read_text(encoding="utf-8"))
         for generation in (10000, 2 ** 64 - 1):
             self.file.write_text(json.dumps({**stored, "generation": generation}), encoding="utf-8")
-            self.assertIn("the checkpoint is of a later generation than the last one of this search, 80: ",
+            self.assertIn("the checkpoint is from a generation after the last generation of this search, 80: ",
                           self.refused())
 
     def test_of_searches_whose_results_no_checkpoint_holds(self):
-        self.assertIn("belongs to a pair and has a bias point, which no checkpoint holds",
+        self.assertIn("belongs to a pair and has a bias point, which a checkpoint cannot store",
                       self.refused(netlist=EXAMPLES / "genetic/coarse-fine/pair.cfs"))
         self.assertIn("no process of", self.refused(netlist=EXAMPLES / "csp/commstime/commstime.cfs"))
         self.assertIn("--seeds asks for 3 runs", self.refused("--seeds", "3"))

@@ -84,7 +84,7 @@ class Compare(unittest.TestCase):
         self.assertIn("sink on b", out)
         self.assertAlmostEqual(milliseconds(out, "the hardware of B"), 0, 5)
         self.assertRegex(out, r"not alone +the mapping of B: .*error")
-        self.assertIn("differences that could not be made alone", out)
+        self.assertIn("differences that could not be applied alone", out)
 
     def test_vals_are_read_as_the_language_reads_them(self):
         def machine(name, cycles, parts, text):
@@ -123,7 +123,7 @@ class Compare(unittest.TestCase):
         out = self.compared(self.a, b)
         self.assertIn("not alone  the mapping of B", out)
         self.assertNotIn("add up", out)
-        self.assertIn("differences that could not be made alone", out)
+        self.assertIn("differences that could not be applied alone", out)
 
     def test_another_wiring_takes_its_time(self):
         chain = NETLIST.replace("a, b;\nprocess", "a, b, c;\nprocess")
@@ -169,7 +169,7 @@ class Compare(unittest.TestCase):
         self.compared(self.a, self.a, "--set-b", "clock=10M", "--tolerance", "200")
         self.assertEqual(placedpar("compare", self.a, "nowhere.cfs").returncode, 1)
         self.assertEqual(placedpar("compare", self.a, self.a, "--set-b", "colour=3").returncode, 1)
-        self.assertIn("No difference was made alone",
+        self.assertIn("No difference was applied alone",
                       self.compared(self.a, self.file("stuck.cfs", NETLIST.replace("sink (count = 1)", "sink (count = 2)")), code=2))
 
     def test_a_file_that_is_not_a_report_is_refused(self):

@@ -96,7 +96,7 @@ SEQ
   so.write.int (fs, ts, first, 0)
   so.write.nl (fs, ts)
   so.exit (fs, ts, sps.success)"""
-        self.assert_wrong(racing, 1, r'it is right in the usual order of its processes, but not in all orders\n'
+        self.assert_wrong(racing, 1, r'the program is right in the usual order of its processes, but not in every order\n'
                                      r'with --shuffle \d+, line 1 of the output is wrong\n  expected: "42"')
 
     def test_wrong_use(self):

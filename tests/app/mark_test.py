@@ -107,7 +107,7 @@ class Mark(unittest.TestCase):
         self.put("race.occ", RACE)
         done = placedpar("mark", self.folder / "class", "--expected", self.folder / "expected.txt", "--csv", self.marks)
         self.assertIn("1 mark: 1 wrong output\n", done.stdout)
-        self.assertIn("it is right in the usual order of its processes, but not in all orders", self.rows()["race.occ"]["why"])
+        self.assertIn("the program is right in the usual order of its processes, but not in every order", self.rows()["race.occ"]["why"])
 
     def test_a_check_that_takes_too_long_names_the_limit(self):
         self.put("slow.occ", FOR_EVER)

@@ -100,7 +100,7 @@ class NativeTraces(unittest.TestCase):
         self.assertEqual((trace.end, trace.why), (3 * MILLISECOND, "end of the part that is traced"))
         self.assertGreaterEqual(min(s.begin for slices in trace.slices.values() for s in slices), 2 * MILLISECOND)
         run = placedpar("run", ISLANDS, "--native", "--trace", self.folder / "trace.json", "--trace-limit", 100)
-        self.assertIn("where it is full with 100 entries", run.stderr)
+        self.assertIn("after 100 entries", run.stderr)
 
     @unittest.skipUnless(CHROMIUM, "no browser")
     def test_the_page_has_threads_as_tracks_and_opens_in_a_browser(self):

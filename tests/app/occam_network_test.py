@@ -63,7 +63,7 @@ PROC sum (CHAN OF INT a, b)
         self.assertRegex(stopped.stdout, r"\nsum +inputs +.*shares\.occ:7:")
         unchecked = placedpar("run", netlist, "--no-checks", "usage")
         self.assertEqual(unchecked.returncode, 1)
-        self.assertIn('a netlist cannot leave out the check "usage" of its programs; write #OPTION "N" into the file', unchecked.stderr)
+        self.assertIn('a netlist cannot turn off the check "usage" of its programs; write #OPTION "N" into the file', unchecked.stderr)
         empty = self.folder / "empty.cfs"
         empty.write_text("T800 a;\n", encoding="ascii")
         run = placedpar("run", empty, "--mode", "stop")

@@ -286,12 +286,12 @@ class Jobs(unittest.TestCase):
                 (self.START + "[[move]]\nsecond = 1\n", "3:1", 'a move has no key "second"', 'did you mean "seconds"?'),
                 (self.START + "turbo = 1\n" + self.LOWER, "2:1", 'a job has no key "turbo"',
                  "its keys are about, move, repeat, start"),
-                (self.START + "[[move]]\nreach = 5\n", "2:1", "a move lasts some time", "seconds = 2"),
+                (self.START + "[[move]]\nreach = 5\n", "2:1", "the move has no duration", "seconds = 2"),
                 (self.START + "[[move]]\nseconds = 2\nreach = -200\n", "2:1", "the arm does not reach", "a shorter or slower move"),
                 ("repeat = 300\n" + self.START + self.LOWER, "3:1", "the job lasts 900 s, expected at most 600", "a smaller repeat"),
                 (self.LOWER, "1:1", "a job needs a start and at least one move", "start = {reach = 300"),
                 (self.START, "1:1", "a job needs a start and at least one move", "[[move]]"),
-                ("start = 3\n" + self.LOWER, "1:9", "it takes a pose", "start = {reach = 300"),
+                ("start = 3\n" + self.LOWER, "1:9", "expected a table with the pose of the arm", "start = {reach = 300"),
                 (self.START + "[[move]]\nseconds = \n", "3:", "", "a job is written in TOML")):
             message = self.refused(text)
             self.assertRegex(message[0], rf"^job\.toml:{place}.*error: .*{re.escape(said)}", text)

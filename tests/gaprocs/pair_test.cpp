@@ -186,7 +186,7 @@ TEST_CASE("bits and fields that cannot be bred are refused at their place") {
     check_pair_refused(wrong, ":4:", "the problem's string has 1 field, but bits are given for 2");
     for (const char* text : {"", "4.5", "0", "64", "four", "4,4"}) {
         wrong.bits_of_coarse = text;
-        check_pair_refused(wrong, ":4:", "expected the bits of each field, numbers from 1 to 63");
+        check_pair_refused(wrong, ":4:", "expected the number of bits of each field, from 1 to 63 each");
     }
     wrong = {};
     wrong.both = "fields = \"4 4\", problem = \"valley\", coding = \"real\"";

@@ -220,7 +220,7 @@ class Operations(unittest.TestCase):
                 yield from Numbers.body(self)
         pair(Keeper, Sum).run()
         for use in (lambda: kept[0].out.channel, lambda: kept[0].out.output(1)):
-            with self.assertRaisesRegex(pp.Error, "the end out is used after its process has ended"):
+            with self.assertRaisesRegex(pp.Error, "the end out was used after its process had ended"):
                 use()
         with self.assertRaisesRegex(pp.Error, "after its process has ended"):
             kept[0].measure("late", 1)

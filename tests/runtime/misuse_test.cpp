@@ -361,7 +361,7 @@ TEST_CASE("a process that catches all exceptions ends the program with a message
         simulation.run();
     });
     CHECK(death.signal == SIGABRT);
-    CHECK(death.errors == "process p catches every exception, also the one that ends it: let Unwinding pass\n");
+    CHECK(death.errors == "process p catches every exception, including the one that ends it: rethrow Unwinding\n");
 }
 
 TEST_CASE("a stack that the thread kept from an earlier run is zeroed and guarded as any other") {

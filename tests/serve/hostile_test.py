@@ -59,7 +59,7 @@ class Hostile(ServiceTest):
         place = 'a file needs a text, and a name without ".." that does not begin with "/"'
         for job, why in ((None, "not an object"), ([], "not an object"), ("x", "not an object"), ({}, '"do" is missing'),
                          ({"do": "run"}, '"main" is missing'), ({"do": "run", "main": "a.cfs"}, '"files" is missing'),
-                         (good | {"do": "rm"}, '"do" is none of check, run, explain, listing and exercise'),
+                         (good | {"do": "rm"}, '"do" is not check, run, explain, listing or exercise'),
                          (good | {"main": "b.cfs"}, '"main" is not among the files'), (good | {"main": 1}, '"main" is not a text'),
                          (good | {"files": 1}, '"files" is not an object of texts'), (good | {"files": {"a.cfs": 1}}, place),
                          (good | {"main": "../a.cfs", "files": {"../a.cfs": ""}}, place), (good | {"main": "/a.cfs", "files": {"/a.cfs": ""}}, place),

@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
         .about = "Passes on every n-th packet.",
         .ports = {packets_in(), packets_out()},
         .parameters = {packet_count(), packet_cycles(), integer("every", {.by_default = 10, .least = 1}, "n")},
-        .measurements = {{"passed", "packets", "how many it passed on"}},
+        .measurements = {{"passed", "packets", "number of packets passed on"}},
         .body = thin_out};
     return run_program(argc, argv, {thinner});
 }

@@ -37,7 +37,7 @@ TEST_CASE("another end than success is wrong whatever was printed") {
     CHECK(what_is_wrong({.end = StudentRun::End::too_long, .output = "1\n2\n"}, expected) ==
           "the program has not ended after 10 s of simulated time, after 2 lines of output");
     CHECK(what_is_wrong({.end = StudentRun::End::too_much_output, .output = "1\n"}, expected) ==
-          "the program prints more than 65536 bytes; expected are 2");
+          "the program prints more than 65536 bytes, but the expected output has 2");
 }
 
 } // namespace placedpar

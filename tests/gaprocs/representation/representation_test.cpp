@@ -66,8 +66,9 @@ TEST_CASE("a text that is not a string of the representation is refused") {
     CHECK(refusal_of_text(two_reals, "1 x") == "\"x\" is not a number");
     CHECK(refusal_of_text(two_reals, "1 1.5") == "1.5 is out of range: number 2 of a string may be from -1 to 1");
     CHECK(refusal_of_text(two_reals, "nan 0") == "nan is out of range: number 1 of a string may be from 0 to 10");
-    CHECK(refusal_of_text(order_of_4, "0 1 2 4") == "4 is not an element, expected each of 0 to 3 once");
-    CHECK(refusal_of_text(order_of_4, "0 1 2 1") == "1 occurs twice, expected each of 0 to 3 once");
+    CHECK(refusal_of_text(order_of_4, "0 1 2 4") ==
+          "4 is not an element; a permutation has each number from 0 to 3 once");
+    CHECK(refusal_of_text(order_of_4, "0 1 2 1") == "1 occurs twice; a permutation has each number from 0 to 3 once");
     CHECK(refusal_of_text(order_of_4, "0 1 2 -1") == "\"-1\" is not a whole number");
 }
 

@@ -69,7 +69,7 @@ TEST_CASE("an empty window is refused") {
 TEST_CASE("the parts missing in the trace are reported") {
     Written file("placedpar_trace_file_test.json");
     std::string full = file.run({.most_entries = 3});
-    CHECK(full.find("the trace ends at 3.000000 us, where it is full with 3 entries") != std::string::npos);
+    CHECK(full.find("the trace is full and ends at 3.000000 us, after 3 entries") != std::string::npos);
     std::string empty = file.run({.from = 20us});
     CHECK(empty.find("the trace is empty: the run ended at 10.000000 us") != std::string::npos);
     CHECK(file.run({.from = 2us, .until = 5us}).empty());
