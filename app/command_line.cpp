@@ -41,7 +41,7 @@ std::vector<Command>& commands_of_program() {
     return all;
 }
 
-/// Returns the version text. A program with its own kinds differs from placedpar and may have a version of its own.
+/// Returns the version text. It also names the program, because a program with its own kinds may have its own version.
 std::string version_of_program() {
     return program_name() == "placedpar" ? "placedpar " + version_text()
                                          : fmt::format("{} (PlacedPar {})", program_name(), version_text());

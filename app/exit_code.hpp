@@ -4,7 +4,7 @@
 
 namespace placedpar {
 
-/// The exit codes of the program; documented in README.md.
+/// The exit codes of the program; docs/guides/when-something-is-wrong.md explains them.
 enum class ExitCode {
     success = 0,
     bad_input = 1,        ///< wrong use, or refused input

@@ -34,7 +34,7 @@ inline constexpr std::array every_judge{Judge::thesis, Judge::published, Judge::
 
 const char* name_of(Judge);
 
-/// A simulated figure beside a known figure, and how far apart the two may be.
+/// A simulated figure, a known figure, and the tolerance of their difference.
 struct Cell {
     std::string row, column, unit = {};
     std::optional<double> reference = {};         ///< the known figure: Comparison::against names its source

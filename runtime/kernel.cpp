@@ -201,7 +201,7 @@ void Kernel::run_among(Surroundings& surroundings, std::uint32_t number) {
     std::swap(hot_.ready, native_.woken);
     hot_.between_programs = false;
     if (hot_.trace)
-        read_wall_clock(); // a process that a message has woken goes on after it was sent
+        read_wall_clock(); // a process that a message has woken continues at a time after the sending
     if (Process* const woken = native_.turns.next(native_.woken, !hot_.ready.empty()))
         hot_.ready.push_front(*woken);
 }

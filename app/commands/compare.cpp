@@ -30,7 +30,8 @@ struct CompareOptions {
 
 bool is_report(const std::string& file) { return lower_case(file).ends_with(".json"); }
 
-/// Throws UserError if an option is typed that has no effect, since a report states the settings of its run.
+/// Throws UserError for an option without effect. Options for netlists have no effect on a report, because it contains
+/// the settings of its run.
 void require_effect(const CompareOptions& options, const Options& command) {
     if (is_report(options.b) && command.is_given("--set-b"))
         throw UserError(fmt::format("--set-b has no effect on {}: a report states the settings of its run; give a "

@@ -25,7 +25,8 @@ struct DisassembleOptions {
     std::string file, processor = "T800", from, until;
 };
 
-/// Returns a position in a file, as the output or as people write it: "+0046F" or "1135"; nothing if it is neither.
+/// Reads a position in a file, in the form of the output, "+0046F", or as a decimal number, "1135". Returns nothing for
+/// any other text.
 std::optional<std::size_t> position_of(std::string_view text) {
     const bool hexadecimal = text.starts_with('+');
     if (hexadecimal)

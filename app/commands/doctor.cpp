@@ -27,7 +27,7 @@ namespace placedpar {
 
 namespace {
 
-/// Something that PlacedPar needs at run time, besides itself.
+/// A program or library that PlacedPar needs at run time.
 struct RuntimePart {
     const char* name;
     const char* needed_by;
@@ -60,7 +60,8 @@ std::optional<std::string> find_module_of_ranks() {
     return module.empty() ? std::nullopt : std::optional(module.string());
 }
 
-/// Asks for a filter at no address: a kernel with filters says that the address is wrong, and installs none.
+/// Tries to install a filter at address 0. A kernel that has filters refuses the address; a kernel without filters
+/// refuses the call.
 std::optional<std::string> find_filters_of_calls() {
     const bool refused = ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr, 0, 0) < 0;
     return refused && errno == EFAULT ? std::optional<std::string>("yes") : std::nullopt;

@@ -39,7 +39,8 @@ serve::MarkedTask task_of(const MarkOptions& options) {
     return {exercise_of(options.exercise).number, std::nullopt};
 }
 
-/// Prints a line for each submission, with the first line of what is wrong, and the number of each result.
+/// Prints a line for each submission, with the first line of its explanation, and the number of submissions with each
+/// result.
 std::string print_marks(const std::vector<serve::Mark>& marks) {
     std::size_t width = 4;
     std::map<std::string, std::size_t> counts;

@@ -236,8 +236,8 @@ bool has_failed_program(const FinishedRun& run) {
 }
 
 /// Returns the exit code of the first run that is not a success. An interruption between two runs changes the ending of
-/// neither, so the number of runs is compared, too. `unread`: the runs were interrupted since the reader of a program's
-/// output has gone, which is a success as for other outputs.
+/// neither run, so the number of runs is compared, too. `unread` is true if the runs were interrupted because the
+/// reader of a program's output has gone, which counts as a success.
 ExitCode exit_code_of(std::span<const FinishedRun> runs, std::size_t asked, bool unread) {
     const ExitCode interrupted = unread ? ExitCode::success : ExitCode::interrupted;
     for (const FinishedRun& run : runs)
@@ -248,7 +248,8 @@ ExitCode exit_code_of(std::span<const FinishedRun> runs, std::size_t asked, bool
     return runs.size() == asked ? ExitCode::success : interrupted;
 }
 
-/// Offers the host's link of a network to another program, if that was asked for. Returns false after an interruption.
+/// Offers the host's link of a network to another program, if the option --offer is given. Returns false after an
+/// interruption.
 bool offer_link(Network& network, const RunOptions& options, const Interruption& interruption,
                 std::optional<iserver::OfferedBoard>& board) {
     if (options.offer.empty())
@@ -269,7 +270,7 @@ void write_recorded(const PageContent& run, const RunOptions& options, std::opti
         write_recorded(options.recorded, *options.native_trace, run);
 }
 
-/// Makes the part of a native run that runs in a rank above 0, which writes nothing.
+/// Executes this rank's part of a native run. A rank above 0 writes nothing.
 ExitCode help_rank_zero(const Network& network, const RunOptions& options) {
     InterruptedBySignals interruption;
     const RunSettings settings{
@@ -336,7 +337,7 @@ ExitCode run(RunOptions options, const Options& command, const std::string& type
     std::optional<iserver::OfferedBoard> board;
     if (!offer_link(network, options, interruption, board))
         return ExitCode::interrupted;
-    std::optional<Recorders> recorders; // of a simulated run
+    std::optional<Recorders> recorders; // set for a simulated run
     if (!options.native.is_native)
         recorders.emplace(network, options.recorded);
     std::vector<FinishedRun> runs = run_seeds(network, options, recorders ? recorders->sink() : nullptr, interruption);

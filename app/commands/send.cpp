@@ -45,8 +45,8 @@ std::string print_end(const iserver::BoardRun& run) {
     return run.exit == 0 ? "exited with success" : fmt::format("exited with status {}", run.exit);
 }
 
-/// The host of a simulated run that gives the replies of a run on a board. If the program makes another request than on
-/// the board, it gets no reply.
+/// The host of a simulated run, which repeats the replies of a run on a board. If the program makes another request
+/// than on the board, the host does not reply.
 class RepeatedHost {
 public:
     explicit RepeatedHost(std::span<const iserver::Exchange> exchanges) : exchanges_(exchanges) {}
@@ -58,7 +58,7 @@ public:
             return {.reply = {}, .state = iserver::ServerState::waits_for_input};
         return exchanges_[next_++].answer;
     }
-    /// Returns how many requests were the same.
+    /// Returns the number of requests that were equal on the board and in the simulation.
     std::size_t repeated() const { return next_; }
     bool departed() const { return departed_; }
 
@@ -74,7 +74,7 @@ struct SimulatedTimes {
     std::string departure = ""; ///< difference between the simulated run and the run on the board; "" if there is none
 };
 
-/// Simulates the program with the replies that it got on the board. A simulated run that takes much longer is stopped.
+/// Simulates the program with the replies from the run on the board. A simulated run that takes much longer is stopped.
 /// Returns nothing if the program cannot be read again, or did not end on the board.
 std::optional<SimulatedTimes> simulate(const SendOptions& options, const Options& typed, const iserver::BoardRun& board,
                                        Interruption& interruption) {
@@ -102,7 +102,7 @@ std::optional<SimulatedTimes> simulate(const SendOptions& options, const Options
     return times;
 }
 
-/// Prints a time on the board, measured by the clock of this computer, and the simulated one beside it.
+/// Prints a time on the board, measured by the clock of this computer, beside the simulated time.
 std::string print_times(const std::string& what, std::chrono::microseconds measured, std::optional<double> simulated,
                         const std::string& more) {
     return fmt::format("{:<9}  {:10.6f} s  {:>12}   {}\n", what, in_seconds(measured),

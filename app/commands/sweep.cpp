@@ -122,7 +122,8 @@ std::filesystem::path results_of(const SweepOptions& options) {
 /// Shows one line with the progress and the remaining time.
 class SweepProgress {
 public:
-    /// Shows the progress of the missing runs. `made` missing runs have been made already.
+    /// Shows the progress of the missing runs. `made` is the number of missing runs that were made before the sweep
+    /// began.
     SweepProgress(const StudySweep::Missing& missing, std::uint64_t made) : missing_(missing), made_(made) {}
 
     void show(std::uint64_t ended) {

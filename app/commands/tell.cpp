@@ -25,7 +25,7 @@ struct TellOptions {
     std::size_t for_s = 8 * 3600;
 };
 
-/// A command for the monitor and the number of words after it.
+/// A command for the monitor, and the number of words that follow it.
 struct Saying {
     const char* name;
     std::size_t least_words, most_words;

@@ -94,8 +94,8 @@ std::string_view name_of_source(AreasFrom areas) {
     return "";
 }
 
-/// Throws UserError if a link's compliance is found from another source than in an earlier record, since sources have
-/// errors of their own, which would look like a change.
+/// Throws UserError if a link's compliance comes from another source of areas than in an earlier record. Each source
+/// has its own error, so the difference would look like a change.
 void require_equal_sources(const std::vector<RecordAnswer>& before, const RecordAnswer& answer) {
     for (Link link : all_links)
         for (const RecordAnswer& each : before) {

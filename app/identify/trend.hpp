@@ -35,7 +35,7 @@ struct RecordAnswer {
     hydraulics::PerLink<std::array<std::optional<identification::UncertainValue>, all_trend_values.size()>> links = {};
 
     std::vector<Diagnostic> warnings = {}; ///< warnings about the record
-    /// From what each link's compliance is found, such as "from the spool"; "" without an answer.
+    /// The source of each link's areas, such as "from the spool"; "" without an answer.
     hydraulics::PerLink<std::string_view> source = {};
 
     const std::optional<identification::UncertainValue>& of(hydraulics::Link link, TrendValue value) const {
@@ -54,11 +54,11 @@ struct TrendChange {
     identification::SeriesChange change;
 };
 
-/// The probability that a link that does not change is reported as changed, as far as the standard errors are right.
-/// Each of the three values is tested with a third of it.
+/// The probability that an unchanged link is reported as changed, if the standard errors are right. Each of the three
+/// values is tested with a third of this probability.
 inline constexpr double trend_false_alarms = 0.01;
 
-/// Answers in the order of their dates, or in the order of the command line if one has no date.
+/// The answers in the order of their dates. If a record has no date, the answers are in the order of the command line.
 class Trend {
 public:
     explicit Trend(std::vector<RecordAnswer> answers);

@@ -34,16 +34,17 @@ bool is_complete(MPI_Request& request) {
     return complete != 0;
 }
 
-/// Returns a length as MPI counts it. Throws std::length_error if MPI cannot count so far.
+/// Returns a length as an int, in which MPI counts bytes. Throws std::length_error if the length does not fit into an
+/// int.
 int mpi_length(std::size_t bytes) {
     if (!std::in_range<int>(bytes))
         throw std::length_error("a message between ranks has more than 2147483647 bytes");
     return static_cast<int>(bytes);
 }
 
-/// Receives letters into memory that MPI knows in advance. This costs as little as MPI's own receiving; a letter that
-/// MPI has to keep costs several times as much. MPI fills the memory in the order of arrival, so one place is asked at
-/// a time.
+/// Receives letters into memory that MPI knows in advance. This is as fast as MPI's own receiving; a letter that MPI
+/// has to buffer takes several times as long. MPI fills the places in the order of arrival, so only one place at a time
+/// is checked.
 class MpiMail final : public RankMail {
 public:
     explicit MpiMail(const mpi::communicator& world) : own_world_(world, mpi::comm_duplicate) {

@@ -27,7 +27,7 @@ namespace {
 constexpr std::array machine_options = {"--processor", "--memory", "--memorycycles"};
 constexpr std::array occam_options = {"--mode", "--no-checks"};
 
-/// Says why a text is not the size of a memory; "" if it is.
+/// Returns why a text is not the size of a memory; "" if it is a valid size.
 std::string not_a_size(const std::string& text) {
     const std::optional<std::uint64_t> size = bytes_of_size(text);
     if (!size)
@@ -176,7 +176,7 @@ Network load_network(const Options& typed, const NetlistOptions& netlist, const 
     if (occam)
         read.compiled[netlist.file] = compiled_program(netlist.file, netlist.read.include, options, netlist.warn);
     else if (bootable)
-        read_bootable(netlist.file); // a refusal names the file alone
+        read_bootable(netlist.file); // refuses a wrong file with a message that names only the file
     const ParsedNetlist parsed = bootable
                                      ? ParsedNetlist::of_text(netlist_around(netlist.file, options), netlist.file, read)
                                      : ParsedNetlist(netlist.file, read);

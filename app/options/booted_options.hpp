@@ -17,7 +17,7 @@ namespace placedpar {
 /// netlist, and its host.
 struct BootedOptions : ProgramMachine {
     std::string folder;
-    std::optional<std::string> keys; ///< nothing: the keys are those of the terminal, or of standard input
+    std::optional<std::string> keys; ///< no value: keys come from the terminal or standard input
     std::vector<std::string> environment;
     std::uint64_t write_limit_megabytes = 64;
     std::vector<std::string> arguments; ///< command-line arguments of the program
@@ -29,14 +29,14 @@ void add_machine(Options&, BootedOptions&, const std::string& heading);
 /// Declares the options for the host alone.
 void add_host(Options&, BootedOptions&, const std::string& heading);
 
-/// Returns what the host gives to its program, apart from a terminal. Throws UserError for a variable that is set
+/// Returns the services of the host for its program, except the terminal. Throws UserError for a variable that is set
 /// twice.
 HostServices services_of(const BootedOptions&);
 
 /// Returns a function that makes the terminal of a program: the keys that were typed as an option, or else the terminal
-/// of PlacedPar. Throws UserError if the keys cannot be read. `interrupted` ends the wait for a key; it is called while
-/// a terminal exists. `unread` is called when the reader of the screen has gone. Without standard input, no key is
-/// pressed unless it was typed as an option.
+/// of PlacedPar. Throws UserError if the keys cannot be read. `interrupted` returns whether to end a wait for a key; it
+/// is called while a terminal exists. `unread` is called when the reader of the screen has gone. If there is no
+/// standard input, only the keys of the option are pressed.
 std::function<std::shared_ptr<iserver::Terminal>()> terminal_for(const BootedOptions&,
                                                                  std::function<bool()> interrupted,
                                                                  std::function<void()> unread,

@@ -10,7 +10,7 @@ namespace placedpar {
 
 // These options have the same meaning and the same checks in every command.
 
-// These functions are for Option::check(). Each returns what is wrong with a value, or "".
+// These functions are for Option::check(). Each returns a description of what is wrong with a value, or "".
 std::string not_a_whole_number(const std::string& text);
 std::string not_a_number_within(const std::string& text, std::uint64_t least, std::uint64_t most);
 std::string not_at_least_one(const std::string& text); ///< checks a whole number

@@ -10,8 +10,8 @@ namespace placedpar {
 
 /// The options of `placedpar identify`.
 struct IdentifyOptions : IdentifySettings {
-    std::vector<std::string> records; ///< all that were typed
-    std::string record;               ///< the one that is being read
+    std::vector<std::string> records; ///< all records of the command line
+    std::string record;               ///< the record that is being read
     std::string trend, json;
     bool strict = false;
     std::string netlist; ///< this member and the next two are used only with --way thesis

@@ -31,7 +31,7 @@ namespace {
 
 constexpr double slowest_pace = 1e-6, fastest_pace = 1e6;
 
-/// The kinds of the processes of one thread, with problems of its own, which may keep what they have computed.
+/// The kinds of the processes of one thread. Each thread has its own problems, because a problem may cache results.
 struct KindsOfThread {
     KindsOfThread(std::uint64_t seed, SearchObserver* observer, Checkpoints* checkpoints)
         : problems(known_problems(seed)), catalogue(known_kinds(problems, observer, checkpoints)) {}
@@ -51,7 +51,7 @@ std::size_t threads_of(const NativeOptions& options, const Network& network) {
     return std::min(options.threads == 0 ? count_cores() : options.threads, useful);
 }
 
-/// Returns for how long each node computes in a simulated run.
+/// Returns the computing time of each node in a simulated run.
 std::vector<Time> simulated_loads(const Network& network, std::uint64_t seed, Interruption& interruption) {
     const RunReport report = run_netlist(network, known_problems(seed), {.seed = seed, .interruption = &interruption});
     std::vector<Time> loads(network.nodes.size());

@@ -23,8 +23,8 @@ struct RecordedFiles; // app/recorders.hpp
 /// The options of a command that can run a netlist natively (native/native_run.hpp).
 struct NativeOptions {
     bool is_native = false;
-    std::size_t threads = 0; ///< 0: as many as the computer has cores, but not more than can have processes
-    double pace = 0;         ///< 0: the processes compute as fast as they can
+    std::size_t threads = 0; ///< 0: one for each core, but not more than can have processes
+    double pace = 0;         ///< 0: processes compute at the speed of this computer
     std::string map;         ///< "modulo", "balance", or "", which is "modulo"
 };
 
@@ -33,16 +33,16 @@ void add_native(Options&, NativeOptions&);
 /// Declares --threads.
 void add_threads(Options&, std::size_t& threads);
 
-/// Throws UserError for an option that was typed although only simulated runs have it, and for an option of native runs
-/// if the run is neither native nor, for --threads, the prediction of a native run.
+/// Throws UserError if an option for simulated runs is given for a native run, or an option for native runs is given
+/// for a simulated run. --threads is also allowed for the prediction of a native run.
 void refuse_with_native(const NativeOptions&, bool predicts, const std::vector<std::pair<bool, const char*>>& typed);
 
-/// Runs the network natively, with the seed, observer, checkpoints and interruption of the settings. `trace`: records
-/// the run, if it is not null. Throws as run_netlist does. REQUIRES: there is an interruption.
+/// Runs the network natively, with the seed, observer, checkpoints and interruption of the settings. `trace` records
+/// the run, if it is not null. Throws as run_netlist does. REQUIRES: the settings have an interruption.
 RunReport run_natively(const Network&, const NativeOptions&, const RunSettings&, NativeTrace* trace);
 
-/// Writes the files that show the course of a native run. Threads or ranks stand in place of the nodes. Throws
-/// UserError if a file cannot be written.
+/// Writes the files that show the course of a native run. Threads or ranks replace the nodes. Throws UserError if a
+/// file cannot be written.
 void write_recorded(const RecordedFiles&, const NativeTrace&, const PageContent&);
 
 /// Returns the ranks of mpirun on which a native run is made; null if it is made on this computer alone.

@@ -7,7 +7,7 @@
 
 namespace placedpar {
 
-/// Reads what an operator does from a file of TOML:
+/// Reads an operator's moves from a TOML file:
 ///
 ///     about = "a trench"
 ///     repeat = 3                                                          # the moves; 1 if not given

@@ -225,7 +225,7 @@ void CriticalPath::explain_wait(const Lane& lane, Time now) {
         partner = user.outermost ? user.outermost->name() : device.empty() ? channel->name() : device;
         if (const Point& cause = points_[*lane.cause]; lane.together)
             together = points_[*lane.together].at;
-        else if (!device.empty()) // its bytes flow from the time on at which both are at the channel
+        else if (!device.empty()) // its bytes flow as soon as both processes are at the channel
             together = std::max(points_[lane.last].at, carried_since_[channel]);
         else if (cause.activity == Activity::carrying && cause.at == now)
             together = points_[cause.before].at;

@@ -126,7 +126,7 @@ void Timeline::close(ProgramLane& lane, Time end, bool open) {
         place(message, lane.track, std::max(lane.since, window_.from));
 }
 
-/// Notes a part of a message, as communicated() notes both.
+/// Notes one part of a message; communicated() notes both parts.
 void Timeline::program_communicates(const MessagePart& part, Time now) {
     const auto found = programs_.find(part.process);
     if (!taking(now) || now < window_.from || found == programs_.end())
@@ -146,7 +146,8 @@ void Timeline::program_communicates(const MessagePart& part, Time now) {
         lane.here.push_back({part.message, part.is_input});
 }
 
-/// Writes the last slice. A message that ends a wait which the trace does not see end arrives when it was transferred.
+/// Writes the last slice. If the trace ends before a wait does, the message that ends the wait arrives at the time of
+/// its transfer.
 void Timeline::finish(ProgramLane& lane, bool open) {
     close(lane, *end_, open);
     for (const std::uint64_t message : lane.arriving)
@@ -216,8 +217,8 @@ void Timeline::communicated(const AnyChannel& channel, Time now) {
         to->here.push_back({message, true});
 }
 
-/// Notes a message between a process and a booted program, which moves its bytes and knows no messages. The process has
-/// just gone on.
+/// Notes a message between a process and a booted program. The process has just continued; the program only moves
+/// bytes, so it reports no message.
 void Timeline::pass(const AnyChannel& channel, Lane* from, Lane* to, Time now) {
     const auto found = program_uses_.find(channel.name());
     if (found == program_uses_.end() || (!from && !to))

@@ -81,7 +81,7 @@ private:
         std::optional<Time> stopped = {};
         std::uint64_t bytes = 0;
     };
-    /// State of a process that is known by its name: of a booted program, or of a native run.
+    /// State of a process that is known only by its name: a process of a booted program or of a native run.
     struct ProgramLane {
         std::size_t track;
         Activity activity = Activity::ended;
