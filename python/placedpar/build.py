@@ -41,7 +41,7 @@ class Port:
 
 
 class Part:
-    """A node or a process of a network that is built. Its attributes are its ports; the port `in` is `in_`."""
+    """A node or a process of a network built in Python. Its attributes are its ports; the port `in` is `in_`."""
 
     def __init__(self, name: str, on: "Optional[Part]" = None) -> None:
         self._name = name
@@ -100,8 +100,8 @@ class Statements:
     def connect(self, a: Port, b: Port, link: Optional[Port] = None, **attributes: Any) -> None:
         """Connects two ports by a channel, or two links by a wire.
 
-        link: the link that carries the channel, of the processor of either process; the shortest way by default.
-        attributes: of a wire, such as length=0.3 or linkspeed="10M".
+        link: the link of a processor that carries the channel; by default, the shortest route is chosen.
+        attributes: attributes of the wire, such as length=0.3 or linkspeed="10M".
         """
         name = f"connection_{len(self._lines)}"
         declared = f"connection {_attributes(attributes)} {name}; " if attributes else ""
@@ -122,7 +122,7 @@ class Statements:
         return name
 
     def _placed(self, wrong: NetlistError) -> NetlistError:
-        """Returns the errors with lines of the program in place of those of the netlist."""
+        """Returns the errors with line numbers of the program instead of the netlist."""
         diagnostics = []
         for each in wrong.diagnostics:
             if each["line"] and self._places:

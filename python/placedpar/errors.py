@@ -6,7 +6,7 @@ from typing import Any, Sequence
 
 
 def caller() -> tuple[FrameType, int]:
-    """Returns the frame of the program that called the package, and its level for warnings.warn()."""
+    """Returns the frame in the user's program that called the package, and its level for warnings.warn()."""
     frame, level = sys._getframe(1), 1
     while frame.f_back and frame.f_globals.get("__name__", "").startswith("placedpar."):
         frame, level = frame.f_back, level + 1

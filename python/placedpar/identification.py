@@ -14,7 +14,7 @@ from .tables import table
 
 
 class Identification:
-    """The compliances that were identified from a record. print() shows them as `placedpar identify` does.
+    """The compliances identified from a record. print() shows them as `placedpar identify` does.
 
     report: all results as a dictionary, as `placedpar identify --json` writes them.
     """
@@ -46,12 +46,12 @@ def identify(record: Any, *, links: Union[str, Sequence[str]] = "", configuratio
              seed: int = 1, machine: FilePath = "", areas_from: str = "", offset: Union[str, float] = "",
              missing: str = "refuse", side: str = "inlet", bias: float = 400, columns: Optional[Mapping[str, str]] = None,
              columns_from: FilePath = "", **numbers: Any) -> Identification:
-    """Identifies compliances from a record and returns an Identification, equal to that of `placedpar identify`.
+    """Identifies compliances from a record, and returns the results of `placedpar identify` as an Identification.
 
     record: a DataFrame of shape (samples, columns) with the columns of a record's file, such as "time [s]",
     "boom.inlet_pressure [psi]", "boom.angle [deg]" and "boom.spool [in]" (docs/guides/records.md has all sensors and
     units). A column is in the unit of its name. columns: names of columns that have others, such as
-    {"boom.angle [deg]": "Phi 1"}; columns_from: a file with such names, one a line.
+    {"boom.angle [deg]": "Phi 1"}; columns_from: a file with such names, one in each line.
     links: such as "boom" or ["bucket", "boom"]. configuration: of the main valve, "a" to "e". way: "service" (each
     movement), "thesis" (the first transient) or "whole" (several links over the whole movement). machine: a file with
     constants. areas_from: "areas", "spool" or "servo". offset: of the boom's spool in inches, "auto" or "none".
@@ -71,7 +71,7 @@ def identify(record: Any, *, links: Union[str, Sequence[str]] = "", configuratio
              "columns": [f"{name}={in_frame}" for name, in_frame in (columns or {}).items()], **numbers}
     for name, value in given.items():
         _set(settings, name, value)
-    text = record.to_csv(index=False, na_rep="nan", lineterminator="\n")  # has all digits of each number
+    text = record.to_csv(index=False, na_rep="nan", lineterminator="\n")  # keeps all digits of each number
     try:
         report, printed, faults, of_machine = _core.identify(text, settings, is_main_thread())
     except RecordError as wrong:

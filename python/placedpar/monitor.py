@@ -17,7 +17,7 @@ class Monitor:
 
     def __init__(self, machine: str, port: int = 0, address: str = "127.0.0.1", unix: Optional[str] = None,
                  timeout_s: float = 10, **hello: Any) -> None:
-        self.alarms: list[dict[str, Any]] = []  #: the alarm messages that have come, oldest first
+        self.alarms: list[dict[str, Any]] = []  #: the alarm messages received so far, oldest first
         if unix is None:
             self._socket = socket.create_connection((address, port), timeout_s)
         else:
@@ -32,7 +32,7 @@ class Monitor:
             raise
 
     def ask(self, answer: str, **message: Any) -> dict[str, Any]:
-        """Sends a message and returns the next answer of this type. Alarms that come before it are kept in `alarms`."""
+        """Sends a message and returns the next answer of this type. Alarms received before it are appended to `alarms`."""
         self._socket.sendall((json.dumps(message) + "\n").encode())
         while True:
             line = self._lines.readline()

@@ -34,19 +34,19 @@ def picoseconds(time: Time) -> int:
 
 
 def limit(time: Optional[Time]) -> Optional[int]:
-    """Returns the latest end of a run in picoseconds; None stands for none."""
+    """Returns the time limit of a run in picoseconds; None means no limit."""
     return None if time is None else picoseconds(time)
 
 
 def seed_of(seed: int, what: str = "seed") -> int:
-    """Returns the seed. Raises Error if random numbers cannot begin with it."""
+    """Returns the seed. Raises Error if it is not a valid seed."""
     if not isinstance(seed, numbers.Integral) or not 0 <= seed < 2**64:
         raise Error(f"{what} {seed!r}, expected a whole number from 0 to {2**64 - 1}")
     return int(seed)
 
 
 def is_main_thread() -> bool:
-    """Returns whether Ctrl-C ends what this thread does."""
+    """Returns whether Ctrl-C interrupts this thread."""
     return threading.current_thread() is threading.main_thread()
 
 
@@ -58,7 +58,7 @@ def setting(value: Any) -> str:
 
 
 class _Shown:
-    """What a notebook shows. `text` is its text."""
+    """Base class of objects that a notebook shows. `text` is the object's text."""
 
     def __init__(self, text: str) -> None:
         self.text = text
@@ -151,14 +151,14 @@ class Run:
     @property
     def timeline(self) -> Any:
         """A table of intervals: track (a process, processor or link), activity, begin and end in seconds, subject (of a
-        processor the process, of a link the channel), bytes, partner (of a wait). The run is made again to record it."""
+        processor the process, of a link the channel), bytes, partner (of a wait). The run is repeated to record it."""
         names = ("track", "activity", "begin", "end", "subject", "bytes", "partner")
         return table_of_columns(**dict(zip(names, self._network.timeline(self._core))))
 
     def page(self, height: int = 700) -> Page:
-        """Returns the page of the run: machine, timelines, convergence. The run is made again to record it.
+        """Returns the page of the run: machine, timelines, convergence. The run is repeated to record it.
 
-        height: of the frame in a notebook, in pixels.
+        height: height of the frame in a notebook, in pixels.
         """
         return Page(self._network.page(self._core), height)
 
@@ -182,15 +182,15 @@ class Network(Statements):
         net.connect(relay.out, ends.inp)
         net.run()
 
-    A network that was built is checked at its first use, which raises NetlistError with the line of the program.
+    A network built in Python is checked at its first use. An error raises NetlistError with the line of the program.
     """
 
     def __init__(self) -> None:
         super().__init__()
-        self._file = ""  # "": the statements are the netlist
+        self._file = ""  # "" if the statements are the netlist
         self._settings: dict[str, str] = {}
         self._more: tuple[list[str], list[str], dict[str, str]] = ([], [], {})  # include, faults, use
-        self._checked: Optional[tuple[int, _core.Network]] = None  # with the number of statements that were checked
+        self._checked: Optional[tuple[int, _core.Network]] = None  # the checked network, and the number of its statements
 
     @property
     def _core(self) -> _core.Network:
@@ -215,7 +215,7 @@ class Network(Statements):
 
     def run(self, seed: int = 1, until: Optional[Time] = None, shuffle: Optional[int] = None,
             progress: ProgressOption = None) -> Run:
-        """Runs the network in virtual time and returns a Run. Other Python threads go on meanwhile; Ctrl-C ends the run.
+        """Runs the network in virtual time and returns a Run. Other Python threads continue meanwhile; Ctrl-C ends the run.
 
         seed: of all random numbers. until: latest end, in seconds or as "20ms". shuffle: a seed with which ready
         processes run in a random order. progress: a function that is called with the virtual time and the latest end in

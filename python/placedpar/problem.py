@@ -1,10 +1,10 @@
-"""Problems in Python: functions, and problem objects as pymoo and pygmo have them."""
+"""Problems in Python: functions, and problem objects of pymoo and pygmo."""
 
 from typing import Any, Callable, Optional, Sequence, Union
 
 from .errors import Error
 
-Function = Callable[[Any], Any]  # of a population: its objectives, or a tuple of objectives and constraints
+Function = Callable[[Any], Any]  # takes a population, returns its objectives, or a tuple of objectives and constraints
 Problem = Union[str, Function, Any]
 Bounds = Sequence[tuple[float, float]]
 
@@ -36,7 +36,7 @@ def prepared(problem: Problem, bounds: Optional[Bounds], bits: Union[int, Sequen
 
 
 def _of_pymoo(problem: Any) -> tuple[Function, Bounds, int]:
-    """Returns the function, the bounds and the number of objectives of a problem as pymoo has it."""
+    """Returns the function, the bounds and the number of objectives of a pymoo problem."""
     import numpy
 
     unequal = getattr(problem, "n_ieq_constr", getattr(problem, "n_constr", 0))
@@ -59,7 +59,7 @@ def _of_pymoo(problem: Any) -> tuple[Function, Bounds, int]:
 
 
 def _of_pygmo(problem: Any) -> tuple[Function, Bounds, int]:
-    """Returns the function, bounds and number of objectives of a problem as pygmo has it. Its fitness has objectives,
+    """Returns the function, bounds and number of objectives of a pygmo problem. Its fitness has objectives,
     equations and inequalities, in this order."""
     import numpy
 
@@ -82,7 +82,7 @@ def _of_pygmo(problem: Any) -> tuple[Function, Bounds, int]:
 
 
 def _with_constraints(values: Any, unequal: Sequence[Any], equations: Sequence[Any]) -> Any:
-    """Returns what a function returns, of values and tables of inequalities g <= 0 and equations h = 0."""
+    """Returns objectives, or a tuple of objectives and constraints from inequalities g <= 0 and equations h = 0."""
     import numpy
 
     tables = [*unequal, *(numpy.abs(h) - EQUATION_TOLERANCE for h in equations)]

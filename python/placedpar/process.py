@@ -11,7 +11,7 @@
                 yield pp.compute(self.cycles)
                 yield self.out.output(x + 1)
 
-A body is a generator: it yields operations, and the process does them in virtual time. Python code itself takes no
+A body is a generator that yields operations, which the process performs in virtual time. Python code itself takes no
 virtual time.
 """
 
@@ -32,7 +32,7 @@ _PROTOCOLS = {int: "INT32", float: "REAL64", bool: "BOOL", bytes: "[]BYTE", Pack
 
 
 def _protocol(kind: Any) -> str:
-    """Returns the protocol of a port: that of the messages' type, or of a list type such as list[float]."""
+    """Returns the protocol for the type of a port's messages, which may be a list type such as list[float]."""
     arguments = getattr(kind, "__args__", None)
     if getattr(kind, "__origin__", None) is list and arguments:
         return "[]" + _protocol(arguments[0])
@@ -129,7 +129,7 @@ class Process:
             self._measure_number(name, float(value), unit)
 
     def random(self, name: Optional[str] = None) -> RandomStream:
-        """Returns the random stream of this name, by default that of the process. It has uniform(), normal(), below(n)
+        """Returns the random stream of this name, by default the process's name. It has uniform(), normal(), below(n)
         and chance(p). The numbers depend only on the run's seed and the name."""
         return RandomStream(self.seed, self.name if name is None else name)
 
@@ -170,17 +170,17 @@ class Process:
 
 
 def compute(cycles: int, words_outside: int = 0) -> Operation:
-    """Computes for so many cycles of the processor. words_outside: accesses to memory outside the chip among them."""
+    """Computes for this number of processor cycles. words_outside: number of accesses to memory outside the chip."""
     return _core.compute(cycles, words_outside)
 
 
 def wait(time: Time) -> Operation:
-    """Waits for a time, in seconds or as "20us". As a guard of `alt`: ready after this time."""
+    """Waits for a time, in seconds or as "20us". As a guard of `alt`, it is ready after this time."""
     return _core.wait(picoseconds(time))
 
 
 def until(time: Time) -> Operation:
-    """Waits until a virtual time, in seconds from the start of the run or as "20ms". Also a guard of `alt`."""
+    """Waits until a virtual time, in seconds from the start of the run or as "20ms". It can be a guard of `alt`, too."""
     return _core.until(picoseconds(time))
 
 
