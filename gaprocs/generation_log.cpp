@@ -61,7 +61,7 @@ GenerationLog::GenerationLog(std::vector<std::string> searches, bool comparable)
 std::size_t GenerationLog::number_of(std::string_view search) const {
     auto found = std::ranges::find(searches_, search);
     if (found == searches_.end())
-        throw std::invalid_argument(fmt::format("the log knows no search \"{}\"", search));
+        throw std::invalid_argument(fmt::format("the log has no search \"{}\"", search));
     return static_cast<std::size_t>(found - searches_.begin());
 }
 

@@ -18,7 +18,7 @@ namespace placedpar {
 /// minimised, the best value is the least. An objective that is not a finite number is logged as the worst infinity.
 struct LoggedGeneration {
     std::optional<Time> time; ///< time of the generation; for all searches together, their latest time
-    double best_so_far; ///< best `best` of all generations so far; if the window moves, these are fitness values of
+    double best_so_far; ///< best value of `best` up to this generation; if the window moves, they are fitness values of
                         ///< different windows
     double best, mean;  ///< fitness or objective; `mean` omits values that are not finite
     double diversity;   ///< diversity_within(); for all searches together, the mean over the searches
@@ -74,7 +74,7 @@ public:
     bool compares() const { return compared_; }
     /// Returns the number of the first logged generation: 1 unless the searches continue from a checkpoint.
     std::uint64_t first() const { return first_; }
-    /// Returns the generations of a search, generation first() first.
+    /// Returns the generations of a search, beginning with the generation of number first().
     std::span<const LoggedGeneration> of(std::size_t search) const { return generations_.at(search); }
     /// Returns the generations that all searches have completed, taken together; empty unless compares().
     std::span<const LoggedGeneration> of_all() const { return all_; }
@@ -112,7 +112,7 @@ private:
     std::vector<std::string> searches_;
     bool compared_;
     std::uint64_t first_ = 1;
-    std::vector<std::optional<Goal>> goals_; ///< by search
+    std::vector<std::optional<Goal>> goals_; ///< goal of each search
     std::vector<std::vector<LoggedGeneration>> generations_;
     std::vector<LoggedGeneration> all_;
     std::map<std::uint64_t, Row> waiting_; ///< generations that only some searches have completed

@@ -33,8 +33,8 @@ struct ProblemFamily {
     /// Makes the problem. REQUIRES: `numbers` has a value in range for each number of the description. Throws what the
     /// constructor or representation() of the problem throws.
     std::function<std::shared_ptr<const SearchProblem>(const std::vector<double>& numbers)> make;
-    /// Returns the record that belongs to the problem, not made yet. Null for objective problems. REQUIRES: as for
-    /// `make`.
+    /// Returns the record that belongs to the problem, which is made later. Null for objective problems. REQUIRES: as
+    /// for `make`.
     std::function<RecordToMake(const std::vector<double>& numbers)> record = nullptr;
 };
 

@@ -30,7 +30,7 @@ namespace {
         return p->activity() == Activity::ready || p->activity() == Activity::delayed;
     });
     return std::make_exception_ptr(std::overflow_error(fmt::format(
-        "virtual time lasts for {} days, and {} would pass that end: {}",
+        "virtual time ends after {} days, but {} would take longer: {}",
         std::chrono::floor<std::chrono::days>(Time::max()).count(),
         late == living.end() ? "a message on a link" : "process " + (*late)->path(),
         late == living.end() ? "give the link more speed, or send less" : "shorten its computation or delay")));

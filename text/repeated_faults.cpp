@@ -29,7 +29,7 @@ std::string without_numbers(std::string_view message) {
 
 std::vector<Diagnostic> RepeatedFaults::take(std::vector<Diagnostic> faults) {
     std::vector<Diagnostic> firsts;
-    std::vector<std::string> kinds; // of the firsts
+    std::vector<std::string> kinds; // messages of the first faults, without numbers
     for (Diagnostic& fault : faults) {
         std::string kind = without_numbers(fault.message);
         const auto [found, is_new] = kinds_.try_emplace(kind, Kind{fault.message, fault.location.line});

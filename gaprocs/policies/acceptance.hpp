@@ -21,8 +21,9 @@ class RandomStream;
 struct IslandPopulation {
     std::span<const Genome> strings;
     std::span<const double> fitness;
-    std::size_t elite = 0; ///< number of best individuals, which are never replaced; among equals, those of higher
-                           ///< index. In a population that has just been bred, the elite comes first
+    std::size_t elite =
+        0; ///< number of best individuals, which are never replaced; of equal individuals, those with higher
+           ///< index are in the elite. In a population that has just been bred, the elite comes first
     const Representation* representation = nullptr; ///< null: binary strings
 };
 
@@ -61,7 +62,7 @@ struct RandomAcceptance {
 
 /// Replaces the individual outside the elite with the least Representation::distance() from the immigrant. For binary
 /// strings this is the number of different bits. Among equally distant individuals it replaces the least fit, and among
-/// equally fit ones that of the lowest index. Draws no number.
+/// equally fit individuals the one with the lowest index. Draws no number.
 struct AlikeAcceptance {
     static constexpr std::string_view name = "alike",
                                       about = "the most similar individual outside the elite is replaced",

@@ -15,7 +15,7 @@ std::string through_text(const Access& access) {
     return access.through ? ", through \"" + access.through->name + "\"" : "";
 }
 
-/// Returns whether an abbreviation stands for a part of another one.
+/// Returns whether an abbreviation names a part of another abbreviation.
 bool is_part_of(const Declaration& abbreviation, const Declaration* other) {
     const Declaration* each = named_by(abbreviation);
     while (each && each != other)
@@ -42,7 +42,7 @@ void UsageCheck::check_active(const Access& access) {
         if (active.access.base != access.base || is_harmless || is_named_by(access, *active.declaration))
             continue;
         const Overlap overlap = overlap_of(active.access, access, replicators_);
-        // Whether two abbreviations are of one element is not refused before it is known.
+        // Two abbreviations are refused only if they are known to name the same element.
         const bool is_other = access.root != access.base && !is_part_of(*active.declaration, access.root);
         if (overlap == Overlap::none || (overlap == Overlap::possible && (access.is_abbreviation || is_other)))
             continue;

@@ -14,17 +14,19 @@
 
 namespace placedpar::occam {
 
-/// Returns the declaration at the root of a path such as `a[i]` or `[a FROM i FOR n]`; null if it begins otherwise.
+/// Returns the declaration at the root of a path such as `a[i]` or `[a FROM i FOR n]`; null if the path has another
+/// root.
 const Declaration* root_of(const Expression&);
-/// Returns the declaration that an abbreviation or RETYPES without VAL names; null of others.
+/// Returns the declaration that an abbreviation or RETYPES without VAL names; null for other declarations.
 const Declaration* named_by(const Declaration&);
-/// Returns the declaration that an abbreviation or RETYPES finally names; of others itself.
+/// Returns the declaration that an abbreviation or RETYPES finally names; any other declaration itself.
 const Declaration* base_of(const Declaration*);
 /// Returns whether a value of this type can be in a variable: it is not a channel, timer or port.
 bool is_data(const Type&);
-/// Returns the type of the channels, timers or values in an array of any dimensions; of others itself.
+/// Returns the type of the channels, timers or values in an array of any dimensions; any other type itself.
 const Type& innermost(const Type&);
-/// Returns whether a value of a type can be where another is wanted. Arrays of unknown size are compared at run time.
+/// Returns whether a value of type `given` can be used where type `wanted` is required. Arrays of unknown size are
+/// compared at run time.
 bool fits(const Type& wanted, const Type& given);
 
 /// Returns whether an expression is made of integer literals without a type.
@@ -35,7 +37,7 @@ class Names {
 public:
     void add(Declaration&);
     Declaration* find(const std::string& name) const;
-    /// Returns a mark for `leave`, which hides all that was added since.
+    /// Returns a mark for `leave`, which hides all names that were added after the mark.
     std::size_t mark() const { return order_.size(); }
     void leave(std::size_t mark);
     std::vector<std::string> all() const;
@@ -45,22 +47,22 @@ private:
     std::unordered_map<std::string, std::vector<Declaration*>> by_name_;
 };
 
-/// A PROC, FUNCTION or VALOF around the present place, and what it does to others.
+/// A PROC, FUNCTION or VALOF around the present place, and its effects on variables outside.
 struct Routine {
     const Declaration* declaration = nullptr; ///< null for a VALOF in an expression
     bool is_function = false;
     std::string communicates = {};                 ///< such as "an output"; "" if it does not
-    std::vector<const Declaration*> assigned = {}; ///< variables outside that it assigns to
+    std::vector<const Declaration*> assigned = {}; ///< variables outside of it to which it assigns
     bool has_priority_par = false;
-    bool is_inside_priority_par = false; ///< it is declared there
+    bool is_inside_priority_par = false; ///< it is declared inside a PRI PAR
 };
 
-/// A parameter as a call sees it.
+/// The properties of a parameter that matter for a call.
 struct Formal {
     const Type* type = nullptr;
     Parameter::Passing passing = Parameter::Passing::value;
     std::string name = {};
-    const Declaration* declaration = nullptr; ///< null of a predefined routine
+    const Declaration* declaration = nullptr; ///< null for a predefined routine
 };
 
 /// Finds the meaning of names, the types and the constants of a program. Each declaration and process is visited once,
@@ -91,10 +93,11 @@ private:
     using DeclarationList = std::vector<DeclarationBox>;
 
     // Names (names.cpp)
-    /// Returns whether this mistake in the use of a declaration is the first: later ones follow from the same cause.
+    /// Returns whether this is the first mistake in the use of a declaration. Later mistakes probably have the same
+    /// cause.
     bool is_first(const Declaration*, std::string mistake);
     void report_unknown(const std::string& name, const Place&);
-    /// Checks declarations one after the other. The caller takes them out of sight again by names_.leave.
+    /// Checks declarations one after the other. The caller hides them again by names_.leave.
     void declare(DeclarationList&);
     Declaration* predefined(const std::string& name);
     // unused.cpp
@@ -119,9 +122,9 @@ private:
     const Type* value(Expression&);
     /// Checks a value that must be of this type; `role` says what it is, such as "the time".
     void value_of(Expression&, const Type* wanted, const std::string& role);
-    /// Checks a path that is written to.
+    /// Checks a path to which the program writes.
     const Type* variable(Expression&, const std::string& action);
-    /// Reports whether the type of a value is not what is wanted.
+    /// Reports an error if a value does not have the required type.
     bool agrees(Expression&, const Type* wanted, const std::string& role, std::string hint = "");
     bool adapt(Expression&, const Type& wanted);
     std::string conversion_hint(const Expression&, const Type& wanted) const;
@@ -240,7 +243,7 @@ private:
     Names names_;
     std::vector<Routine> routines_;
     std::unordered_map<const Declaration*, std::size_t> depths_; ///< routines around a declaration
-    std::unordered_map<const Declaration*, Routine> effects_;    ///< of procedures that were checked
+    std::unordered_map<const Declaration*, Routine> effects_;    ///< effects of the checked procedures
     std::unordered_map<const Declaration*, Place> directed_at_;  ///< the first use of a channel parameter
     std::unordered_map<const TypeText*, const Type*> resolved_;  ///< several declarations may share a text
     std::unordered_map<std::string, Declaration*> predefined_;
@@ -253,7 +256,8 @@ private:
         const DeclarationList* list;
         std::size_t next;
     };
-    std::vector<Pending> pending_; ///< lists of declarations around the present place, and what follows it there
+    std::vector<Pending>
+        pending_; ///< lists of declarations around the present place, and the declarations that follow it there
     bool several_allowed_ = false; ///< the next expression may be a call with several results
     bool inside_priority_par_ = false;
 };

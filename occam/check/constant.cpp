@@ -121,7 +121,7 @@ Folded fold_reals(Operator operation, Real left, Real right) {
     }
 }
 
-/// Returns the integer nearest to a real, half to even, or the real without its fraction.
+/// Rounds a real to the nearest integer (half to even), or truncates it.
 template <class Real>
 Folded integer_of(Real value, Basic to, Conversion::Rounding rounding) {
     const Real whole = rounding == Conversion::Rounding::round ? std::nearbyint(value) : std::trunc(value);
@@ -131,7 +131,8 @@ Folded integer_of(Real value, Basic to, Conversion::Rounding rounding) {
     return {static_cast<std::int64_t>(whole)};
 }
 
-/// Returns a value of the language's real type `Real` as a value of another real type, rounded toward zero if told so.
+/// Returns a value of the language's real type `Real` as a value of another real type, rounded toward zero if
+/// requested.
 template <class To, class From>
 Folded real_from(From value, Conversion::Rounding rounding) {
     To result = static_cast<To>(value);

@@ -24,7 +24,7 @@ Folded fold(Operator, Basic, std::int64_t operand);
 /// Returns a value of another type. REQUIRES: the language has this conversion.
 Folded convert(Basic from, Basic to, Conversion::Rounding, std::int64_t bits);
 
-/// Returns the value of a literal. `is_pattern` says that it was written in hexadecimal, and may use the sign bit.
+/// Returns the value of a literal. If `is_pattern`, the literal was written in hexadecimal, and may use the sign bit.
 Folded integer_value(std::uint64_t value, Basic, bool is_pattern, bool negative_allowed);
 Folded real_value(const std::string& digits, Basic);
 
@@ -37,7 +37,7 @@ std::vector<std::uint8_t> memory_of(const Constant&, const Type&);
 /// Returns the constant that these bytes of memory are. REQUIRES: `bytes` holds bytes_of(type) bytes from `offset`.
 Constant constant_of(const std::vector<std::uint8_t>& bytes, std::size_t offset, const Type&);
 
-/// Returns the type that has the same bits and operations: of a DATA TYPE T IS U, that of U.
+/// Returns the type that has the same bits and operations: for a DATA TYPE T IS U, the plain type of U.
 const Type& plain(const Type&);
 
 } // namespace placedpar::occam

@@ -67,7 +67,7 @@ void Checker::declare(Declaration& declaration, Variable& variable) {
         value_of(*variable.initial, declaration.type, "the initial value of \"" + declaration.name + "\"");
 }
 
-/// Checks what an abbreviation without VAL stands for: a variable, a channel, a timer or a port.
+/// Checks the right side of an abbreviation without VAL: it must be a variable, a channel, a timer or a port.
 const Type* Checker::abbreviated(Expression& expression) {
     const auto* table = program_.has_channel_tables ? nullptr : std::get_if<TableLiteral>(&expression.form);
     const auto* first = table && !table->elements.empty() ? std::get_if<NameUse>(&table->elements[0].form) : nullptr;

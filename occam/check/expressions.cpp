@@ -11,7 +11,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// Returns how messages call what a declaration declares, if it has no value; "" if it has one.
+/// Returns a noun for messages, if the declared thing has no value; "" if it has a value.
 std::string kind_of(const Declaration& declaration) {
     const auto& form = declaration.form;
     if (std::holds_alternative<Procedure>(form))
@@ -40,7 +40,7 @@ std::string reason_not_writable(const Declaration& declaration) {
     return parameter && parameter->passing == Parameter::Passing::value ? "is a VAL parameter" : "";
 }
 
-/// Returns the name that is to be converted in an expression; "(...)" if there is none.
+/// Returns the name in an expression for a hint about a conversion; "(...)" if the expression is not a name.
 std::string short_text(const Expression& expression) {
     if (const auto* use = std::get_if<NameUse>(&expression.form))
         return use->name;

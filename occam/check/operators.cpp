@@ -94,7 +94,7 @@ void Checker::fold_binary(Expression& expression, const BinaryOperation& operati
     become(expression, folded.bits, folded.error);
 }
 
-/// Reports a constant count that is out of range, whatever is shifted.
+/// Reports a constant shift count that is out of range.
 void Checker::check_count(Expression& expression, const BinaryOperation& shift) {
     if (shift.left->constant || !shift.right->constant)
         return;

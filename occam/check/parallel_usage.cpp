@@ -51,7 +51,7 @@ void UsageCheck::report_parallel(const Access& first, const Access& second) {
 bool UsageCheck::check_intervals(std::vector<Interval>& intervals) {
     const auto begins_earlier = [](const Interval& a, const Interval& b) { return a.region.first < b.region.first; };
     std::ranges::stable_sort(intervals, begins_earlier);
-    std::vector<const Interval*> reads, others; // that may reach beyond the beginning of the next one
+    std::vector<const Interval*> reads, others; // intervals that may reach beyond the beginning of the next interval
     for (const Interval& each : intervals) {
         const auto is_over = [&](const Interval* open) { return open->region.end <= each.region.first; };
         const auto conflicts = [&](const Interval* open) {
@@ -89,7 +89,7 @@ void UsageCheck::intervals_of(const Parallel& parallel, std::int64_t component, 
     const std::optional<std::int64_t> base = own ? value_of(parallel.replicator->base, values) : 0;
     const std::optional<std::int64_t> step =
         own && parallel.replicator->step ? value_of(*parallel.replicator->step, values) : 1;
-    // An access that does not depend on the index is the same in all components; two of them stand for all.
+    // An access that does not depend on the index is the same in all components, so comparing two components suffices.
     const std::int64_t different = is_replicated && base && step ? count : std::min<std::int64_t>(count, 2);
     for (std::int64_t i = 0; i < different; ++i) {
         if (own && base && step)

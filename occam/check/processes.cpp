@@ -68,7 +68,7 @@ void Checker::form_of(Process& process, Parallel& parallel) {
         if (!count.constant && count.type->kind != Type::Kind::mistaken)
             report(count.at, "the count of a replicated PAR must be a constant", "");
     }
-    // In a program that joins the processes of a network, those of low priority may have a PRI PAR of their own.
+    // In a program that joins the processes of a network, processes of low priority may contain a PRI PAR.
     const bool only_high = is_priority && program_.has_channel_tables;
     const bool outer = inside_priority_par_;
     for (Process& each : parallel.processes) {

@@ -10,7 +10,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// An array of unknown size is taken to have so many elements.
+/// The assumed number of elements of an array of unknown size.
 constexpr std::int64_t assumed_elements = std::int64_t{1} << 20;
 constexpr std::int64_t most_elements = std::int64_t{1} << 40; ///< sums and products of subscripts stay below
 constexpr std::size_t most_comparisons = 65536;
@@ -69,7 +69,7 @@ private:
     std::unordered_set<const Declaration*> seen_;
 };
 
-/// Adds an index that has no value yet, behind those that its own replicator needs.
+/// Adds an index without a value, after the indices on which its replicator depends.
 void add_in_order(const Declaration* index, const Replicators& replicators, const IndexValues& values,
                   std::vector<const Declaration*>& ordered) {
     if (values.contains(index) || std::ranges::find(ordered, index) != ordered.end())
@@ -148,7 +148,7 @@ private:
     std::size_t steps_ = 0;
 };
 
-/// Narrows a region by a step. Returns the type of what is left; null if the step is not known.
+/// Narrows a region by a step. Returns the type of the narrowed region; null if the step is unknown.
 const Type* narrow(Region& region, const Type& type, const PathStep& step, const IndexValues& values) {
     const Type& form = plain(type);
     if (step.field) {

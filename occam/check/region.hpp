@@ -13,10 +13,10 @@ namespace placedpar::occam {
 
 enum class AccessKind : std::uint8_t { read, write, input, output };
 
-/// A subscript, a field or a segment on the way from a variable to what is used of it.
+/// A subscript, a field or a segment in the path from a variable to the part that is used.
 struct PathStep {
-    const Expression* index = nullptr; ///< of a segment: its start; null if that is 0, and for a field
-    const Expression* count = nullptr; ///< of a segment; null if it goes to the end
+    const Expression* index = nullptr; ///< the subscript, or the start of a segment; null for start 0 and for a field
+    const Expression* count = nullptr; ///< count of a segment; null if the segment extends to the end
     bool is_segment = false;
     std::optional<std::uint32_t> field = {};
 
@@ -27,11 +27,12 @@ struct PathStep {
 struct Access {
     AccessKind kind{};
     Place at;
-    const Declaration* root = nullptr;    ///< as it is named at the place
-    const Declaration* base = nullptr;    ///< the variable, channel or RETYPES that this is part of
-    std::vector<PathStep> steps = {};     ///< from the base
-    const Declaration* through = nullptr; ///< the routine whose body uses it; null if the place itself does
-    bool is_abbreviation = false;         ///< the declaration of an abbreviation, which only names it
+    const Declaration* root = nullptr; ///< the declaration named at this place
+    const Declaration* base = nullptr; ///< the variable, channel or RETYPES of which a part is accessed
+    std::vector<PathStep> steps = {};  ///< path from the base
+    const Declaration* through =
+        nullptr;                  ///< the called routine whose body makes the access; null if the place itself does
+    bool is_abbreviation = false; ///< the declaration of an abbreviation, which only names it
 };
 
 /// Values of the indices of replicators.
@@ -42,7 +43,7 @@ using Replicators = std::unordered_map<const Declaration*, const Replicator*>;
 /// Elements of a variable, counted through all dimensions: from `first`, before `end`.
 struct Region {
     std::int64_t first = 0, end = 0;
-    bool is_exact = true; ///< else an unknown part of it is used
+    bool is_exact = true; ///< if false, an unknown part of the region is used
 };
 enum class Overlap : std::uint8_t { none, possible, certain };
 

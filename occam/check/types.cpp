@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t most_array_bytes = std::numeric_limits<std::int32_t>::max();
 
-/// Returns the multiple of bytes at which a field of a record begins.
+/// Returns the alignment of a record's field in bytes.
 std::uint32_t alignment_of(const Type& type) {
     const Type& form = plain(innermost(type));
     return form.kind == Type::Kind::basic ? std::min(bytes_of(form.basic), std::uint32_t{4}) : 4;

@@ -9,7 +9,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// Returns what to call a declaration; "" if its name may be without use.
+/// Returns a noun for a declaration; "" if the name need not be used.
 std::string_view kind_of_name(const Declaration& declaration) {
     struct Visitor {
         const Declaration& declaration;
@@ -38,7 +38,7 @@ std::string_view kind_of_name(const Declaration& declaration) {
 } // namespace
 
 /// Names outside of all procedures, and the parameters of these procedures, may be for other files. Only the main file
-/// is asked about.
+/// is checked.
 void Checker::warn_of_unused() {
     std::ranges::sort(declared_, {}, [](const Declaration* each) { return std::pair(each->at.line, each->at.column); });
     for (const Declaration* const each : declared_) {

@@ -254,8 +254,8 @@ void UsageCheck::visit_routine(const Declaration& routine, const DeclarationList
     log_.resize(first);
 }
 
-/// Returns the accesses since a place of the log to what was declared before a time, each kind of access once. They are
-/// named as they would be outside.
+/// Returns the accesses after a place of the log to variables declared before a time, each kind of access once, as they
+/// are named outside of the scope.
 std::vector<Access> UsageCheck::outside_accesses(std::size_t first, std::uint64_t since) const {
     std::vector<Access> accesses;
     std::set<std::tuple<const Declaration*, const Declaration*, AccessKind, std::vector<const void*>>> seen;

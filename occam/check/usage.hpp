@@ -16,14 +16,15 @@ namespace placedpar::occam {
 /// The rules about several names and several processes that use one variable or channel, for a program whose names and
 /// types are right:
 ///
-/// - Parallel usage. Components of a PAR do not use what another one of them changes, and a channel is output to by one
-///   and input from by one. Elements are told apart by subscripts that depend on constants and on replicators of known
-///   base and count; each value of these is tried, up to a limit.
-/// - Aliases. While a variable has another name by an abbreviation, only that name is used; what a VAL abbreviation
-///   reads is not changed; parameters by reference do not overlap with others or with what the PROC itself uses.
+/// - Parallel usage. A component of a PAR does not use variables that another component changes. Of each channel, one
+///   component uses the output end and one the input end. Elements are distinguished by subscripts that depend on
+///   constants and on replicators of known base and count; each value of the replicators is tried, up to a limit.
+/// - Aliases. While a variable has another name by an abbreviation, only that name is used; variables that a VAL
+///   abbreviation reads are not changed; parameters by reference do not overlap with others or with variables that the
+///   PROC itself uses.
 ///
 /// The program is visited once. The visit keeps a log of accesses; a component of a PAR is a stretch of the log. A call
-/// adds what the routine does to variables outside of it.
+/// adds the routine's accesses to variables outside of it.
 class UsageCheck {
 public:
     UsageCheck(const Program& program, bool usage, bool aliases, Reporter& reporter)
@@ -40,9 +41,9 @@ private:
     struct Active {
         const Declaration* declaration = nullptr;
         Access access;
-        bool is_changeable = false; ///< the abbreviation itself stands for the access; else it only reads it
+        bool is_changeable = false; ///< true if the abbreviation names the accessed variable; false if it only reads it
     };
-    /// What an argument or a target of an assignment uses.
+    /// The accesses of an argument, or of a target of an assignment.
     struct Part {
         std::optional<Access> changed;
         std::vector<Access> read;
@@ -119,12 +120,13 @@ private:
     bool usage_ = false, aliases_ = false;
     Reporter& reporter_;
     Replicators replicators_;
-    std::unordered_set<const Declaration*> open_indices_; ///< of the replicators around the present place
+    std::unordered_set<const Declaration*> open_indices_; ///< indices of the replicators around the present place
     std::vector<Access> log_;
     std::vector<Active> active_;
     std::uint64_t clock_ = 0; ///< counts declarations
     std::unordered_map<const Declaration*, std::uint64_t> declared_;
-    std::unordered_map<const Declaration*, std::vector<Access>> summaries_; ///< of routines, of variables outside
+    std::unordered_map<const Declaration*, std::vector<Access>>
+        summaries_; ///< accesses of each routine to variables outside of it
 };
 
 } // namespace placedpar::occam

@@ -9,7 +9,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// Adds the steps of a path to those of its root. Returns false if the root is not a name.
+/// Appends the steps of a path to the steps of its root. Returns false if the root is not a name.
 bool add_steps(const Expression& expression, std::vector<PathStep>& steps, const Declaration*& root) {
     if (const auto* use = std::get_if<NameUse>(&expression.form)) {
         root = use->meaning;
@@ -30,7 +30,7 @@ bool add_steps(const Expression& expression, std::vector<PathStep>& steps, const
     return true;
 }
 
-/// Replaces an abbreviated root by what it stands for.
+/// Replaces an abbreviated root by the variable that it names.
 void resolve(Access& access) {
     while (const auto* abbreviation = std::get_if<Abbreviation>(&access.base->form)) {
         std::vector<PathStep> steps;

@@ -13,7 +13,7 @@ bool Generator::has_timer(const Alternation& a) {
     });
 }
 
-/// Enables all guards, waits, disables them in the same order, and goes to the branch of the first that was ready.
+/// Enables all guards, waits, disables them in the same order, and jumps to the branch of the first ready guard.
 void Generator::alternation(const Alternation& a) {
     const bool timer = has_timer(a);
     frame_->need_below(timer ? 5 : 3);

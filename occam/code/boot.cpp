@@ -9,7 +9,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// The loader reads the code behind it, and goes to it. The numbers in front of it are offsets from the start of
+/// The loader reads the code that follows it, and jumps to it. The numbers before it are offsets from the start of
 /// memory. The workspace of the program may cover the loader, which is no longer needed then.
 constexpr const char* loader = R"(
         ajw 4                           -- instructions use words below the workspace
@@ -43,7 +43,7 @@ std::string loader_source(const Code& code, const CodeOptions& options, transput
 
 /// Lays out the workspace, which may cover the loader, and the code behind it.
 transputer::Image laid_out(const Code& code, const CodeOptions& options, bool is_there) {
-    constexpr transputer::Word bytes_beside = 44; // what its instructions use, and its variables
+    constexpr transputer::Word bytes_beside = 44; // words for its instructions and its variables
     const transputer::Word start = transputer::traits_of(options.model).memory_start;
     const auto needed = static_cast<transputer::Word>(4 * code.workspace_words);
     const auto above = static_cast<transputer::Word>(4 * code.first_workspace_words);

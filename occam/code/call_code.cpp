@@ -69,7 +69,7 @@ void Generator::bind_parameters(const std::vector<DeclarationBox>& parameters, L
     }
 }
 
-/// Leaves the result of a function in a register, or stores the results where the caller wants them.
+/// Leaves the result of a function in a register, or stores the results at the caller's addresses.
 void Generator::return_results(const Function& f, Level& level) {
     const bool in_register = returns_in_register(f);
     std::vector<Storage> targets;
@@ -121,7 +121,7 @@ std::vector<const Expression*> Generator::pointers_to(const std::vector<Expressi
     return pointers;
 }
 
-/// Calls a procedure or function. `more`: words behind the arguments, before the addresses of the results.
+/// Calls a procedure or function. `more` are words after the arguments and before the addresses of the results.
 void Generator::call(const Declaration& d, const std::vector<const Expression*>& arguments,
                      const std::vector<Storage>& results, Arguments more) {
     Routine& routine = routine_of(d);
@@ -214,7 +214,8 @@ void Generator::call_with(Routine& routine, Arguments words) {
     const int low = std::max(static_cast<int>(words.size()) - 3, 0);
     for (std::size_t i = 0; i < words.size(); ++i) {
         stack_ = 0;
-        // What needs three registers may be a call, which would store its own arguments over these in memory.
+        // An argument that needs three registers may contain a call, which would overwrite arguments that are already
+        // in memory.
         if (words[i].depth <= (low > 0 ? std::min(static_cast<int>(i) + 1, 2) : static_cast<int>(i) + 1))
             continue;
         words[i].load();
@@ -252,7 +253,7 @@ void Generator::call_with(Routine& routine, Arguments words) {
 /// altend the words below it hold the state of the alternation, over which a call would write.
 int Generator::words_moved(int low) const { return guards_are_enabled_ ? words_of_alternation + low : 0; }
 
-/// `errors`: what errors of the routine mean, if they are reported at its call.
+/// `errors` is the meaning of the routine's errors, if they are reported at its call.
 void Generator::call_moved(Label entry, int moved, const std::string& errors) {
     if (moved > 0)
         op(Operation::ajw, -moved);
@@ -263,14 +264,14 @@ void Generator::call_moved(Label entry, int moved, const std::string& errors) {
         op(Operation::ajw, moved);
 }
 
-/// Calls a function. Without places for its results, its only one is left in a register.
+/// Calls a function. If there are no places for results, leaves the only result in a register.
 void Generator::call_function(const Expression& e, const std::vector<Storage>& results) {
     const auto& c = std::get<Call>(e.form);
     const bool is_predefined = std::holds_alternative<Predefined>(c.meaning->form);
     if (is_predefined && predefined_call(e, c, results))
         return;
     const Declaration& called = is_predefined ? library_routine(e.at, c.name) : *c.meaning;
-    const auto* function = std::get_if<Function>(&called.form); // null of a routine of the library that is a procedure
+    const auto* function = std::get_if<Function>(&called.form); // null for a library routine that is a procedure
     const bool in_register = function && returns_in_register(*function);
     call(called, pointers_to(c.arguments), in_register ? std::vector<Storage>() : results);
     const bool is_word_result = in_register && is_word(*function->result_types.front());

@@ -86,7 +86,7 @@ void Generator::input_items(const Expression& on, const std::vector<Item>& items
     }
 }
 
-/// Inputs a count, checks it, and inputs so many elements if there are any.
+/// Inputs a count, checks it, and inputs this number of elements.
 void Generator::input_counted(const Expression& on, const Item& item) {
     const Storage counter = in_workspace(*item.value.type);
     if (counter.is_scalar) {
@@ -258,7 +258,7 @@ void Generator::variant_input(const VariantInput& v) {
     clear_error();
 }
 
-/// Inputs what follows the tag, and executes the process of the variant.
+/// Inputs the items after the tag, and executes the process of the variant.
 void Generator::variant(const Expression& on, const Variant& v) {
     const Kept top(frame_->top);
     const Kept vector(level_->vector_now);

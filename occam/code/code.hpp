@@ -18,14 +18,14 @@ ErrorMode error_mode(std::string_view name);
 struct CodeOptions {
     transputer::Model model{};
     ErrorMode mode = ErrorMode::halt;
-    bool range_checks = true;    ///< of subscripts, segments, conversions, counts
-    bool run_time_checks = true; ///< also of overflow
-    bool vector_space = true;    ///< arrays outside of the workspace
+    bool range_checks = true;    ///< check subscripts, segments, conversions, counts
+    bool run_time_checks = true; ///< check anything at run time, including overflow
+    bool vector_space = true;    ///< place arrays outside of the workspace
     bool ends_run = true;        ///< a main procedure without channels tells the host at its end
     bool awaits_high = true;     ///< a PRI PAR of the main procedure waits for its component of high priority
 };
 
-/// Code at an offset came from a place of a file.
+/// States the place in a file from which the code at an offset was made.
 struct CodeLine {
     std::uint32_t offset = 0;
     Place place;
@@ -42,18 +42,18 @@ struct CodeError {
     std::string text;
 };
 
-/// Where the workspace pointer of a process can be, also in what it calls. The words count from the first workspace
-/// pointer, and are below it.
+/// Where the workspace pointer of a process can be, including the procedures that it calls. The words count from the
+/// first workspace pointer, and are below it.
 struct CodeWorkspace {
     /// The number of the process that starts the outermost components.
     static constexpr std::size_t first_process = static_cast<std::size_t>(-1);
 
     std::int64_t from = 0, until = 0;
-    /// Such as "phil[2]", or its place; with its place if several processes have this name. Processes that use the same
-    /// words one after the other have a name together: "reader or writer".
+    /// A name such as "phil[2]", or the process's place. If several processes have the same name, the place is added.
+    /// Processes that use the same words one after the other share a name: "reader or writer".
     std::string name;
-    std::string inner =
-        {}; ///< its name within the outermost component, "" for that itself: "fork[1]" if `name` is "ring/fork[1]"
+    std::string inner = {}; ///< name within the outermost component, "fork[1]" if `name` is "ring/fork[1]"; "" for the
+                            ///< outermost component itself
     std::size_t outermost = 0; ///< number of the outermost component, in the order of the text
     std::string entry = {};    ///< name of the code of the process, among Code::names; "" of a replicated one
     bool carries = false;      ///< it carries messages of other processes; the compiler does not know
@@ -62,19 +62,19 @@ struct CodeWorkspace {
 /// A channel that the main procedure declares outside of its process.
 struct CodeChannel {
     std::int64_t word = 0;  ///< from the first workspace pointer, or from the start of memory if it is placed
-    bool is_placed = false; ///< at an address
+    bool is_placed = false; ///< it is placed at an address
     std::string name;
 };
 
-/// Code of a program that can stand anywhere in memory.
+/// Position-independent code of a program.
 struct Code {
     std::vector<std::uint8_t> bytes;
     std::uint32_t entry = 0;                 ///< offset of the first instruction, which needs no values in registers
-    std::uint32_t constants = 0;             ///< offset of the constants, which are behind the instructions
-    std::uint32_t end = 0;                   ///< offset behind the last instruction, which stops the first process
-    std::uint64_t workspace_words = 0;       ///< of the first process, with those of everything it calls
-    std::uint64_t first_workspace_words = 0; ///< those of them that the first workspace pointer has above it
-    std::uint64_t vector_space_bytes = 0;    ///< behind the code
+    std::uint32_t constants = 0;             ///< offset of the constants, which follow the instructions
+    std::uint32_t end = 0;                   ///< offset after the last instruction, which stops the first process
+    std::uint64_t workspace_words = 0;       ///< words of the first process, including the procedures that it calls
+    std::uint64_t first_workspace_words = 0; ///< number of these words above the first workspace pointer
+    std::uint64_t vector_space_bytes = 0;    ///< size of the vector space, which follows the code
     std::vector<CodeLine> lines;             ///< in order of offsets
     std::vector<CodeName> names;
     std::vector<CodeError> errors; ///< in order of offsets

@@ -26,7 +26,8 @@ bool is_array_of_integers(const Type& type) {
 
 } // namespace
 
-/// Declares what stands outside of all procedures. The channels of a configuration are not of a program.
+/// Makes code for declarations outside of all procedures. Skips channels of a configuration, which do not belong to a
+/// program.
 void Generator::declare_outermost(const Declaration& d) {
     const bool has_place = std::holds_alternative<Variable>(d.form) && innermost(*d.type).kind != Type::Kind::timer;
     if (has_place && !program_.is_configuration)
@@ -35,7 +36,7 @@ void Generator::declare_outermost(const Declaration& d) {
         declare(d);
 }
 
-/// Calls the main procedure with the channels of link 0 and with free memory behind the vector space.
+/// Calls the main procedure with the channels of link 0 and with the free memory after the vector space.
 Code Generator::generate(const Declaration& main) {
     declare_library();
     for (const std::unique_ptr<Unit>& unit : program_.units)
@@ -96,7 +97,7 @@ std::vector<CodeChannel> Generator::channels_of_main(const Declaration& main, st
     return channels;
 }
 
-/// Sends the host the request that ends a run with success, as so.exit does.
+/// Sends the request to the host that ends a run with success, as so.exit does.
 void Generator::end_run() {
     constexpr std::array<std::uint8_t, 10> request = {8, 0, 35, 0xff, 0xc9, 0x9a, 0x3b, 0, 0, 0}; // 999999999
     address({.base = Storage::Base::constant, .label = emitter_.constant(request, true), .type = basic(Basic::byte)});

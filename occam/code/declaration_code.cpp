@@ -54,7 +54,7 @@ std::int64_t channels_of(const Type& type) {
 
 } // namespace
 
-/// Makes the words of channels. An array of channels is one of pointers to such words.
+/// Makes the words of channels. An array of channels is an array of pointers to such words.
 void Generator::declare_channels(const Declaration& d) {
     const bool placed = d.placement && d.placement->where == Placement::Where::address;
     const std::int64_t at = placed ? *constant_of(*d.placement->address) : 0;

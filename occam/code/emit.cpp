@@ -162,7 +162,7 @@ void Emitter::error(std::string text, std::vector<Cell> cells, const Frame& curr
     errors_.push_back({std::move(text), std::move(cells), &current});
 }
 
-/// Writes the place of each cell behind its letter, in words from the workspace pointer.
+/// Writes the place of each cell after its letter, in words from the workspace pointer.
 std::string Emitter::ErrorMeaning::with_offsets() const {
     std::string result = text;
     std::size_t at = 0;

@@ -24,7 +24,7 @@ struct CodeElement {
         difference, ///< operand: bytes from `from` to `to`, plus `value`
         mark,       ///< the label `to`
         align,      ///< up to the next whole word
-        data,       ///< so many bytes as `value`
+        data,       ///< `value` bytes
         line,       ///< code for a place begins
         error,      ///< the instruction before it can fail: the error number `value`
         name        ///< code with the name number `value` begins
@@ -44,14 +44,14 @@ using CodeBuffer = std::vector<CodeElement>;
 /// The label of the first word behind code and constants.
 inline constexpr Label end_of_code = 0;
 
-/// Collects code in buffers, and makes bytes of it.
+/// Collects code in buffers, and converts it to bytes.
 class Emitter {
 public:
     using Operation = transputer::Operation;
 
     Label new_label() { return labels_++; }
     CodeBuffer& buffer() { return *buffer_; }
-    /// Lets code go to another buffer. Returns that to which it went.
+    /// Directs code to another buffer. Returns the previous buffer.
     CodeBuffer* redirect(CodeBuffer* buffer) { return std::exchange(buffer_, buffer); }
 
     void put(Operation, std::int64_t operand = 0);
@@ -66,11 +66,11 @@ public:
     void mark(Label);
     void line(const Place&);
     void name(std::string);
-    /// States what an error of the instruction before means, as transputer::print_error() reads it. Each {w} or {l} in
-    /// the text stands for the word, or the INT64, in one of these cells. REQUIRES: the cells are of the level of
-    /// `current`.
+    /// States the meaning of an error of the preceding instruction, in the form that transputer::print_error() reads.
+    /// Each {w} or {l} in the text stands for the word, or the INT64, in one of these cells. REQUIRES: the cells are of
+    /// the level of `current`.
     void error(std::string text, std::vector<Cell> cells, const Frame& current);
-    /// Returns the label of constant bytes, which are stored behind the code.
+    /// Returns the label of constant bytes, which are stored after the code.
     Label constant(std::span<const std::uint8_t> bytes, bool aligned);
 
     /// Returns the code of all buffers, in this order, and the constants.
@@ -96,9 +96,9 @@ private:
     std::unordered_map<std::string, std::size_t> constant_of_; ///< looked up only
 };
 
-/// Returns whether an instruction may set the flag Error by what a program computes.
+/// Returns whether an instruction may set the flag Error, depending on computed values.
 bool may_set_error(transputer::Operation);
-/// Returns how many words an instruction leaves on the register stack more than before.
+/// Returns by how many words an instruction changes the depth of the register stack.
 int stack_effect(transputer::Operation);
 
 } // namespace placedpar::occam

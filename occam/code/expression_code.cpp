@@ -62,7 +62,7 @@ int Generator::depth_of_binary(const BinaryOperation& operation) const {
     return std::max(both, size_of(type) == 4 ? 2 : 3);
 }
 
-/// Loads two words, the right one on top. `more`: registers that are needed beside the right one.
+/// Loads two words, the right one on top. `more` is the number of registers that are needed besides the right word's.
 void Generator::operands(const Expression& left, const Expression& right, bool commutes, int more) {
     const int left_depth = depth_of(left), right_depth = std::max(depth_of(right), 1 + more);
     const bool left_first = left_depth <= registers() && right_depth + 1 <= registers();
@@ -146,7 +146,7 @@ void Generator::arithmetic(Operator operation) {
     }
 }
 
-/// Makes a result that is shorter than a word fit its type: checks it, or drops the bits above.
+/// Makes a result fit a type that is shorter than a word: checks it, or clears the higher bits.
 void Generator::fit(const Type& given, bool checked) {
     const Type& type = plain(given);
     if (type.is(Basic::int16)) {

@@ -28,7 +28,7 @@ void Frame::need_low(int words) {
         above_low[static_cast<std::size_t>(i)] = std::max(above_low[static_cast<std::size_t>(i)], words);
 }
 
-/// Gives each local word its place, the lowest to those that are used most. Words that are joined stay together.
+/// Gives each local word its place. Words that are used most get the lowest places. Joined words stay together.
 void Frame::order_by_use() {
     struct Block {
         int first, words, least;

@@ -21,7 +21,7 @@ struct Cell {
         local,     ///< a variable or temporary of the frame
         low,       ///< one of the lowest words, which instructions and calls use
         parameter, ///< of the procedure of the frame
-        link,      ///< the hidden parameter: the frame of the enclosing procedure; behind the return address
+        link,      ///< the hidden parameter, after the return address: the frame of the enclosing procedure
         vector,    ///< the hidden parameter: free vector space
         base       ///< where the workspace pointer of the frame points
     };
@@ -32,17 +32,17 @@ struct Cell {
     Cell after(int words) const { return {frame, area, index + words}; }
 };
 
-/// The workspace of a process: of a procedure, or of a component of a PAR.
+/// The workspace of a procedure, or of a component of a PAR.
 struct Frame {
     explicit Frame(Level& l) : level(&l) {}
 
     /// Reserve local words that lie together, until `top` is set back.
     Cell allocate(int words);
     void use(const Cell& cell, double weight);
-    /// States that the process needs so many words below its frame.
+    /// States that the process needs this number of words below its frame.
     void need_below(std::int64_t words) { below = below < words ? words : below; }
-    /// States that an instruction uses so many of the lowest words of the frame. They are not those of variables that
-    /// have a place now.
+    /// States that an instruction uses this number of the frame's lowest words. No variable that exists now is placed
+    /// there.
     void need_low(int words);
     /// Returns the words of the frame. REQUIRES: it is laid out.
     std::int64_t words() const { return size; }
@@ -50,16 +50,17 @@ struct Frame {
 
     Level* level;
     int top = 0;
-    int low = 0;                                ///< lowest words that instructions use
-    std::int64_t below = 0;                     ///< words below the lowest word of the frame
-    std::int64_t coordinate = 0;                ///< of the workspace pointer, in words from that of the procedure
-    std::vector<double> uses;                   ///< of each local word
-    std::vector<bool> joined;                   ///< states that a local word must follow the one before it
-    std::vector<int> above_low;                 ///< of each local word: how many of the lowest words it must not be
-    std::vector<int> position;                  ///< of each local word
-    std::int64_t size = 0;                      ///< words of the frame
+    int low = 0;                 ///< lowest words that instructions use
+    std::int64_t below = 0;      ///< words below the lowest word of the frame
+    std::int64_t coordinate = 0; ///< workspace pointer, in words from the procedure's workspace pointer
+    std::vector<double> uses;    ///< number of uses of each local word
+    std::vector<bool> joined;    ///< states that a local word must follow the one before it
+    std::vector<int> above_low;  ///< for each local word, the number of lowest words in which it must not be placed
+    std::vector<int> position;   ///< position of each local word
+    std::int64_t size = 0;       ///< words of the frame
     std::vector<std::vector<Frame*>> parallels; ///< the components of each PAR
-    /// A replicated PAR, whose components have workspaces of one size below the frame, the first one on top.
+    /// A replicated PAR, whose components have workspaces of equal size below the frame, the first component's at the
+    /// top.
     struct Replication {
         const Level* level;
         std::int64_t components;
@@ -67,11 +68,11 @@ struct Frame {
     };
     std::vector<Replication> replications;
     std::vector<const Level*> calls; ///< the procedures that it calls and that start processes, each once
-    std::string name;                ///< of a component of a PAR: of the PROC that it is an instance of, or its place
-    std::string place;               ///< of a component: its line and column, "12:3"
-    std::string entry;               ///< of a component of a PAR: the name of its code
-    bool is_instance = false;        ///< the component is an instance of a PROC
-    bool is_parallel = false;        ///< the component is a PAR itself
+    std::string name;         ///< name of a component of a PAR: the PROC of which it is an instance, or its place
+    std::string place;        ///< line and column of a component, such as "12:3"
+    std::string entry;        ///< name of the code of a component of a PAR
+    bool is_instance = false; ///< the component is an instance of a PROC
+    bool is_parallel = false; ///< the component is a PAR itself
 
     /// Returns how many constructs of the frame start processes.
     std::size_t starters() const { return parallels.size() + replications.size() + calls.size(); }
@@ -84,7 +85,7 @@ inline constexpr int words_of_call = 4;
 /// Words below a workspace in which an alternation has its state, its time and its place in the queue.
 inline constexpr int words_of_alternation = 5;
 
-/// A procedure, or the component of a replicated PAR, whose frame lies where only the running program knows.
+/// A procedure, or the component of a replicated PAR. The address of its frame is known only at run time.
 struct Level {
     explicit Level(Level* o) : outer(o), main(*this) {
         link = {&main, Cell::Area::link, 0};

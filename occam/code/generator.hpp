@@ -27,7 +27,7 @@ struct Storage {
         cell,     ///< in the workspace
         pointer,  ///< its address is in `cell`
         absolute, ///< `offset` counts from the start of memory
-        constant, ///< behind the code, at `label`
+        constant, ///< after the code, at `label`
         computed
     };
     Base base = Base::cell;
@@ -35,7 +35,7 @@ struct Storage {
     Label label = 0;
     std::int64_t offset = 0; ///< bytes
     const Type* type = nullptr;
-    std::vector<Extent> extents = {}; ///< of the open dimensions of the type
+    std::vector<Extent> extents = {}; ///< sizes of the type's open dimensions
     bool has_index = false;
     bool is_scalar = false; ///< a whole word of the workspace holds the value, which is shorter
 
@@ -47,8 +47,8 @@ struct Range {
     std::int64_t least, most;
 };
 
-/// Generates the code of a program. Its functions follow the tree; a source file each has those for expressions,
-/// processes and so on.
+/// Generates the code of a program. Its functions follow the tree; expressions, processes and so on each have their own
+/// source file.
 ///
 /// A statement begins with an empty register stack. An expression may be evaluated with values on the stack if
 /// depth_of() says that the free registers suffice; otherwise its user first saves what must be kept.
@@ -62,11 +62,11 @@ public:
 private:
     /// A procedure or function. Its level and its code are made at the first call.
     struct Routine {
-        Level* outer = nullptr; ///< where it is declared; null outside of all procedures
-        std::string path;       ///< of its declaration, with a slash
+        Level* outer = nullptr; ///< level in which it is declared; null outside of all procedures
+        std::string path;       ///< path of its declaration, ending in a slash
         Level* level = nullptr;
         Label entry = 0;
-        std::string errors = {}; ///< of a routine of predef.lib: what its errors mean, which are reported at its call
+        std::string errors = {}; ///< meaning of the errors of a routine of predef.lib, which are reported at its call
     };
     /// Sets a variable back at the end of a scope.
     template <typename T>
@@ -103,7 +103,8 @@ private:
     bool has_reals() const { return (transputer::only(options_.model) & transputer::with_reals) != 0; }
     void settle();
     void clear_error();
-    /// States what an error of the last instruction means. Each {w} or {l} stands for the value in one of the cells.
+    /// States the meaning of an error of the last instruction. Each {w} or {l} stands for the value in one of the
+    /// cells.
     void fails(std::string meaning, std::vector<Cell> cells = {});
     void stop_here(const std::string& why, const std::vector<Cell>& cells = {});
     void loop(const Cell& control, Label start, const std::function<void()>& body);
@@ -235,8 +236,8 @@ private:
     struct RealRoutine {
         std::string name;
         std::vector<const Expression*> operands;
-        std::optional<int> mode = {}; ///< of rounding, the last parameter of a conversion
-        bool negated = false;         ///< its result is the opposite of what is wanted
+        std::optional<int> mode = {}; ///< mode of rounding, the last argument of a conversion
+        bool negated = false;         ///< its result must be inverted
     };
     void declare_library();
     const Declaration& library_routine(const Place&, const std::string& name) const;
@@ -326,14 +327,14 @@ private:
     struct Branch {
         const Alternative* alternative;
         Label label;
-        std::vector<std::pair<const Declaration*, Cell>> indices; ///< of the replicators around it
+        std::vector<std::pair<const Declaration*, Cell>> indices; ///< indices of the replicators around it
         std::vector<const Alternative*> around;                   ///< the ALTs that it is in, the outermost first
     };
     struct Nest {
-        std::unordered_map<const Declaration*, Cell> kept = {}; ///< the index of each replicator, of the chosen guard
-        std::vector<std::pair<const Declaration*, Cell>> chosen = {}; ///< those of the replicators around
+        std::unordered_map<const Declaration*, Cell> kept = {};       ///< index of each replicator of the chosen guard
+        std::vector<std::pair<const Declaration*, Cell>> chosen = {}; ///< indices of the replicators around it
         std::vector<const Alternative*> around = {};                  ///< the ALTs that are being disabled
-        Label after = 0;                                              ///< behind altend
+        Label after = 0;                                              ///< label after altend
         std::vector<Branch> branches = {};
     };
     void alternation(const Alternation&);
@@ -392,8 +393,8 @@ private:
     Level* level_ = nullptr;
     Frame* frame_ = nullptr;
     double weight_ = 1;               ///< how often code is executed, roughly
-    std::string path_;                ///< name of the code around, with a slash
-    std::uint32_t line_ = 0;          ///< of the statement
+    std::string path_;                ///< name of the enclosing code, ending in a slash
+    std::uint32_t line_ = 0;          ///< line of the statement
     int stack_ = 0;                   ///< words on the register stack
     int reals_ = 0;                   ///< values on the stack of the floating-point unit
     bool guards_are_enabled_ = false; ///< the code is between alt and altend

@@ -71,7 +71,7 @@ void Generator::parallel(const Process& p, const Parallel& each) {
     clear_error();
 }
 
-/// Prepares the two words that endp uses: where to go on, and the number of processes.
+/// Prepares the two words that endp uses: the address at which to continue, and the number of processes.
 void Generator::join(Label done, std::int64_t processes) {
     frame_->need_low(2);
     constant(processes);
@@ -104,8 +104,8 @@ void Generator::component(const Process& p, Frame& frame, Frame& parent) {
     level_->vector_most = std::max(level_->vector_most, most);
 }
 
-/// The component of high priority is started; the process itself becomes that of low priority. Whichever ends last goes
-/// on after the PAR, so it goes on at low priority.
+/// The component of high priority is started; the process itself becomes the component of low priority. The component
+/// that ends last continues after the PAR, and must then have low priority.
 void Generator::priority_parallel(const Parallel& each) {
     const Label done = emitter_.new_label(), start = emitter_.new_label(), low = emitter_.new_label();
     join(done, is_main_ && !options_.awaits_high ? 1 : 2);
@@ -136,8 +136,8 @@ void Generator::priority_parallel(const Parallel& each) {
     clear_error();
 }
 
-/// Each component has a workspace at a place that only the running program knows. It finds the variables around it by
-/// a static link.
+/// The address of each component's workspace is known only at run time. It finds the variables around it by a static
+/// link.
 void Generator::replicated_parallel(const Process& p, const Parallel& each) {
     const Replicator& replicator = *each.replicator;
     const auto components = constant_of(replicator.count);
@@ -162,12 +162,12 @@ void Generator::replicated_parallel(const Process& p, const Parallel& each) {
     parent.replications.push_back({&level, *components, constant_of(replicator.base)});
     join(done, *components);
     start_components(replicator, *components, level, index, start);
-    op(Operation::stopp); // the last component goes on at `done`
+    op(Operation::stopp); // the last component continues at `done`
     mark(done);
     clear_error();
 }
 
-/// Stores into each workspace what its component must know, and starts it.
+/// Stores the parameters of each component in its workspace, and starts the component.
 void Generator::start_components(const Replicator& replicator, std::int64_t components, Level& level, const Cell& index,
                                  Label start) {
     const std::int64_t words = level.main.words(), all = words + level.main.below;
@@ -217,8 +217,8 @@ void Generator::start_components(const Replicator& replicator, std::int64_t comp
     frame_->need_low(2);
 }
 
-/// Generates the code of a procedure or of a component of a replicated PAR. Its first instructions depend on what the
-/// body has used.
+/// Generates the code of a procedure or of a component of a replicated PAR. Its first instructions depend on the words
+/// that the body uses.
 void Generator::generate_level(Level& level, Label start, std::string name, const std::function<void()>& body) {
     CodeBuffer& head = buffers_.emplace_back();
     CodeBuffer& rest = buffers_.emplace_back();

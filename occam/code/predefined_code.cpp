@@ -38,7 +38,7 @@ constexpr std::array<WordFunction, 14> word_functions = {{
 
 } // namespace
 
-/// Generates a predefined function that has instructions. Returns false for others.
+/// Generates a predefined function that has instructions. Returns false for other functions.
 bool Generator::predefined_call(const Expression& e, const Call& c, const std::vector<Storage>& results) {
     const bool left_in_register = results.empty();
     if (word_function(c, results))
@@ -138,7 +138,8 @@ bool Generator::real_test(const Call& c) {
     return true;
 }
 
-/// Loads a second real behind the one that is on the stack of the floating-point unit.
+/// Loads a second real on top of the real that is on the floating-point stack. If this needs all registers, the first
+/// real is kept in memory meanwhile.
 void Generator::real_operands_behind(const Expression& second) {
     if (depth_of_real(second) <= 3 - reals_)
         return real(second);
@@ -181,7 +182,7 @@ bool Generator::real_function(const Expression& e, const Call& c) {
     return true;
 }
 
-/// Changes the sign of a real, or gives it that of another, by the bit in memory.
+/// Inverts the sign bit of a real in memory, or copies the sign bit of another real.
 void Generator::real_sign(const Call& c, bool copies) {
     const bool is_double = is_wide(*c.arguments[0].type);
     const Operation store_real = is_double ? Operation::fpstnldb : Operation::fpstnlsn;

@@ -153,7 +153,7 @@ void Generator::copy(const Storage& source, Storage target) {
     count(-3);
 }
 
-/// Arrays that are assigned must be of one size.
+/// Checks that both arrays of an assignment have the same size.
 void Generator::check_sizes(const Storage& a, const Storage& b) {
     if (!options_.range_checks)
         return;

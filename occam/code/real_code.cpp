@@ -67,7 +67,7 @@ void Generator::check_reals(const char* meaning) {
         fails(meaning);
 }
 
-/// Forgets errors of other processes, which stopped.
+/// Clears floating-point errors left by processes that have stopped.
 void Generator::begin_reals() {
     if (halts() || stack_ > 2)
         return;

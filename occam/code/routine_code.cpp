@@ -7,12 +7,12 @@ namespace placedpar::occam {
 
 using transputer::Operation;
 
-// Routines of the library predef.lib do what has no instructions: predefined routines, and the arithmetic of reals
-// without a floating-point unit. A REAL32 is a word there, and a REAL64 is two words, as an INT64 is.
+// Routines of the library predef.lib replace missing instructions, for predefined routines and for the arithmetic of
+// reals without a floating-point unit. A REAL32 is a word there, and a REAL64 is two words, as an INT64 is.
 
 namespace {
 
-/// The meaning of the errors of routines whose names end so.
+/// The meaning of the errors of routines whose names have this ending.
 struct Errors {
     std::string_view name, meaning;
 };
@@ -28,7 +28,8 @@ constexpr std::array<Errors, 11> errors_by_end = {{{".add", " +: overflow, an in
                                                    {".INT64", ": the real does not fit in INT64"},
                                                    {".REAL32", ": the real does not fit in REAL32"}}};
 
-/// Says what errors of a routine mean. Its name is that of a predefined routine, "TYPE.operation", or "FROM.TO".
+/// Returns the meaning of a routine's errors. The routine is named like a predefined routine, or "TYPE.operation", or
+/// "FROM.TO".
 std::string errors_of(const std::string& routine) {
     for (const Errors& each : errors_by_end)
         if (routine.ends_with(each.name))
@@ -55,7 +56,7 @@ const Declaration& Generator::library_routine(const Place& at, const std::string
 
 namespace {
 
-/// Returns the second part of the name of a routine that does an operation.
+/// Returns the second part of the name of the routine for an operation.
 const char* verb_of(Operator operation) {
     switch (operation) {
     case Operator::add: return ".add";
@@ -71,7 +72,8 @@ const char* verb_of(Operator operation) {
 
 } // namespace
 
-/// Returns how a routine does an operation on reals; nothing if it is none, or if there is a floating-point unit.
+/// Returns the routine for an operation on reals; nothing if it is not such an operation, or if there is a
+/// floating-point unit.
 std::optional<Generator::RealRoutine> Generator::real_routine(const Expression& e) const {
     if (has_reals() || e.constant)
         return std::nullopt;
@@ -106,7 +108,7 @@ std::optional<Generator::RealRoutine> Generator::real_routine(const Expression& 
                        .mode = converted->rounding == Conversion::Rounding::truncate ? 0 : 1};
 }
 
-/// Calls a routine. Without places for its results, its only one is left in a register.
+/// Calls a routine. If there are no places for results, leaves the only result in a register.
 void Generator::call_real_routine(const Expression& e, const RealRoutine& routine,
                                   const std::vector<Storage>& results) {
     Arguments mode;

@@ -112,7 +112,7 @@ void Generator::wide_fails(const Wide& a, const std::string& operation, const Wi
     fails(meaning + (divides ? " is not an INT64" : ""), std::move(cells));
 }
 
-/// Combines the lower words, then the upper ones with the carry.
+/// Combines the lower words, then the upper words with the carry.
 void Generator::wide_by_parts(const Wide& a, const Wide& b, Operation lower, Operation upper, const Cell& to) {
     constant(0);
     load_part(a, 0);
@@ -214,7 +214,7 @@ void Generator::wide_conversion(const Conversion& converted, const Cell& to) {
     store(to.after(1));
 }
 
-/// Compares two values: the upper halves, and if these are equal the lower ones without a sign.
+/// Compares two values: the upper halves, and if these are equal, the lower halves as unsigned numbers.
 void Generator::wide_comparison(const BinaryOperation& operation) {
     const Operator kind = operation.operation;
     const Wide left = wide(*operation.left), right = wide(*operation.right);
@@ -270,7 +270,7 @@ void Generator::wide_greater(const Wide& left, const Wide& right) {
     load(result);
 }
 
-/// Leaves an INT64 as a value of at most 32 bits.
+/// Converts an INT64 to a value of at most 32 bits.
 void Generator::narrow(const Expression& operand, const Type& to) {
     const Wide value = wide(operand);
     load_part(value, 1);

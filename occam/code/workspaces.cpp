@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_workspaces = 65'536;
 
-/// Returns whether the component of a PAR is a PAR itself, whose components stand for it.
+/// Returns whether the component of a PAR is a PAR itself, so that only its components are listed.
 bool is_only_parallel(const Frame& component) { return component.is_parallel && component.starters() == 1; }
 
 using NameCounts = std::map<std::string, int>;
@@ -57,14 +57,15 @@ public:
     std::vector<CodeWorkspace> take() { return std::move(found_); }
 
 private:
-    /// What the names of processes consist of.
+    /// The parts of which the names of processes consist.
     struct Naming {
         std::string before = {}, before_inner = {}, indices = {};
         bool is_outermost = true;
-        const NameCounts* counts = nullptr; ///< of the components beside each other
+        const NameCounts* counts = nullptr; ///< counts of equal names among sibling components
     };
 
-    /// Adds what a process starts. `base`: the workspace pointer of its procedure, in words from the first one.
+    /// Adds the processes that a process starts. `base`: the workspace pointer of its procedure, in words from the
+    /// first one.
     void add_within(const Frame& frame, std::int64_t base, Naming naming) {
         NameCounts counts;
         count_names(frame, counts);
@@ -86,11 +87,11 @@ private:
             join_from(first);
     }
 
-    /// Joins workspaces that have words in common, of those that were found from `first` on.
+    /// Joins workspaces that have words in common, among the workspaces from index `first` on.
     void join_from(std::size_t first) {
         const std::vector<CodeWorkspace> all(found_.begin() + static_cast<std::ptrdiff_t>(first), found_.end());
         found_.resize(first);
-        std::map<std::int64_t, std::vector<std::size_t>> bounds; // at each one: those that begin or end there
+        std::map<std::int64_t, std::vector<std::size_t>> bounds; // at each word: the workspaces that begin or end there
         for (std::size_t i = 0; i < all.size(); ++i) {
             bounds[all[i].from].push_back(i);
             bounds[all[i].until].push_back(i);
@@ -140,7 +141,7 @@ private:
         const std::int64_t at = base + component.coordinate;
         const bool is_one_of_several = naming.counts->at(component.name) > 1;
         const std::string name = component.name + naming.indices + (is_one_of_several ? " " + component.place : "");
-        // The pointer moves down from here, to the words of what the process calls.
+        // The pointer moves down from here into the words of called procedures.
         const CodeWorkspace own{at - component.below + 1,
                                 at + 1,
                                 naming.before + name,

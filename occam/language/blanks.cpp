@@ -9,7 +9,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// Returns the words of a program, each as its text behind its indentation.
+/// Returns the words of a program, each as its indentation followed by its text.
 std::vector<std::string> occam_words(const std::shared_ptr<const SourceFile>& file) {
     Program program;
     program.files.push_back(file);
@@ -21,7 +21,7 @@ std::vector<std::string> occam_words(const std::shared_ptr<const SourceFile>& fi
     std::string_view rest = file->text();
     for (std::uint32_t line = 1; !rest.empty(); ++line) {
         const auto end = std::min(rest.find('\n'), rest.size());
-        if (!in_string) // else the string goes on
+        if (!in_string) // otherwise the string continues
             words.clear();
         const auto scan = in_string ? &WordScanner::continue_string : &WordScanner::scan;
         in_string = (scanner.*scan)(file->line(line), {0, line, 1}, 0, words);

@@ -16,7 +16,7 @@ namespace {
 
 using Path = std::filesystem::path;
 
-/// Returns the part of a name behind its folders. Old files write `\`.
+/// Returns the name of a file without its folders. Old files write `\`.
 std::string without_folders(const std::string& name) {
     const auto slash = name.find_last_of("/\\");
     return slash == std::string::npos ? name : name.substr(slash + 1);

@@ -12,8 +12,8 @@ constexpr std::uint32_t indentation_step = 2;
 
 } // namespace
 
-/// Goes on behind a line that was refused, at the next line that is not indented further. `line` counts the lines that
-/// had been taken when reading of the statement began.
+/// Continues after a refused line, at the next line that is not indented further. `line` is the number of lines taken
+/// before the statement.
 void Parser::recover(std::uint32_t indentation, std::size_t line) {
     if (line == lines_taken_ || !is_at_line_start())
         next_line();
@@ -21,7 +21,7 @@ void Parser::recover(std::uint32_t indentation, std::size_t line) {
         next_line();
 }
 
-/// Reads the line of a construct, such as WHILE. If it is refused, its block is read nevertheless.
+/// Reads the line of a construct, such as WHILE. If the line is refused, its block is still read.
 void Parser::parse_header(const Component& header) {
     const std::size_t line = lines_taken_;
     try {
@@ -39,7 +39,7 @@ bool Parser::block_goes_on(std::uint32_t indentation) const {
     return !is_at_end() && peek().indentation > indentation && !peek().is(":") && !peek().is(")");
 }
 
-/// Returns the indentation of a block, which is that of its first line even if it is wrong.
+/// Returns the indentation of a block: the indentation of its first line, even if that is wrong.
 std::uint32_t Parser::adopt_indentation(const Word& first, const Word& head) {
     const std::uint32_t wanted = head.indentation + indentation_step;
     if (first.indentation != wanted && !indentation_in_doubt_)

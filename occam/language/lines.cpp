@@ -44,7 +44,8 @@ void Lines::close_file() {
 
 bool Lines::is_left_out() const { return !std::ranges::all_of(files_.back().conditions, &Condition::is_true); }
 
-/// Returns the next line that is not left out. Directives are executed; `words` gets one that the parser is to see.
+/// Returns the next line that is not skipped. Executes directives; if the parser must see a directive, appends it to
+/// `words`.
 std::optional<Lines::TextLine> Lines::next_text(std::vector<Word>& words) {
     if (held_) {
         last_ = held_->start;
@@ -87,7 +88,7 @@ Line Lines::next() {
     return line;
 }
 
-/// Appends the lines that a line goes on in. One that is indented less does not belong to it.
+/// Appends the continuation lines of a line. A line that is indented less is not a continuation.
 void Lines::continue_line(Line& line, bool in_string) {
     while (in_string || (!line.words.empty() && continues_line(line.words.back()))) {
         std::vector<Word> directive, words;
@@ -127,7 +128,7 @@ void Lines::warn_of_tabs(const TextLine& line) {
                               "indent with blanks: two for each level");
 }
 
-/// Returns the word behind the directive; null, after an error, if it is of another kind.
+/// Returns the word after the directive. If it is of another kind, reports an error and returns null.
 const Word* Lines::argument(const std::vector<Word>& words, WordKind kind, std::string_view what) {
     if (words.size() >= 2 && words[1].kind == kind)
         return &words[1];

@@ -9,19 +9,19 @@
 
 namespace placedpar::occam {
 
-/// A line of a program with those that it goes on in. The last word is its end.
+/// A line of a program with its continuation lines. The last word is its end.
 struct Line {
     std::vector<Word> words;
-    bool is_end = false; ///< behind the last line of the file
+    bool is_end = false; ///< after the last line of the file
 };
 
-/// Reads the lines of a file and of those that it includes, and executes directives. #USE is left to the parser.
+/// Reads the lines of a file and of the files that it includes, and executes directives. #USE is left to the parser.
 class Lines {
 public:
     /// REQUIRES: the file is the last of `reading.open`.
     Lines(Reading& reading, std::uint32_t file);
 
-    /// Returns the next line that has words. After the last one, returns a line that is the end, again and again.
+    /// Returns the next line that has words. After the last line, every call returns the end line.
     Line next();
 
 private:
@@ -34,9 +34,9 @@ private:
     };
     struct File {
         std::uint32_t index = 0;
-        std::string_view rest = {};    ///< of its text
+        std::string_view rest = {};    ///< rest of its text
         std::uint32_t line = 0;        ///< number of the last line that was taken
-        std::uint32_t indentation = 0; ///< of the #INCLUDE
+        std::uint32_t indentation = 0; ///< indentation of the #INCLUDE
         std::vector<Condition> conditions = {};
     };
     struct TextLine {
@@ -62,7 +62,7 @@ private:
     Reading& reading_;
     WordScanner scanner_;
     std::vector<File> files_;
-    std::optional<TextLine> held_; ///< a line that does not go on with the one above
+    std::optional<TextLine> held_; ///< a line that has been read, but does not continue the line above
     Place last_;                   ///< start of the last line that was read
     bool warned_of_tabs_ = false;
 };
@@ -71,13 +71,13 @@ private:
 
 /// Returns whether the directive chooses lines: #IF, #ELIF, #ELSE, #ENDIF.
 bool is_condition(std::string_view directive);
-/// Returns whether the condition in `words`, behind its directive, is true. Reports what is wrong.
+/// Returns whether the condition in `words`, after its directive, is true. Reports errors.
 bool evaluate_condition(Reading&, const std::vector<Word>& words);
 /// Executes #OPTION: a string of letters.
 void execute_option(Reading&, const Word& letters);
 /// Executes #PRAGMA with the word that follows it.
 void execute_pragma(Reading&, const Word& what);
-/// Reports a directive that is not read, with a text behind it in #ERROR and #WARNING.
+/// Reports a directive that is not supported, or the text of #ERROR and #WARNING.
 void execute_message(Reading&, std::string_view directive, std::string_view text, const Place&);
 
 } // namespace placedpar::occam

@@ -15,13 +15,13 @@ namespace placedpar::occam {
 /// Options of reading.
 struct ParseOptions {
     std::vector<std::filesystem::path> folders; ///< where #INCLUDE and #USE look, after the folder of the file
-    /// Returns the text of a file or library of ours, such as "hostio.inc"; nothing if there is none. The name is
-    /// without its path, in small letters.
+    /// Returns the text of one of PlacedPar's own files or libraries, such as "hostio.inc"; nothing if there is none.
+    /// The name is without its path, in small letters.
     std::function<std::optional<std::string>(const std::string& name)> built_in;
     std::vector<std::string> defined; ///< names of the preprocessor
 };
 
-/// What #OPTION and #PRAGMA of the main file ask for.
+/// The options that #OPTION and #PRAGMA set in the main file.
 struct SourceOptions {
     bool alias_checks = true, usage_checks = true, range_checks = true, run_time_checks = true;
     bool vector_space = true;
@@ -32,8 +32,7 @@ struct Parsed {
     SourceOptions options;
 };
 
-/// Reads a file with all that it includes and uses. Errors go to the reporter; the tree then has what could be
-/// understood.
+/// Reads a file with all that it includes and uses. Reports errors; the tree then has the parts that could be read.
 Parsed parse(std::shared_ptr<const SourceFile>, const ParseOptions&, Reporter&);
 
 } // namespace placedpar::occam

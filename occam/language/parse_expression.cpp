@@ -77,7 +77,7 @@ Expression Parser::parse_expression() {
     return parse_chain(parse_operand());
 }
 
-/// Refuses an operator behind an operand: operators have no precedence.
+/// Refuses a second operator after an operand, because operators have no precedence.
 Expression Parser::parse_chain(Expression left) {
     std::size_t length = 0;
     std::optional<Operator> last;
@@ -251,7 +251,7 @@ Expression Parser::parse_name_or_call() {
     return made(word, std::move(call));
 }
 
-/// Reads arguments and the `)` behind them.
+/// Reads arguments and the `)` after them.
 std::vector<Expression> Parser::parse_arguments() {
     std::vector<Expression> arguments;
     if (accept(")"))

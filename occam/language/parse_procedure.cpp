@@ -23,7 +23,7 @@ void Parser::end_body(const Word& head, std::string_view what) {
     end_line("\":\"");
 }
 
-/// Returns whether `REC PROC` begins here, which is refused, but read.
+/// Returns whether `REC PROC` begins here. It is parsed, but reported as an error.
 bool Parser::is_recursive_procedure() const {
     return (peek().is_word("REC") || peek().is_word("RECURSIVE")) && peek(1).is_word("PROC");
 }
@@ -65,7 +65,7 @@ std::vector<DeclarationBox> Parser::parse_parameters() {
     return parameters;
 }
 
-/// Reads a parameter. Without a type it has that of the parameter in front of it.
+/// Reads a parameter. A parameter without a type has the type of the preceding parameter.
 void Parser::parse_parameter(std::vector<DeclarationBox>& parameters, Parameter& kind) {
     const Word& behind = peek(1);
     const bool is_name_alone =

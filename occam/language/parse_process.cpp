@@ -184,7 +184,7 @@ Process Parser::parse_instance() {
 
 namespace {
 
-/// Says what stands for `x += 1` of other languages; "" if this is something else.
+/// Returns a hint for `x += 1` of other languages; "" for other text.
 std::string hint_for_change(const Word& variable, const Word& operation, const Word& next) {
     const bool changes = operation.is("+") || operation.is("-") || operation.is("*") || operation.is("/");
     return changes && (next.is("=") || next.is(operation.text))

@@ -136,7 +136,7 @@ std::vector<DeclarationBox> Parser::parse_file() {
                 indentation_in_doubt_ = true;
             }
             const bool is_remainder = first.is(":") || first.indentation != 0;
-            if (is_remainder && reading_.reporter.failed()) // it may belong to what has been refused
+            if (is_remainder && reading_.reporter.failed()) // it may belong to a refused statement
                 throw LineRefused{};
             if (first.is(":"))
                 refuse(first, "this \":\" ends nothing", "the PROC or FUNCTION has ended above");

@@ -15,8 +15,8 @@ namespace placedpar::occam {
 /// Thrown after an error has been reported, to leave the line that has it.
 struct LineRefused {};
 
-/// Reads one file to a tree, by recursive descent. An error is reported once; reading goes on at the next line that is
-/// not indented further than the line with the error.
+/// Reads one file to a tree, by recursive descent. An error is reported once; reading continues at the next line that
+/// is not indented further than the line with the error.
 class Parser {
 public:
     Parser(Reading& reading, std::uint32_t file);
@@ -25,7 +25,7 @@ public:
     std::vector<DeclarationBox> parse_file();
 
 private:
-    /// Limits the depth of the tree, and so that of the stack.
+    /// Limits the depth of the tree, and therefore of the stack.
     struct Nesting {
         explicit Nesting(Parser&);
         ~Nesting() { --reading.depth; }

@@ -38,7 +38,7 @@ struct ItemText {
     std::shared_ptr<TypeText> count; ///< null unless the array is counted
     std::shared_ptr<TypeText> type;
 };
-/// The protocol behind CHAN OF: ANY, a name, or items.
+/// The protocol after CHAN OF: ANY, a name, or items.
 struct ProtocolText {
     bool any = false;
     std::vector<ItemText> items; ///< a name alone is one item: a TypeText with a name
@@ -99,7 +99,7 @@ struct Constant {
     std::shared_ptr<const std::vector<std::uint8_t>> bytes;
 };
 
-/// A name that stands for a value, a variable, a channel, a timer, a field (as a subscript) or a tag (as an item).
+/// A name of a value, a variable, a channel, a timer, a field (as a subscript) or a tag (as an item).
 struct NameUse {
     std::string name;
     const Declaration* meaning = nullptr; ///< checked; null for a field or a tag
@@ -107,7 +107,7 @@ struct NameUse {
 /// `42`, `#2A`, `'a'`, `42(INT64)`, `TRUE`.
 struct IntegerLiteral {
     std::uint64_t value = 0;
-    bool negative_allowed = false; ///< it stands directly behind a minus sign, and may be 2^(n-1)
+    bool negative_allowed = false; ///< it directly follows a minus sign, and may be 2^(n-1)
     std::optional<Basic> type;     ///< as written or by its form: BYTE of a character, BOOL of TRUE; else INT
     std::string type_name = {};    ///< `42(LENGTH)`: a DATA TYPE
 };
@@ -121,7 +121,7 @@ struct RealLiteral {
 struct StringLiteral {
     std::string bytes;
 };
-/// `[a, b, c]`, perhaps with a type behind it: a record literal.
+/// `[a, b, c]`, perhaps followed by a type: a record literal.
 struct TableLiteral {
     std::vector<Expression> elements;
     std::shared_ptr<TypeText> type;
@@ -365,7 +365,7 @@ struct Parameter {
     enum class Passing : std::uint8_t { reference, value, result };
     Passing passing = Passing::reference;
     std::shared_ptr<TypeText> type;
-    std::optional<bool> written_output; ///< `c!` or `c?` behind the name
+    std::optional<bool> written_output; ///< `c!` or `c?` after the name
 };
 struct ReplicatorIndex {};
 struct Procedure {
@@ -403,7 +403,7 @@ struct DataType {
     std::vector<FieldText> fields; ///< of a RECORD
     bool is_packed = false;
 };
-/// `PLACE x AT e:`, `PLACE x IN WORKSPACE:`, `PLACE x IN VECSPACE:`. Its name is that of what it places. A
+/// `PLACE x AT e:`, `PLACE x IN WORKSPACE:`, `PLACE x IN VECSPACE:`. Its name is the name of the placed thing. A
 /// configuration may place elements, and several channels on an arc: `PLACE c[0], d ON arc:`.
 struct Placement {
     enum class Where : std::uint8_t { address, workspace, vector_space, arc };
@@ -423,7 +423,7 @@ struct Use {
 /// A procedure or function of the language itself, such as LONGADD or ASSERT.
 struct Predefined {
     std::vector<const Type*> parameters, results;
-    std::vector<Parameter::Passing> passing = {}; ///< of each parameter
+    std::vector<Parameter::Passing> passing = {}; ///< how each parameter is passed
 };
 
 /// How a PROC uses a channel parameter or a declared channel.
@@ -460,7 +460,8 @@ struct Program {
     std::vector<std::unique_ptr<Unit>> units;             ///< in order of use: each uses only earlier ones
     std::vector<DeclarationBox> declarations;             ///< of the main file
     std::vector<DeclarationBox> predefined;               ///< made by the check
-    /// What the code calls for predefined routines and for reals if no instruction does the work: the library predef.
+    /// The library predef: routines that the code calls for predefined routines and for reals if there are no
+    /// instructions.
     std::vector<DeclarationBox> routines;
     Types types;
     /// `[c, d]` of channels is an array of them, as an argument. The language has no such tables, but a program that

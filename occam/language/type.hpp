@@ -48,7 +48,7 @@ struct Type {
     Kind kind = Kind::mistaken;
     Basic basic = Basic::integer;
     const Type* element = nullptr;                 ///< of an array, a derived type or a port
-    std::optional<std::uint32_t> count = {};       ///< elements of an array; nothing for an open array `[]T`
+    std::optional<std::uint32_t> count = {};       ///< number of elements of an array; nothing for an open array `[]T`
     const struct ProtocolType* protocol = nullptr; ///< of a channel
     const Declaration* declared = nullptr;         ///< of a record or a derived type
     std::vector<Field> fields = {};                ///< of a record
@@ -56,7 +56,7 @@ struct Type {
     bool is(Basic b) const { return kind == Kind::basic && basic == b; }
 };
 
-/// An item of a protocol: a value of `type`, or an array that its length of type `count` precedes: `count::[]element`.
+/// An item of a protocol: a value of `type`, or an array preceded by its length of type `count`: `count::[]element`.
 struct ProtocolItem {
     const Type* type = nullptr;  ///< of a counted array: the open array
     const Type* count = nullptr; ///< null unless the array is counted
@@ -70,14 +70,14 @@ struct ProtocolTag {
     std::vector<ProtocolItem> items = {};
 };
 
-/// What a channel carries. Protocols without a name are equal if their items are; named ones if they are one
-/// declaration.
+/// The messages that a channel carries. Protocols without a name are equal if their items are equal. Named protocols
+/// are equal if they have the same declaration.
 struct ProtocolType {
     enum class Kind : std::uint8_t { any, sequence, variant };
     Kind kind = Kind::any;
     const Declaration* declared = nullptr; ///< null unless it has a name
-    std::vector<ProtocolItem> items = {};  ///< of a sequence
-    std::vector<ProtocolTag> tags = {};    ///< of a variant; those of another variant that it names are among them
+    std::vector<ProtocolItem> items = {};  ///< items of a sequence
+    std::vector<ProtocolTag> tags = {};    ///< tags of a variant, including the tags of another variant that it names
 };
 
 /// Makes the types of a program, each once, and owns them.

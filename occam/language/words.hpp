@@ -31,7 +31,7 @@ struct Word {
     std::string_view text = {};
     Place at = {};
     std::uint32_t indentation = 0; ///< blanks in front of it, with tabs and the indentation of an #INCLUDE
-    std::string bytes = {};        ///< of a character or string, with its escapes resolved; a file of #USE
+    std::string bytes = {};        ///< bytes of a character or string, with escapes resolved; the file of #USE
 
     bool is(std::string_view symbol) const { return kind == WordKind::symbol && text == symbol; }
     /// Returns whether it is this keyword, or a name with this text. Words of later versions of the language are names.
@@ -46,21 +46,21 @@ bool is_keyword(std::string_view text);
 std::span<const std::string_view> all_keywords();
 /// Returns "the name \"x\"", "the keyword \"SEQ\"", "\":=\"", "the end of the line" for messages.
 std::string describe(const Word&);
-/// Returns whether a line goes on below this word: it is an operator, `,`, `:=`, `IS` or the like.
+/// Returns whether a line continues below this word: it is an operator, `,`, `:=`, `IS` or the like.
 bool continues_line(const Word&);
 
 /// Returns the directive that a line begins with, such as "#USE"; "" if there is none. #FEED is a number.
 std::string_view directive_of(std::string_view line);
 
-/// Splits lines of a file into words. Reports what is not a word.
+/// Splits lines of a file into words. Reports text that is not a word.
 class WordScanner {
 public:
     WordScanner(const Program& program, Reporter& reporter) : program_(program), reporter_(reporter) {}
 
-    /// Appends the words of a line to `words`. `indentation` is added to that of each word. Returns whether the line
-    /// ends within a string, by a `*`. Then continue_string() is called with the next line.
+    /// Appends the words of a line to `words`. `indentation` is added to the indentation of each word. Returns whether
+    /// the line ends within a string, by a `*`. Then continue_string() is called with the next line.
     bool scan(std::string_view line, Place start, std::uint32_t indentation, std::vector<Word>& words);
-    /// Does the same for a line that goes on with a string, which is the last of the words.
+    /// Scans a line that continues a string, which is the last of the words.
     bool continue_string(std::string_view line, Place start, std::uint32_t indentation, std::vector<Word>& words);
 
 private:

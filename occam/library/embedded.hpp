@@ -4,7 +4,7 @@
 
 namespace placedpar::occam::embedded {
 
-/// Each returns the text of the file of this folder that it is named after. The build makes the definitions
+/// Each function returns the text of the file in this folder after which it is named. The build makes the definitions
 /// (CMakeLists.txt of the room).
 std::string convert_occ();
 std::string course_occ();

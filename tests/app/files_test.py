@@ -185,7 +185,7 @@ class Files(unittest.TestCase):
             p (cycles = 1000000000000); connect p.out to c.in; place p on t; place c on t;""", encoding="utf-8")
         run = placedpar("run", netlist, "--json", self.folder / "run.json", "--trace", self.folder / "trace.json")
         self.assertEqual(run.returncode, 1)
-        self.assertIn("virtual time lasts for 106 days, and process p would pass that end: shorten its computation or delay", run.stderr)
+        self.assertIn("virtual time ends after 106 days, but process p would take longer: shorten its computation or delay", run.stderr)
         self.assertEqual(os.listdir(self.folder), ["long.cfs"])
 
     def test_numbers_of_a_run_that_takes_no_time_are_numbers(self):

@@ -209,5 +209,5 @@ TEST_CASE("a process's refusal is a user's error with its place in the netlist; 
 
 TEST_CASE("a run that would exceed virtual time ends with a message") {
     CHECK_THROWS_WITH_AS(run_pair("T800 (clock = 1)", "T800 (clock = 1)", "count = 10, cycles = 1000000000000"),
-                         doctest::Contains("would pass that end: shorten its computation or delay"), UserError);
+                         doctest::Contains("would take longer: shorten its computation or delay"), UserError);
 }

@@ -45,7 +45,7 @@ TEST_CASE("a computation beyond the end of virtual time ends the run with an err
                 compute(Cycles{5'000'000});
         },
         &slow);
-    CHECK(error_of(simulation) == "virtual time lasts for 106 days, and process patient would pass that end: "
+    CHECK(error_of(simulation) == "virtual time ends after 106 days, but process patient would take longer: "
                                   "shorten its computation or delay");
     CHECK(rounds == 1);
 }
@@ -55,7 +55,7 @@ TEST_CASE("a delay beyond the end of virtual time ends the run after everything 
     Time last{};
     simulation.process("waits", [] { wait_for(Time::max() - Time{3}), wait_for(Time{3}); });
     simulation.process("earlier", [&] { wait_until(Time::max() - Time{1}), last = now(); });
-    CHECK(error_of(simulation).find("process waits would pass that end") != std::string::npos);
+    CHECK(error_of(simulation).find("process waits would take longer") != std::string::npos);
     CHECK(last == Time::max() - Time{1});
 }
 
@@ -66,7 +66,7 @@ TEST_CASE("a message that a link would finish beyond the end of virtual time end
                  .from_a_to_b());
     simulation.process("sender", [&] { c.out().output({}); });
     simulation.process("receiver", [&] { c.in().input(); });
-    CHECK(error_of(simulation).find("a message on a link would pass that end") != std::string::npos);
+    CHECK(error_of(simulation).find("a message on a link would take longer") != std::string::npos);
 }
 
 TEST_CASE("processes of both priorities, timeslices, timers and links work just before the end of virtual time") {
