@@ -38,8 +38,8 @@ OpenFile connect_board(const std::string& name, const Interrupted&);
 
 /// Sends a bootable program to a board and serves its requests until the program ends. Throws UserError if the board
 /// takes no bytes for `patience`, stops within a request, sends a wrong request or closes the connection. The message
-/// begins with `name`. REQUIRES: the board has been reset, which each interface does in a way of its own, and waits to
-/// be booted; SIGPIPE is ignored.
+/// begins with `name`. REQUIRES: the board has been reset (in a way that depends on its interface) and waits to be
+/// booted; SIGPIPE is ignored.
 BoardRun serve_board(std::string_view program, const OpenFile& board, const std::string& name, Server&,
                      const Interrupted&, std::chrono::milliseconds patience = std::chrono::seconds(10));
 

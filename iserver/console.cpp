@@ -95,7 +95,7 @@ std::optional<std::uint8_t> Console::pressed_key() {
 }
 
 std::string Console::line() {
-    if (mode_ == Mode::keys && is_terminal_) { // what was typed ahead has Enter as 13
+    if (mode_ == Mode::keys && is_terminal_) { // keys that were typed ahead have 13 for Enter
         read_more(false);
         std::ranges::replace(read_, '\r', '\n');
     }

@@ -13,8 +13,8 @@
 
 namespace placedpar::iserver {
 
-/// How many bytes a program may still write, to all files and to the terminal together. This bounds what a program that
-/// went wrong costs its host.
+/// The number of bytes that a program may still write, to all files and the terminal together. It limits the damage of
+/// a faulty program.
 class WriteQuota {
 public:
     /// A new file counts as this number of bytes, so that a program cannot make millions of empty files.

@@ -59,7 +59,7 @@ private:
     std::condition_variable woken_;
 
     Time rested_{};
-    std::optional<Time> rested_in_work_; ///< set at the end of the work, if the kernel goes on after it
+    std::optional<Time> rested_in_work_; ///< set at the end of the work, if the kernel continues after it
 };
 
 /// The kernels of a native run, one for each thread. Detects when none of them has anything to do.

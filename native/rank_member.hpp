@@ -115,7 +115,7 @@ private:
     bool is_quiet_ = false, is_over_ = false, is_stopped_ = false, others_stop_ = false;
     std::atomic<bool> interrupted_{false};
     Time rested_{};
-    std::optional<Time> rested_in_work_; ///< set at the end of the work, if the kernel goes on after it
+    std::optional<Time> rested_in_work_; ///< set at the end of the work, if the kernel continues after it
 };
 
 } // namespace placedpar::native

@@ -22,7 +22,7 @@ namespace placedpar {
 
 using MessageBytes = std::vector<std::uint8_t>;
 
-/// Thrown for bytes that are not a message of a channel's protocol. The text says what they would be.
+/// Thrown for bytes that are not a message of a channel's protocol. The text describes the bytes.
 class NoMessage : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

@@ -14,9 +14,9 @@ struct RunLimits {
     std::uint64_t megabytes = 1024; ///< limit of the address space; the program itself takes about 100 Mbyte
 };
 
-/// Confines this process for ever: from now on it can compute, and read and write what is already open. It cannot open,
-/// create or look for a file, connect, start a program, send a signal to another process, or exceed the limits. Every
-/// other system call fails with an error. Throws UserError if this computer cannot confine processes.
+/// Confines this process for ever: from now on it can compute, and read and write files that are already open. It
+/// cannot open, create or look for a file, connect, start a program, send a signal to another process, or exceed the
+/// limits. Every other system call fails with an error. Throws UserError if this computer cannot confine processes.
 ///
 /// A list of forbidden calls was rejected, since new calls of Linux would be allowed. Landlock was rejected, since it
 /// lets a process find out which files exist.

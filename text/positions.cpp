@@ -35,7 +35,7 @@ std::size_t length_of_word(std::string_view rest, bool with_dots) {
     std::size_t length = 0;
     while (length < rest.size() && is_in_word(rest[length], with_dots))
         ++length;
-    while (length > 0 && rest[length - 1] == '.') // a dot at the end belongs to the text behind it
+    while (length > 0 && rest[length - 1] == '.') // a dot at the end belongs to the text after it
         --length;
     return length > 0 ? length : size_of(rest).bytes;
 }
@@ -80,7 +80,7 @@ Position Positions::position(std::size_t offset) const {
 
 std::size_t offset_of(const Location& at) {
     const std::string_view line = at.file->line(at.line);
-    if (line.data() == nullptr) // behind the last line, or before the first
+    if (line.data() == nullptr) // after the last line, or before the first
         return at.line == 0 ? 0 : at.file->text().size();
     return static_cast<std::size_t>(line.data() - at.file->text().data()) +
            std::min(std::max<std::size_t>(at.column, 1) - 1, line.size());

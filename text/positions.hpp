@@ -23,7 +23,7 @@ public:
     /// Returns the number of lines. Lines end with a line feed, a carriage return, or both; the last one has no end.
     std::size_t lines() const { return starts_.size(); }
     /// Returns the offset of a position. A character beyond the end of its line stands for that end, and a position in
-    /// the middle of a character for its beginning. Throws std::out_of_range for a line behind the last one; the line
+    /// the middle of a character for its beginning. Throws std::out_of_range for a line after the last line; the line
     /// directly after it stands for the end of the text.
     std::size_t offset(Position) const;
     Position position(std::size_t offset) const;
@@ -39,8 +39,8 @@ std::size_t offset_of(const Location&);
 /// Says which names a text has. In occam, dots are part of a name; in a netlist, they end it.
 enum class NamesOf { netlist, occam };
 
-/// Returns the place behind the word that begins at a location: behind a name, a number or a string in quotes, or
-/// behind one other character. At the end of a line, and for line 0, returns the location itself.
+/// Returns the place after the word that begins at a location: after a name, a number or a string in quotes, or after
+/// one other character. At the end of a line, and for line 0, returns the location itself.
 Location end_of_word(const Location&, NamesOf);
 
 } // namespace placedpar

@@ -18,7 +18,7 @@ struct Job {
     std::string statements; ///< lines, each with a newline
 };
 
-/// The statements that tell a job's processes what they search for.
+/// The statements that set the search problem of a job's processes.
 struct ProblemStatements {
     std::string vals;   ///< lines, each with a newline
     std::string host;   ///< parameters of the host

@@ -27,9 +27,9 @@ Network readable_network(const Study&);
 /// combinations spread over the study. `network` is a network of the study.
 void require_possible(const std::vector<std::string>& measures, const Study&, const Network&);
 
-/// Makes runs of a study, one after the other, and keeps what they share. The kinds and the parsed netlist are made
-/// once, a network once for each combination, and the records of measurement once for each seed. If the events on the
-/// machine do not depend on the seed, these are also simulated once for each combination (RecordedRun). A problem's
+/// Makes runs of a study, one after the other, and keeps the data that they share. The kinds and the parsed netlist are
+/// made once, a network once for each combination, and the records of measurement once for each seed. If the events on
+/// the machine do not depend on the seed, these are also simulated once for each combination (RecordedRun). A problem's
 /// objective is computed once for each genome (RememberedProblem).
 class StudyWorker {
 public:

@@ -13,7 +13,7 @@ namespace placedpar::hydraulics {
 namespace {
 
 constexpr std::string_view blanks = " \t\r";
-constexpr std::size_t most_header_lines = 100; ///< the header is looked for in so many lines
+constexpr std::size_t most_header_lines = 100; ///< number of lines in which the header is searched
 
 std::string trimmed_text(std::string_view text) {
     const std::size_t first = text.find_first_not_of(blanks);

@@ -41,7 +41,7 @@ std::string loader_source(const Code& code, const CodeOptions& options, transput
     return source + text;
 }
 
-/// Lays out the workspace, which may cover the loader, and the code behind it.
+/// Lays out the workspace, which may cover the loader, and the code after it.
 transputer::Image laid_out(const Code& code, const CodeOptions& options, bool is_there) {
     constexpr transputer::Word bytes_beside = 44; // words for its instructions and its variables
     const transputer::Word start = transputer::traits_of(options.model).memory_start;

@@ -88,7 +88,7 @@ void Generator::load_base_of(Frame& frame) {
 
 void Generator::adjust(Frame& from, Frame& to) { emitter_.put(Operation::ajw, Cell{&to, Cell::Area::base, 0}, from); }
 
-/// Generates a component in a frame of its own, up to its end.
+/// Generates a component in its own frame, up to the component's end.
 void Generator::component(const Process& p, Frame& frame, Frame& parent) {
     const std::int64_t most = std::exchange(level_->vector_most, level_->vector_now);
     {

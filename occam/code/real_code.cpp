@@ -270,7 +270,7 @@ void Generator::real_to_integer(const Conversion& converted, const Type& to) {
         fit(to, true);
 }
 
-/// Converts a real to an INT64: the lower half, then the upper half of what is left.
+/// Converts a real to an INT64: the lower half, then the upper half of the rest.
 void Generator::real_to_wide(const Conversion& converted, const Cell& to) {
     begin_reals();
     stack_ = 0;

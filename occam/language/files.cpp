@@ -39,7 +39,7 @@ std::vector<std::string> file_names(const std::string& name, FileUse use) {
     return {stem + ".occ", stem + ".module"};
 }
 
-/// Returns whether the name is that of a library: there is no source of one file beside it.
+/// Returns whether the name is the name of a library, which has no single source file beside it.
 bool is_library(const std::string& name) { return lower_case(name).ends_with(".lib"); }
 
 std::vector<Path> folders_of(const Reading& reading, const Place& named_at) {
@@ -110,7 +110,7 @@ bool may_open(Reading& reading, const std::string& key, const std::string& name,
     return reading.open.size() <= deepest_files;
 }
 
-/// Finds a file that is stored beside the one that names it, or in one of the folders.
+/// Finds a file that is stored beside the file that names it, or in one of the folders.
 std::optional<FoundFile> stored_file(Reading& reading, const Path& path, const std::string& name, FileUse use,
                                      const Place& at) {
     std::error_code error;

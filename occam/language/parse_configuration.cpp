@@ -135,7 +135,7 @@ MapOnto Parser::parse_map() {
     return map;
 }
 
-/// Reads `PROCESSOR 0 T8` and `PROCESSOR node`. A type may stand behind a name, so a name is read before a conversion.
+/// Reads `PROCESSOR 0 T8` and `PROCESSOR node`. A type may follow a name, so a name is tried before a conversion.
 Process Parser::parse_processor() {
     const Word head = take();
     Processor process;

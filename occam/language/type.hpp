@@ -43,7 +43,7 @@ struct Type {
         node, ///< of a configuration, as are the next two
         arc,
         edge,
-        mistaken ///< of whatever could not be understood; agrees with every type, so that no error follows from another
+        mistaken ///< type of a wrong expression; it agrees with every type, so that one error does not cause others
     };
     Kind kind = Kind::mistaken;
     Basic basic = Basic::integer;

@@ -122,7 +122,7 @@ void Core::start_clocks(Word value) {
     find_next_timer();
 }
 
-/// Returns when a clock is after a time for the first time.
+/// Returns the earliest time at which a clock is after `time`.
 Time Core::when_after(Word time, int priority) const {
     if (!clocks_run_)
         return Time::max();
@@ -145,7 +145,7 @@ void Core::wait_for_time() {
     tell(registers_.workspace, Turn::times);
 }
 
-/// Puts the running process into the timer queue of its priority, behind those of the same time.
+/// Puts the running process into the timer queue of its priority, after processes with the same time.
 void Core::join_timers(Word time) {
     const Word workspace = registers_.workspace;
     store(workspace - below::time, time);
@@ -162,7 +162,7 @@ void Core::join_timers(Word time) {
     find_next_timer();
 }
 
-/// Takes a process that was woken otherwise out of its timer queue, if it is in there, and notes the time.
+/// If a process that was woken by something else is in its timer queue, removes it, and notes the time.
 void Core::leave_timers(Word workspace, int priority, Time now) {
     Word place = reserved::timer_heads + 4 * static_cast<Word>(priority);
     for (Word next = load(place), left = longest_queue(); next != not_a_process && left > 0;

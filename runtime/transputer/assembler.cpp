@@ -33,7 +33,7 @@ const Mnemonics& mnemonics() {
                          {"opr", {Unit::direct, operate, all_models}}};
         for (int i = 0; i < static_cast<int>(Operation::go_on); ++i) {
             const Instruction& each = description_of(static_cast<Operation>(i));
-            const Models others = result[each.name].models; // those that execute it in another way
+            const Models others = result[each.name].models; // models that execute it in another way
             result[each.name] = {each.unit, each.code, each.models | others};
         }
         return result;
@@ -90,7 +90,8 @@ public:
         }
     }
 
-    /// Assembles until no instruction needs more bytes. Each begins with one byte and only grows, so this ends.
+    /// Assembles until no instruction needs more bytes. Each instruction begins with one byte and only grows, so this
+    /// ends.
     Assembly run() && {
         pass();
         sizes_known_ = true;
@@ -298,7 +299,7 @@ private:
     std::optional<Model> model_;
     std::map<std::string, Word, std::less<>> constants_;
     std::vector<Statement> statements_;
-    std::size_t line_ = 0;             ///< the number of the line under way
+    std::size_t line_ = 0;             ///< number of the current line
     const char* line_begin_ = nullptr; ///< its first character
     bool sizes_known_ = false;         ///< false while labels do not have addresses yet
 };

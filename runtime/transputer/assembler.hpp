@@ -21,7 +21,7 @@ struct Assembly {
         std::string source;
     };
     Word origin;
-    std::vector<std::uint8_t> bytes; ///< from the origin on
+    std::vector<std::uint8_t> bytes; ///< bytes from the origin on
     std::map<std::string, Word, std::less<>> labels;
     std::vector<Line> lines;
 
@@ -47,7 +47,8 @@ struct AssemblyError : std::runtime_error {
 /// - A direct function (`ldc`, `stl`, ...) has an operand: a sum of numbers and names such as `table - start + 4`.
 ///   Numbers are decimal, or hexadecimal after `#`. Prefixes are added as needed; they make the shortest code.
 /// - `j`, `cj` and `call` go to a label: `j loop`. An operand without labels is the distance from the next instruction.
-/// - `ldpi` with an operand loads the address of a label, wherever the program lies: `ldc label - here; ldpi; here:`.
+/// - `ldpi` with an operand loads the address of a label, independent of the program's address: `ldc label - here;
+///   ldpi; here:`.
 /// - Other operations (`add`, `startp`, `fpadd`, ...) have no operand. `opr #17C` executes any code.
 /// - An operation that the floating-point unit selects by a number, such as `fpusqrtfirst`, becomes `ldc 1; fpentry`.
 /// - `.byte`, `.half` and `.word` store values of 1, 2 and 4 bytes: sums, separated by commas. `.byte` also stores the

@@ -66,7 +66,7 @@ void ByteLane::move(std::uint32_t bytes) {
     }
 }
 
-// The acknowledge of a byte may arrive before the end of the byte: then the contents are there a little early.
+// The acknowledge of a byte may arrive before the end of the byte: in this case, the contents arrive slightly early.
 void ByteLane::sent() {
     move(to_give_);
     gives_ = false;

@@ -13,11 +13,11 @@ class ByteLane;
 /// must not wait or throw.
 class ByteEnd {
 public:
-    /// Copies the next bytes of those that are being given.
+    /// Copies the next bytes to be given.
     virtual void read(std::span<std::uint8_t>) = 0;
     /// Called when all bytes of give() have been acknowledged.
     virtual void given() = 0;
-    /// Stores the next bytes of those that were asked for.
+    /// Stores the next requested bytes.
     virtual void write(std::span<const std::uint8_t>) = 0;
     /// Called when all bytes of take() have arrived.
     virtual void taken() = 0;
@@ -44,18 +44,18 @@ public:
     /// Throw as the functions of LinkDirection.
     void give(std::uint32_t bytes);
     void take(std::uint32_t bytes);
-    /// Forget what this end still has to give or take: see LinkDirection::reset_giving.
+    /// Cancel the bytes that this end still has to give or take: see LinkDirection::reset_giving.
     void reset_giving();
-    /// Returns how many bytes of the count under way, or of none, had arrived.
+    /// Returns how many bytes of the current count had arrived; 0 if there is none.
     std::uint32_t reset_taking();
-    /// If take() has got all its bytes, stores them before the end of the last one. Returns whether it did.
+    /// If all bytes of take() have arrived, stores them before the end of the last byte. Returns whether it did.
     bool store_early();
     bool has_byte() const { return wire_.byte_waits(); }
     bool is_giving() const { return gives_; }
     bool is_taking() const { return takes_; }
     /// States that the bytes are messages of this channel (LinkDirection::carries_bytes_of).
     void carry_bytes_of(AnyChannel&);
-    /// Returns the name of the channel whose messages travel here, or else that of the direction.
+    /// Returns the name of the channel whose messages travel here; without a channel, the name of the direction.
     const std::string& name() const;
     hardware::LinkDirection& wire() { return wire_; }
 

@@ -43,7 +43,8 @@ void Core::communicate_by_link(int link, const Communication& asked) {
     links_.begin_transfer(link, asked.address, asked.bytes);
 }
 
-/// Tells a process in an ALT that one of its channels is ready. `woken`: met, or ready by a link.
+/// Notifies a process in an ALT that one of its channels is ready. `woken` says whether another process or a link made
+/// it ready.
 void Core::wake_alternative(Word partner, Time now, Turn woken) {
     const Word workspace = partner & ~Word{3};
     const Word state = load(workspace - below::state);

@@ -17,19 +17,19 @@ struct CodeLinesError : std::runtime_error {
     std::size_t line, column;
 };
 
-/// What a compiler tells about the code and the workspaces of a node. Each row of the table has one of these forms:
+/// A compiler's table of the code and the workspaces of a node. Each row of the table has one of these forms:
 ///
 ///     code FROM UNTIL LINE COLUMN FILE   the code in [FROM, UNTIL) is of this place; no two rows overlap
 ///     entry ADDRESS NAME                 a procedure begins here
 ///     process FROM UNTIL NAME            a process whose workspace is in [FROM, UNTIL); no two rows overlap
-///     error ADDRESS TEXT                 what it means if the instruction in front of ADDRESS sets Error, or is a
+///     error ADDRESS TEXT                 the meaning if the instruction before ADDRESS sets Error, or is a
 ///                                        `stopp`; see print_error() and error_to_name()
-///     carrier FROM UNTIL NAME            the same, of a process that carries messages of other processes
+///     carrier FROM UNTIL NAME            as `process`, for a process that carries messages of other processes
 ///     channel ADDRESS NAME               the word of a channel
 ///     node NAME                          the rows that follow are for the node of this name
 ///     end                                the last row
 ///
-/// An address is hexadecimal, #80000170, or counts from MemStart, +#100. FILE, NAME and TEXT go on to the end of the
+/// An address is hexadecimal, #80000170, or counts from MemStart, +#100. FILE, NAME and TEXT extend to the end of the
 /// line. Rows before the first `node` are for the node that the file boots. Empty lines and lines that begin with --
 /// are comments.
 class CodeLines {
@@ -42,26 +42,26 @@ public:
     /// Returns the place of code, "ring.occ:12:3", or its distance from the procedure that begins before it,
     /// "philosopher+#12"; "" if the table has neither.
     std::string place(Word address) const;
-    /// Returns the place of code in a file alone.
+    /// Returns the place of code in a file, without a distance from a procedure.
     std::string file_place(Word address) const;
     /// Returns the name of the procedure that begins at an address; "" if none does.
     std::string entry(Word address) const;
     /// Returns the name of the process that has this workspace; "" if the table has none.
     std::string process(Word workspace) const;
     /// Returns whether the process that has this workspace carries messages of other processes. Reports of deadlocks
-    /// leave such processes out: the processes at the ends of the channel are those that wait.
+    /// leave such processes out, and name the processes at the ends of the channel instead.
     bool is_carrier(Word workspace) const;
     /// Returns the name of the channel whose word this is; "" if the table has none.
     std::string channel(Word word) const;
 
-    /// Returns the text for an error of the instruction in front of an address; "" if the table has none.
+    /// Returns the text for an error of the instruction before an address; "" if the table has none.
     std::string_view error(Word address) const;
 
 private:
     struct Row {
-        Word from, until; ///< of an entry `until` is `from`
+        Word from, until; ///< for an entry, `until` equals `from`
         std::string text;
-        std::size_t line; ///< of the table
+        std::size_t line; ///< line of the table
         bool is_carrier = false;
     };
     class Reader;

@@ -93,12 +93,13 @@ private:
 
 // Bootable files
 
-/// The collectors of INMOS's toolsets cut code into packets of so many bytes, each after its length. Observed in files.
+/// The collectors of INMOS's toolsets divide code into packets of this number of bytes, each preceded by its length
+/// (observed in files).
 constexpr std::size_t packet_bytes = 60;
 /// A stage that is longer is shown in parts.
 constexpr std::size_t longest_stage = 4096 * (packet_bytes + 1);
 
-/// Bytes of a file that stand together in memory.
+/// Bytes of a file that are loaded together into memory.
 struct BootStage {
     std::string_view name;
     std::size_t first = 0; ///< position in the file
@@ -136,8 +137,7 @@ public:
     }
 
 private:
-    /// Returns the position of the packet of no bytes that ends the packets that begin here; the beginning if there is
-    /// none.
+    /// Returns the position of the empty packet that ends the packets from `begin` on; `begin` if there is none.
     std::size_t opening_end(std::size_t begin) const {
         std::size_t at = begin;
         while (at < file_.size() && file_[at] != 0)
@@ -158,7 +158,7 @@ private:
             add("other bytes", since, at - since);
     }
 
-    /// Joins full packets and one that is shorter.
+    /// Joins full packets and a last, shorter packet.
     std::size_t add_packets(std::size_t at) {
         BootStage stage{.name = "packets", .first = at + 1, .in_packets = true};
         for (bool more = true; more && at < file_.size() && stage.bytes.size() < longest_stage;) {

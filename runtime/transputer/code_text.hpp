@@ -13,7 +13,7 @@
 /// Machine code as text.
 namespace placedpar::transputer {
 
-/// Returns an instruction as an assembler has it: "ldl     3". `target` replaces the operand if it is not empty.
+/// Returns an instruction in assembler notation: "ldl     3". `target` replaces the operand if it is not empty.
 std::string print_instruction(const CodedInstruction&, std::string_view target);
 /// Returns bytes in hexadecimal, at most six: "21 F5".
 std::string print_bytes(std::span<const std::uint8_t>);
@@ -27,9 +27,9 @@ std::string print_memory(std::span<const std::uint8_t>, Word address, std::span<
 struct FileRange {
     std::size_t from = 0, until = std::numeric_limits<std::size_t>::max(); ///< `until` is not included
 };
-/// Writes a bootable file as text: the loader at its beginning, which is code at MemStart, then what the loader reads.
-/// Packets in which INMOS's collectors cut the code are put together. What the file has no address for is shown with
-/// its position in the file.
+/// Writes a bootable file as text: the loader at its beginning, which is code at MemStart, then the bytes that the
+/// loader reads. Joins the packets into which INMOS's collectors divide the code. Bytes without a known address are
+/// shown with their position in the file.
 void print_bootable(std::span<const std::uint8_t> file, Model, const FileRange&,
                     const std::function<void(std::string_view)>& write);
 

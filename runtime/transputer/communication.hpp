@@ -14,7 +14,7 @@ namespace placedpar::transputer {
 
 // Processes
 
-/// Stores where a process goes on that leaves the processor.
+/// Stores the address at which a process that leaves the processor will continue.
 PLACEDPAR_EXPANDED void Core::store_instruction(const Registers& r) {
     store(r.workspace - below::instruction, r.instruction);
 }
@@ -47,7 +47,7 @@ PLACEDPAR_EXPANDED bool Core::Communication::meets_alternative() const {
            partner_pointer == alternative::ready;
 }
 
-/// Returns the communication that an instruction asks for: in, out, outbyte or outword.
+/// Returns the communication of an instruction: in, out, outbyte or outword.
 PLACEDPAR_EXPANDED Core::Communication Core::communication_by(Operation operation, const Registers& r) {
     Communication result{.channel = r.b, .address = r.c, .bytes = r.a};
     if (operation == Operation::outbyte || operation == Operation::outword) {
@@ -80,7 +80,7 @@ PLACEDPAR_EXPANDED void Core::copy_message(Word from, Word to, Word bytes) {
     std::memcpy(memory_.data() + target, memory_.data() + source, 4);
 }
 
-/// Performs an input or output at a channel in memory. Returns whether the process can go on.
+/// Performs an input or output at a channel in memory. Returns whether the process can continue.
 PLACEDPAR_EXPANDED bool Core::communicate(bool is_output, const Communication& asked, const Registers& r) {
     if (asked.meets_process() || (!is_output && asked.partner != not_a_process)) {
         copy_message(is_output ? asked.address : asked.partner_pointer,
@@ -97,8 +97,8 @@ PLACEDPAR_EXPANDED bool Core::communicate(bool is_output, const Communication& a
     return false;
 }
 
-/// Performs a communication on this processor, and switches to the next process, if it ends before `until`. The result
-/// is `scheduling` if nothing was done, and `budget` if execution can go on.
+/// Performs a communication on this processor, and switches to the next process, if it ends before `until`. Returns
+/// `scheduling` if nothing was done, and `budget` if execution can continue.
 PLACEDPAR_EXPANDED Core::Left Core::communicate_at_once(Operation operation, Registers& r, HalfCycles until) {
     const Communication asked = communication_by(operation, r);
     const HalfCycles ends = local_ + cost_of(operation, asked);
@@ -110,7 +110,8 @@ PLACEDPAR_EXPANDED Core::Left Core::communicate_at_once(Operation operation, Reg
     return switch_at_once(communicate(operation != Operation::in, asked, r), r);
 }
 
-/// Takes the next process if the running one does not go on, unless only the scheduler can tell which it is.
+/// Takes the next process if the running process does not continue, unless only the scheduler can find the next
+/// process.
 PLACEDPAR_EXPANDED Core::Left Core::switch_at_once(bool goes_on, Registers& r) {
     if (stopped_ != Stopped::nothing)
         return Left::performed;

@@ -25,20 +25,21 @@ struct CoreTiming {
     int memory_cycles = 3; ///< cycles of an access to a word outside of the chip; published: at least 3
     int switch_cycles = 0; ///< cycles of a switch to the next process, beyond the instruction that gives up
     /// States whether every access outside of the memory reaches it again from its beginning, as on boards. Otherwise
-    /// only lb, sb, ldnl and stnl do, by which programs find the size of the memory; others stop the core.
+    /// only lb, sb, ldnl and stnl wrap, because programs use them to find the size of the memory; other accesses stop
+    /// the core.
     bool wraps = false;
 };
 
-/// What a core asks of its links. The channels 0 to 3 are the outputs, 4 to 7 the inputs, and 8 is the event channel.
-/// Must not wait or throw.
+/// The link operations that a core needs. The channels 0 to 3 are the outputs, 4 to 7 the inputs, and 8 is the event
+/// channel. Must not wait or throw.
 class LinkEngines {
 public:
-    /// Begins to move bytes from or to memory. Core::transfer_ended() is called at the end. A wire that nothing is
-    /// connected to never ends.
+    /// Begins to move bytes from or to memory. Core::transfer_ended() is called at the end. If the link is not
+    /// connected, the transfer never ends.
     virtual void begin_transfer(int channel, Word address, Word bytes) = 0;
-    /// Returns whether a byte waits at an input that no transfer has asked for.
+    /// Returns whether a byte waits at an input without a transfer.
     virtual bool byte_waits(int channel) = 0;
-    /// Forgets a transfer that is under way.
+    /// Cancels the current transfer.
     virtual void reset(int channel) = 0;
 
 protected:
@@ -46,11 +47,10 @@ protected:
 };
 
 /// The processor core of an emulated transputer: registers, memory, both queues of processes, both timer queues. It
-/// executes instructions with the cycles of the published table, and knows neither the kernel nor the wires.
+/// executes instructions with the cycles of the published table, and does not depend on the kernel or the wires.
 ///
 /// Processes are workspaces in the memory, as on the machine: the queues, the states of an ALT and the saved registers
-/// of an interrupted process stand in the words in which the machine keeps them. An instruction has its effect at its
-/// end.
+/// of an interrupted process are in the same words as in the real machine. An instruction has its effect at its end.
 ///
 /// Source: IMS T800 data sheet; "Transputer instruction set: a compiler writer's guide" (INMOS 1988).
 class Core : private CoreState {
@@ -65,7 +65,7 @@ public:
         idle,    ///< no process can run before a timer is due or a link wakes one
         stopped  ///< see stopped()
     };
-    /// What links may do to the core before it reaches the limit of a run.
+    /// The actions of links on the core that are possible before it reaches the limit of a run.
     enum class Links {
         rest,          ///< nothing
         take_accesses, ///< take accesses to the memory. What depends on clocks happens at its own moment, after
@@ -76,14 +76,14 @@ public:
     /// REQUIRES: the caller's time is local_time(), or later if the core is idle; then call pass_idle_time() first.
     Pause run(HalfCycles limit, Links = Links::rest);
 
-    /// Keeps the state and the memory as they are now, so that go_back() can restore them.
+    /// Saves the state and the memory, so that go_back() can restore them.
     void keep();
-    /// Keeps nothing any longer.
+    /// Discards the saved state.
     void let_go() { memory_.let_go(); }
-    /// Restores what was kept. REQUIRES: keep() was called, and after it neither let_go() nor go_back(). No link has
-    /// acted on the core since, nor has the core on a link.
+    /// Restores the saved state. REQUIRES: keep() was called, and since then neither let_go() nor go_back(). No link
+    /// has acted on the core since, nor has the core on a link.
     void go_back();
-    /// Attends to timers and the end of a timeslice period if the first of them was due before `then`.
+    /// Handles timers and the end of a timeslice period if one of them was due before `then`.
     void attend_if_due(Time then) {
         if (local_ >= due_ && time_at(due_) < then && stopped_ == Stopped::nothing)
             attend();
@@ -99,26 +99,26 @@ public:
     HalfCycles half_cycle_at(Time) const;
     /// Sets local time after idleness. REQUIRES: the last run() ended idle, or none has begun.
     void pass_idle_time(Time now);
-    /// Adds the time in which link engines moved so many words from or to memory.
+    /// Adds the time in which link engines moved this number of words from or to memory.
     void lose_accesses(std::uint64_t words);
     /// Returns when the first timer is due; Time::max() if none is.
     Time next_timer() const { return next_timer_; }
-    /// Returns the local time at which the core attends to its timers and timeslices next.
+    /// Returns the local time at which the core next handles its timers and timeslices.
     HalfCycles next_attention() const { return due_ > local_ ? due_ : local_; }
 
     /// Takes ready processes in an order drawn from these numbers from now on, and not in the order in which they
-    /// became ready. The instruction set promises that order, but occam does not.
+    /// became ready. The instruction set guarantees that order, but occam does not.
     void shuffle(const RandomStream& lots) { shuffle_ = lots; }
     /// Begins to run code as the boot does. `old` registers are passed in A and B.
     void boot(Word code_bytes, int input_channel);
     /// Makes the process that waits at a link's channel ready: its transfer is done.
     void transfer_ended(int channel);
-    /// A byte has come at a time that no transfer has asked for: makes an ALT that waits for it ready.
+    /// Handles a byte that arrived without a transfer: makes an ALT that waits for it ready.
     void byte_has_come(int channel, Time);
     /// Returns whether a process waits for a link.
     bool waits_for_links() const;
-    /// Returns whether a link may change at any moment what the core executes: a process of high priority waits for
-    /// one, or the running process has used up its timeslice and goes on only because no other is ready.
+    /// Returns whether a link may change at any moment what the core executes: a process of high priority waits for a
+    /// link, or the running process has used up its timeslice and continues only because no other process is ready.
     bool may_be_interrupted() const;
     /// Copy bytes for a link or a boot. Offsets outside of the memory stop the core.
     void copy_from_memory(Word offset, std::span<std::uint8_t>);
@@ -134,23 +134,23 @@ public:
     void reset_after_analyse();
 
     Stopped stopped() const { return stopped_; }
-    /// Returns the instruction that has set the Error flag, and so stopped the core. REQUIRES: stopped() is by_error.
+    /// Returns the instruction that set the Error flag, which stopped the core. REQUIRES: stopped() is by_error.
     const ErrorNote& error() const { return noted_[static_cast<std::size_t>(priority_)]; }
 
-    /// A process that an error has stopped, while the core went on.
+    /// A process that an error stopped, while the core continued.
     struct StoppedProcess {
         ErrorNote error;
         int priority;
         Time at;
     };
-    /// Returns the processes that `stoperr` has stopped, and those that have stopped at an instruction for which the
-    /// table has a text of an error; the first of them, in order of time.
+    /// Returns the processes that `stoperr` has stopped, and processes that stopped at an instruction for which the
+    /// table has an error text. The list has only the first of these processes, in order of time.
     std::span<const StoppedProcess> stopped_processes() const {
         return {stops_.data(), std::min(errors_, stops_.size())};
     }
-    /// Returns how many they are in all.
+    /// Returns the number of all such processes.
     std::size_t count_stopped() const { return errors_; }
-    /// Names the table. REQUIRES: it outlives the run.
+    /// Sets the table of error texts. REQUIRES: the table outlives the run.
     void know_errors(const CodeLines& lines) { lines_ = &lines; }
 
     /// Describes why the core stopped, with the instruction and its address: "instruction #1F2 at #80000104 is unknown
@@ -177,7 +177,7 @@ public:
     Word back(int priority) const { return back_[static_cast<std::size_t>(priority)]; }
     Word clock(int priority) const { return clock_at(local_time(), priority); }
     Word clock_at(Time, int priority) const;
-    /// Returns for how long instructions were executed.
+    /// Returns the time for which instructions were executed.
     HalfCycles busy() const { return busy_before_ + local_; }
     std::uint64_t instructions() const { return instructions_; }
 
@@ -187,12 +187,13 @@ public:
     /// Watches the instructions, for listings and debuggers. REQUIRES: it only reads the core.
     class Watcher {
     public:
-        /// An instruction will be executed: registers and memory are as it finds them. `at`: address of its first byte
-        /// with its prefixes.
+        /// An instruction will be executed: registers and memory have the values before it. `at`: address of its first
+        /// byte with its prefixes.
         virtual void begins(Word at) = 0;
-        /// An instruction was executed, and did not stop the core. Unless it is one of the scheduler, it is that which
-        /// began last. One of the scheduler has its effect only now, when its cycles have passed; other processes may
-        /// have interrupted it. `spent`: half cycles, without waits for a channel or a time, and without interrupts.
+        /// An instruction was executed, and did not stop the core. Unless it is an instruction of the scheduler, it is
+        /// the instruction that began last. An instruction of the scheduler has its effect only now, after its cycles;
+        /// other processes may have interrupted it. `spent`: half cycles, without waits for a channel or a time, and
+        /// without interrupts.
         virtual void executed(Word at, HalfCycles spent) = 0;
 
     protected:
@@ -201,15 +202,15 @@ public:
     /// Executes one instruction at a time from now on, with the same results. REQUIRES: `watcher` outlives the run.
     void watch(Watcher* watcher) { watcher_ = watcher; }
 
-    /// What a process does from now on.
+    /// The new activity of a process.
     enum class Turn : std::uint8_t {
         runs,       ///< it has the processor
         ready,      ///< it is in a queue, or interrupted
-        met,        ///< the same, since the running process has communicated with it by the channel
+        met,        ///< as `ready`, because the running process has communicated with it by the channel
         enables,    ///< the running process waits for this channel, too, if its ALT waits
         selects,    ///< the ALT of the running process need not wait
         alternates, ///< it waits in an ALT for the channels that it has enabled
-        times,      ///< the same, with a time; or it waits for the time alone, if it has enabled no channel
+        times,      ///< as `alternates`, with a time; or it waits only for the time, if it has enabled no channel
         inputs,     ///< it waits for input by the channel
         outputs,
         stops, ///< it has left the processor, and waits for nothing; or the core has stopped
@@ -218,17 +219,18 @@ public:
     /// Watches processes, for traces. REQUIRES: it only reads the core.
     class ProcessWatcher {
     public:
-        /// The process of this workspace changes what it does, at the local time. A process that calls procedures
-        /// waits at other workspaces than those at which it runs.
+        /// The process of this workspace changes its activity, at the local time. A process that calls procedures waits
+        /// at other workspaces than those at which it runs.
         virtual void turns(Word workspace, Turn, Word channel) = 0;
 
     protected:
         ~ProcessWatcher() = default;
     };
-    /// Performs everything of the scheduler at its own moment from now on, with the same results. REQUIRES: `watcher`
+    /// From now on, performs every action of the scheduler at its own time, with the same results. REQUIRES: `watcher`
     /// outlives the run.
     void watch_processes(ProcessWatcher* watcher) { process_watcher_ = watcher; }
-    /// Returns whether instructions or processes are watched. The core must not go back behind what a watcher has seen.
+    /// Returns whether instructions or processes are watched. The core must not go back to a time before events that a
+    /// watcher has seen.
     bool is_watched() const { return watcher_ != nullptr || process_watcher_ != nullptr; }
 
 private:
@@ -282,11 +284,12 @@ private:
     void give_way();
     void enqueue(Word process);
     void end_process();
-    /// What the running process asks of a channel, and who waits there if it is a word of memory.
+    /// A communication of the running process at a channel, and the process that waits there if the channel is a word
+    /// of memory.
     struct Communication {
         Word channel, address, bytes;
         Word partner = not_a_process; ///< the descriptor of the process that waits
-        Word partner_pointer = 0;     ///< where its bytes are, or its state if it is in an ALT
+        Word partner_pointer = 0;     ///< address of its bytes, or its state if it is in an ALT
         bool meets_process() const { return partner != not_a_process && !meets_alternative(); }
         bool meets_alternative() const;
     };
@@ -329,7 +332,7 @@ private:
     static HalfCycles words_touched(Word address, Word bytes) {
         return bytes == 0 ? 0 : ((HalfCycles{address} & 3) + bytes + 3) / 4;
     }
-    /// Returns the half cycles that a copy takes longer since this end of it is outside of the chip.
+    /// Returns the additional half cycles of a copy whose source or target is outside of the chip.
     HalfCycles outside_words(Word address, Word bytes) const {
         return NodeMemory::offset_of(address) < traits_.bytes_on_chip ? 0 : words_touched(address, bytes) * penalty_;
     }
@@ -377,8 +380,8 @@ private:
     DecodedCode code_;
     LinkEngines& links_;
     Clock half_cycles_;
-    HalfCycles penalty_; ///< of an access to data outside of the chip
-    HalfCycles switch_;  ///< of a switch to the next process
+    HalfCycles penalty_; ///< additional half cycles of an access to data outside of the chip
+    HalfCycles switch_;  ///< half cycles of a switch to the next process
 
     CoreState kept_;
     const CodeLines* lines_ = nullptr;

@@ -13,7 +13,8 @@ namespace placedpar::transputer {
 
 // Memory
 
-/// Returns whether an interval can be used. A word or byte outside of the memory is replaced by where it wraps to.
+/// Returns whether an interval can be used. An offset outside of the memory is replaced by the offset to which it
+/// wraps.
 bool Core::reaches(Word& offset, Word bytes) const {
     if (memory_.holds(offset, bytes))
         return true;

@@ -16,7 +16,8 @@ namespace placedpar::transputer {
 /// chip costs half of the additional cycles of an access.
 using HalfCycles = std::uint64_t;
 
-/// The registers that a process can see. After a change of process, only those that the instruction set keeps matter.
+/// The registers that a process can see. After a change of process, only the registers that the instruction set
+/// preserves matter.
 struct Registers {
     Word instruction = most_negative; ///< Iptr, an address
     Word workspace = most_negative;   ///< Wptr, an address
@@ -24,10 +25,10 @@ struct Registers {
     bool error = false;
 };
 
-/// Why a core no longer executes. `nothing`: it does.
+/// The reason why a core no longer executes; `nothing` if it executes.
 enum class Stopped : std::uint8_t { nothing, by_error, by_unknown_instruction, by_bad_address, by_break, by_analyse };
 
-/// An instruction that has set Error, and what it found in the registers.
+/// An instruction that set Error, and the registers before it.
 struct ErrorNote {
     Word after = 0; ///< address of the next instruction
     Word workspace = not_a_process;
@@ -39,25 +40,25 @@ struct Pending {
     Operation operation;
     HalfCycles left;
     bool begun = true; ///< false if its cycles are not known yet, since they depend on the moment
-    // These are for a watcher.
+    // The following members are for a watcher.
     Word at = 0;
     HalfCycles spent = 0; ///< the cycles known so far
 };
 
-/// The state of a core, without its memory: registers, queues, flags and clocks. A copy of it is kept to return to. The
-/// members have the names that they have in the core, whose part they are.
+/// The state of a core, without its memory: registers, queues, flags and clocks. A copy is saved so that the core can
+/// return to it. The members are named as members of the core, because the core is derived from this struct.
 struct CoreState {
     Registers registers_;
     int priority_ = 1;
-    bool running_ = false, was_running_ = false; ///< the latter: when the core stopped
+    bool running_ = false, was_running_ = false; ///< was_running_: whether a process ran when the core stopped
     bool halts_on_error_ = false;
     bool analysed_ = false, breaks_at_j0_ = false;
     bool is_analysed_ = false; ///< the analyse pin is set
     Stopped stopped_ = Stopped::nothing;
-    Word stopped_at_ = 0;              ///< the address that was bad
+    Word stopped_at_ = 0;              ///< the invalid address
     bool other_error_ = false;         ///< Error of the interrupted process
     std::array<ErrorNote, 2> noted_{}; ///< for each priority, the instruction that has set its Error
-    std::size_t errors_ = 0;           ///< processes that an error has stopped
+    std::size_t errors_ = 0;           ///< number of processes that errors stopped
     Fpu fpu_, interrupted_fpu_;
     HalfCycles fpu_free_ = 0;    ///< local time at which the floating-point unit has finished
     std::array<Word, 3> move_{}; ///< rows, stride of the target, stride of the source: move2dinit

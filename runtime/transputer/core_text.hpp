@@ -17,7 +17,7 @@ std::string print_registers(const Core&);
 /// Returns the queues of ready processes and of timers, the words of links where processes wait, and the process that
 /// is interrupted.
 std::string print_queues(const Core&, const CodeLines&);
-/// Returns what analyse shows of a node: registers, flags, queues, and the processes that wait.
+/// Returns the text of --analyse for a node: registers, flags, queues, and the processes that wait.
 std::string print_analysis(const Core&, const CodeLines&);
 
 } // namespace placedpar::transputer

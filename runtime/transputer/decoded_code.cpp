@@ -9,8 +9,8 @@ namespace {
 
 constexpr unsigned longest_block = 48;                                                             // instructions
 constexpr Word longest_reach = (longest_block * (most_prefixes + 1)) / NodeMemory::page_bytes + 1; // pages
-constexpr std::uint32_t longest_wait_for_reals = 2 * 90; // half cycles; at the beginning of a block
-constexpr unsigned most_static_cost = 8000;              // half cycles of a block
+constexpr std::uint32_t longest_wait_for_reals = 2 * 90; // half cycles at the beginning of a block
+constexpr unsigned most_static_cost = 8000;              // half cycles in one block
 constexpr std::size_t most_spare = 16;                   // blocks
 
 std::uint64_t bytes_of(const Block& block) {

@@ -15,7 +15,8 @@ namespace placedpar::transputer {
 struct Entry {
     Operation operation;
     std::uint8_t length; ///< bytes, with prefixes
-    std::uint16_t after; ///< half cycles of the block up to the end of this instruction, without those that effects add
+    std::uint16_t after; ///< half cycles of the block up to the end of this instruction, without additional half cycles
+                         ///< of effects
     /// The target of a branch, the operand of another direct function, or the address of the instruction after an
     /// operation. An operand that counts words is multiplied by 4.
     Word operand;
@@ -30,12 +31,12 @@ struct Block {
     std::uint32_t instructions = 0;
     std::uint16_t first_fetch = 0;           ///< half cycles if the first word must be fetched
     Word start = 0;                          ///< address of its first byte
-    Word bytes = 0;                          ///< of its instructions
+    Word bytes = 0;                          ///< number of bytes of its instructions
     std::unique_ptr<std::uint32_t[]> bounds; ///< for each instruction: the most half cycles up to its end
     std::uint32_t room = 0;                  ///< instructions for which there are entries and bounds
 };
 
-/// What decoding must know of a node.
+/// The properties of a node that decoding needs.
 struct CodeTiming {
     Model model;
     Word bytes_on_chip;
@@ -43,8 +44,9 @@ struct CodeTiming {
     HalfCycles16 penalty; ///< half cycles of an access to data outside of the chip, beyond those on the chip
 };
 
-/// The code of a node that has run, decoded. It is decoded when it is first executed, and forgotten when it is written
-/// to. It takes at most about as much of the host's memory as the node has; then everything is forgotten.
+/// The code of a node that has run, decoded. Code is decoded when it is first executed, and discarded when the program
+/// writes to it. Decoded code takes at most about as much of the host's memory as the node has; at this limit,
+/// everything is discarded.
 class DecodedCode {
 public:
     DecodedCode(NodeMemory&, const CodeTiming&);
@@ -58,12 +60,12 @@ public:
                     return block;
         return decode(address);
     }
-    /// Returns a block of the first instructions of a block, as many as surely end within so many half cycles. Returns
-    /// the first instruction alone if none surely does. The result is valid until the next call.
+    /// Returns a block with the first instructions of a block: those that certainly end within this number of half
+    /// cycles, but at least the first instruction. The result is valid until the next call.
     Block* front_of(const Block&, std::uint64_t half_cycles);
-    /// Forgets the blocks that have bytes in an interval. REQUIRES: the memory holds it.
+    /// Discards the blocks that have bytes in an interval. REQUIRES: the memory holds it.
     void forget(Word offset, Word bytes) {
-        if (is_decoded(offset, bytes)) // seldom, for data often share a page with code
+        if (is_decoded(offset, bytes)) // often false, because data often share a page with code
             forget_decoded(offset, bytes);
     }
     /// Returns a block of the one instruction at an address outside of the memory, which wraps; null if it crosses an
@@ -86,7 +88,7 @@ private:
         bool reached_from_before = false;             ///< a block of the page before may end in this page
     };
     Block* decode(Word address);
-    /// Where instructions are read: up to an offset, and so far before their addresses say.
+    /// The interval from which instructions are read, and the distance between their addresses and their offsets.
     struct Bytes {
         Word end, before;
         unsigned most_instructions;

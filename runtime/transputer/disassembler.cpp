@@ -37,7 +37,7 @@ public:
         }
     }
 
-    /// Decides for what was not followed whether it is code.
+    /// Decides which of the bytes that were not followed are code.
     void search() {
         for (Word at = 0; at < size();) {
             while (at < size() && roles_[at] != Role::unknown)
@@ -64,7 +64,7 @@ private:
 
     Word size() const { return static_cast<Word>(bytes_.size()); }
     CodedInstruction read(Word at, Word end) const { return read_instruction(bytes_.subspan(at, end - at), model_); }
-    /// Returns the end of the bytes that nothing is known of, up to a limit.
+    /// Returns the end of the unknown bytes, up to a limit.
     Word gap_end(Word at, Word limit) const {
         while (at < limit && roles_[at] == Role::unknown)
             ++at;
@@ -100,7 +100,7 @@ private:
         }
     }
 
-    /// Returns whether the address that ldpi loads is stored as that at which a PAR goes on.
+    /// Returns whether the address that ldpi loads is stored as the address at which a PAR continues.
     bool stores_continuation(Word next) const {
         constexpr std::uint8_t stl_0 = 0xd0;
         return next < size() && bytes_[next] == stl_0;
@@ -139,10 +139,11 @@ private:
         return at;
     }
 
-    /// Returns the length of text that begins here: at least five characters, and no proper code. 0: none begins here.
+    /// Returns the length of text that begins here: at least five characters that are not proper code. Returns 0 if no
+    /// text begins here.
     Word text_length(Word begin, Word at, Word end) const {
         if (at > begin && is_text(bytes_[at - 1]))
-            return 0; // it was looked at from its beginning
+            return 0; // the text was examined from its beginning
         Word after = at;
         while (after < end && is_text(bytes_[after]))
             ++after;
@@ -167,7 +168,7 @@ private:
         return after - at < 3 ? 0 : after - at;
     }
 
-    /// Takes a few bytes between data for data.
+    /// Treats a few bytes between data as data.
     void drop_islands(Word begin, Word end) {
         constexpr Word shortest_code = 6;
         Word since = begin; // the end of the last data
@@ -222,7 +223,7 @@ private:
     Bytes bytes_;
     Model model_;
     std::vector<Role> roles_;
-    std::vector<bool> is_referred_to_; ///< by code that was followed
+    std::vector<bool> is_referred_to_; ///< for each byte, whether followed code refers to it
 };
 
 } // namespace

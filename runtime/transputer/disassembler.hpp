@@ -10,20 +10,20 @@
 
 namespace placedpar::transputer {
 
-/// What some bytes are: code that an entry point leads to; bytes that no entry point leads to but that look like code;
-/// others.
+/// The kind of some bytes: code that is reached from an entry point; bytes that are not reached but look like code;
+/// other bytes.
 enum class Content : std::uint8_t { code, possible_code, data };
 
 /// An instruction or some bytes of data.
 struct CodeLine {
     Word at = 0; ///< number of the first byte, from 0 on
     Content content = Content::data;
-    CodedInstruction instruction{}; ///< of data only the length
-    /// Number of the byte that the instruction leads or refers to, if the code says it. The constants before lend,
+    CodedInstruction instruction{}; ///< for data, only the length is set
+    /// Number of the byte to which the instruction leads or refers, if the code shows it. The constants before lend,
     /// startp and ldpi are taken into account.
     std::optional<Word> target{};
-    Operation selected = Operation::unknown; ///< of fpentry after a constant
-    bool begins_block = false;               ///< the line before does not lead here alone, or it is not code
+    Operation selected = Operation::unknown; ///< operation that fpentry selects after a constant
+    bool begins_block = false;               ///< execution may come here from elsewhere than the line before
 };
 
 /// Finds where an instruction leads or what it selects. `before`: the instructions that were executed before it, the
@@ -39,11 +39,11 @@ struct CycleRange {
     unsigned least = 0;
     std::optional<unsigned> most = 0; ///< nothing: it depends on the length of a message
 };
-/// Returns the cycles of an instruction. An operation on reals has those of the floating-point unit, although the
-/// integer unit can go on meanwhile; those of single length, where it depends.
+/// Returns the cycles of an instruction. For an operation on reals, returns the cycles of the floating-point unit,
+/// although the integer unit can continue meanwhile; if they depend on the length, the cycles for single length.
 CycleRange published_cycles(const CodedInstruction&, Model);
 
-/// Returns whether execution does not simply go on after an instruction: a branch, or the end of a process.
+/// Returns whether an instruction is a branch or the end of a process, so that execution may not continue after it.
 bool leads_away(Operation);
 
 } // namespace placedpar::transputer

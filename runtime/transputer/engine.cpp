@@ -11,7 +11,7 @@
 // Execution leads from one instruction to the next by the addresses of labels, which GCC and Clang know.
 #pragma GCC diagnostic ignored "-Wpedantic"
 
-// GCC moves what instructions have in common before the jumps between them, and so loses the registers of the host.
+// GCC would move common parts of instructions before the jumps between them, and would then run out of host registers.
 #if defined(__GNUC__) && !defined(__clang__)
 #define PLACEDPAR_KEEPS_REGISTERS [[gnu::optimize("no-tree-pre", "no-gcse")]]
 #else
@@ -54,7 +54,7 @@ namespace placedpar::transputer {
         A = pushed;                                                                                                    \
     } while (false)
 #define POP() (A = B, B = C)
-// An instruction that sets Error has its effect all the same.
+// An instruction that sets Error still has its effect.
 #define CHECK(error_, effect)                                                                                          \
     do {                                                                                                               \
         if (error_) [[unlikely]] {                                                                                     \
@@ -122,8 +122,8 @@ namespace placedpar::transputer {
         STORE((address) + 4, stored_both >> 32);                                                                       \
     } while (false)
 
-// Instructions of the floating-point unit. It works while the integer unit goes on after one cycle; the integer unit
-// waits when it meets the next of them, and RESULT waits until the unit has finished.
+// Instructions of the floating-point unit. The integer unit continues after one cycle. It waits at the next
+// floating-point instruction until the unit is free; RESULT also waits for the result.
 #define AWAIT_REALS(own_cycles)                                                                                        \
     const HalfCycles begins = local_ + spent + entry->after - 2;                                                       \
     if (fpu_free_ > begins)                                                                                            \
@@ -317,7 +317,7 @@ std::uint64_t Core::instructions_after(const Block& block, const Entry& entry) {
     return block.instructions - static_cast<std::uint64_t>(&entry - block.entries.get()) - 1;
 }
 
-/// Sets Error. Notes what the instruction found, unless an error before it has not been noticed yet.
+/// Sets Error. Notes the registers before the instruction, unless an earlier error has not been handled yet.
 [[gnu::cold, gnu::noinline]] void Core::note_error(const Block& block, const Entry& entry, ErrorNote found) {
     if (std::exchange(registers_.error, true))
         return;
@@ -341,7 +341,7 @@ void Core::page_is_written(Block& block, const Entry& entry, Word offset, Word b
     if (offset + bytes <= begin || offset >= begin + block.bytes)
         return;
     // The rest of this block may have changed: it ends after this instruction. The block may be a copy of the beginning
-    // of the one that was forgotten.
+    // of a discarded block.
     instructions_ -= instructions_after(block, entry);
     Entry& rest = const_cast<Entry&>((&entry)[1]);
     rest = {Operation::go_on, 0, entry.after, place_of(block, entry) + entry.length};

@@ -31,7 +31,7 @@ std::optional<int> signed_number(std::string_view text) {
     return wrong == std::errc{} && end == digits.data() + digits.size() ? std::optional(number) : std::nullopt;
 }
 
-/// Returns the number that stands for the text between two braces; nothing if it has no meaning.
+/// Returns the number that the text between two braces means; nothing if it has no meaning.
 std::optional<std::int64_t> number_for(std::string_view text, const Core& core, const ErrorNote& error) {
     if (text == "ba")
         return double_word(error.b, error.a);
@@ -68,7 +68,7 @@ std::string with_numbers(std::string_view text, const Core& core, const ErrorNot
     return result;
 }
 
-/// Returns the text for an instruction about which the table has none.
+/// Returns the text for an instruction for which the table has no text.
 std::string_view usual_text(const CodedInstruction& instruction, const ErrorNote& error) {
     switch (instruction.operation) {
     case Operation::add: return "overflow: {b} + {a}";

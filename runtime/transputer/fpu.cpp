@@ -11,7 +11,7 @@ namespace {
 
 /// The NaNs that operations make, as REAL32s; a REAL64 extends the fraction by zeros. INMOS's table was not at hand.
 /// The values are those of the public emulator pahihu/t4 (fparithmetic.c), whose results a validation suite (TVS1F)
-/// compared with those of a T801. INMOS's library for the T414 makes equal ones for 0/0, 0 * infinity and infinity -
+/// compared with those of a T801. INMOS's library for the T414 makes equal NaNs for 0/0, 0 * infinity and infinity -
 /// infinity.
 enum class MadeNan : std::uint32_t {
     zero_by_zero = 0x7FC00000,
@@ -32,7 +32,7 @@ struct RealResult {
     bool error = false;
 };
 
-/// Returns a REAL32 NaN or infinity in another length: equal sign, and equal first bits of the fraction.
+/// Converts a REAL32 NaN or infinity to another length, with the same sign and the same first bits of the fraction.
 template <typename T>
 RealPattern<T> widened(std::uint32_t bits) {
     const RealPattern<float> narrow(bits);
@@ -72,13 +72,13 @@ template <typename T, typename Operand, typename Operation>
     return {RealPattern<T>::of(value), host.overflow()};
 }
 
-/// Returns the NaN that two operands give, one of which is a NaN.
+/// Returns the NaN that results from two operands, at least one of which is a NaN.
 template <typename T>
 RealPattern<T> greater_nan(RealPattern<T> left, RealPattern<T> right) {
     return !right.nan() || (left.nan() && left.fraction() >= right.fraction()) ? left : right;
 }
 
-/// Calls a function with a value of the type that computes in this length.
+/// Calls a function with a value of the host's type for this length.
 template <typename Function>
 auto in_type_of(Length length, Function function) {
     return length == Length::real32 ? function(float{}) : function(double{});

@@ -34,19 +34,19 @@ T computed_on_host(RealOperation operation, T left, T right) {
 }
 
 /// The floating-point unit of a T800 or T805: the stack of FA, FB and FC, the rounding mode and FPError. It has a
-/// method for each operation, with the operation's name. A method gives the result and the flag; its time and its
-/// effect on the integer stack are the caller's. The unit is a plain value: an interrupt saves it by a copy.
+/// method for each operation, with the operation's name. A method gives the result and the flag; the caller accounts
+/// for its time and its effect on the integer stack. The unit is a plain value: an interrupt saves it by a copy.
 ///
 /// Rules (INMOS, "Transputer instruction set: a compiler writer's guide"; arithmetic is that of IEEE 754):
-/// - Each operation rounds by the mode that is set, in the precision of its result. It leaves the mode at nearest, but
-///   for the four operations that set the mode.
+/// - Each operation rounds in the current mode, to the precision of its result. Afterwards the mode is nearest, except
+///   after the four operations that set the mode.
 /// - FPError is set by a NaN or infinity as an operand, an invalid operation, a division by 0, and overflow. Loads,
 ///   stores, exchanges and the tests fpnan, fpordered and fpnotfinite never set it. Nothing but fptesterror and
 ///   fpuclearerror clears it.
-/// - A NaN as an operand is the result; of two the one with the larger fraction, or FB's. Its sign is that of the
-///   operation: fpsub negates FA's, fpmul and fpdiv multiply the signs.
-/// - An invalid operation gives a NaN that tells the operation: see `MadeNan` in the source.
-/// - What a pop leaves in FC stays there.
+/// - If an operand is a NaN, it is the result; of two NaNs, the one with the larger fraction, or FB. The sign follows
+///   the operation: fpsub negates FA's sign, fpmul and fpdiv multiply the signs.
+/// - An invalid operation gives a NaN that identifies the operation: see `MadeNan` in the source.
+/// - A pop leaves FC unchanged.
 ///
 /// REQUIRES: the operands of an operation have equal lengths, as on the machine. Otherwise FB is read in FA's length.
 /// REQUIRES: the calling thread rounds to nearest (std::fegetround); the methods leave it so.
@@ -58,7 +58,7 @@ public:
     Rounding rounding() const { return rounding_; }
     bool error() const { return error_; }
 
-    /// These load memory, whose bits are given. The indexed loads are the same.
+    /// These load a real from memory, whose bits are given; also for the indexed loads.
     void fpldnlsn(std::uint32_t bits) { push({bits, Length::real32}); }
     void fpldnldb(std::uint64_t bits) { push({bits, Length::real64}); }
     void fpldzerosn() { push({0, Length::real32}); }
@@ -70,7 +70,7 @@ public:
     void fpldnlmulsn(std::uint32_t bits) { combine(RealOperation::multiply, a_, {bits, Length::real32}); }
     void fpldnlmuldb(std::uint64_t bits) { combine(RealOperation::multiply, a_, {bits, Length::real64}); }
 
-    /// These return what is stored. fpstnli32 stores the largest integer up to FA, modulo 2^32, and 0 for a NaN or
+    /// These return the bits to store. fpstnli32 stores the largest integer up to FA, modulo 2^32, and 0 for a NaN or
     /// infinity: programs take the halves of a long integer that way.
     std::uint32_t fpstnlsn() { return std::uint32_t(pop().bits); }
     std::uint64_t fpstnldb() { return pop().bits; }
@@ -87,9 +87,9 @@ public:
 
     /// FA := FB - q * FA, FB := q, where q is the integer nearest to FB / FA. The remainder is exact. The quotient is
     /// right if FB's exponent is at most 20 (REAL64: 30) above FA's; beyond that, the machine's is undefined, and here
-    /// it is rounded. The first step does it all. Both return the A to push: TRUE, which means that the remainder is
-    /// complete. INMOS's occam compiler and mathematical library emit `fpremfirst; eqc 0; cj done; more: fpremstep;
-    /// cj more; done:`, so they execute no further step.
+    /// it is rounded. The first step computes the whole remainder. Both return the A to push: TRUE, which means that
+    /// the remainder is complete. INMOS's occam compiler and mathematical library emit `fpremfirst; eqc 0; cj done;
+    /// more: fpremstep; cj more; done:`, so they execute no further step.
     bool fpremfirst();
     bool fpremstep() { return finished(true); }
 
@@ -158,7 +158,7 @@ private:
     void push_exactly(double value) { push({RealPattern<double>::of(value).word(), Length::real64}); }
     Real pop();
     void set_error(bool error);
-    /// Returns the answer of an operation that changes nothing else than the mode.
+    /// Returns the answer of an operation that changes only the mode.
     bool finished(bool answer);
 
     Real a_, b_, c_;
@@ -181,8 +181,8 @@ inline Real Fpu::pop() {
     return top;
 }
 
-/// Computes on the host if no rule but that of rounding to nearest matters. A finite result has finite operands, except
-/// that of a division by infinity.
+/// Computes on the host if rounding to nearest is the only rule that matters. A finite result has finite operands,
+/// except the result of a division by infinity.
 template <typename T>
 bool Fpu::combined_at_once(RealOperation operation, const Real& left, const Real& right) {
     const RealPattern<T> first(left.bits), second(right.bits);

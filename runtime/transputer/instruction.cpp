@@ -17,7 +17,8 @@ constexpr Instruction instruction_table[] = {
     {NAME(name), code, Unit::direct, cycles, extra, accesses, all_models},
 #define OPERATION(code, name, cycles, extra, accesses, models, ...)                                                    \
     {NAME(name), code, Unit::integer, cycles, extra, accesses, models},
-// The integer unit waits for an operation on reals at most for the operations before it: each adds its own cycles.
+// The integer unit waits at an operation on reals at most for the preceding operations on reals; each of these adds its
+// own cycles.
 #define CYCLES(cycles, is_double) [](bool DOUBLE [[maybe_unused]]) -> std::uint16_t { return cycles; }(is_double)
 #define REAL(code, name, cycles, accesses, ...)                                                                        \
     {NAME(name), code, Unit::reals, 1, CYCLES(cycles, true), accesses, with_reals, CYCLES(cycles, false)},

@@ -11,7 +11,7 @@ namespace placedpar::transputer {
 
 using HalfCycles16 = std::uint16_t;
 
-/// The instructions that the engine executes. Those that fpentry selects stand at the end.
+/// The instructions that the engine executes. Instructions that fpentry selects are at the end.
 enum class Operation : std::uint8_t {
 #define FUNCTION(code, name, cycles, extra, accesses, ...) name,
 #define OPERATION(code, name, cycles, extra, accesses, models, ...) name,
@@ -20,10 +20,11 @@ enum class Operation : std::uint8_t {
 #define SELECTED(code, name, cycles, ...) name,
 #define SCHEDULING(code, name, cycles, models) name,
 #include "runtime/transputer/instructions.inc"
-    go_on,   ///< not an instruction: the block ends here, and execution goes on at the operand
+    go_on,   ///< not an instruction: the block ends here, and execution continues at the operand
     j_zero,  ///< `j 0` of a model that can make it a breakpoint, in decoded code only
     unknown, ///< not an instruction of the model
-// In decoded code, a direct function and a frequent one after it: the engine goes on without looking for the second.
+// In decoded code, a direct function joined with a frequent function that follows it, so that the engine need not look
+// up the second.
 #define FUNCTION(code, name, ...) name##_ldl, name##_ldc, name##_ldlp, name##_stl, name##_adc,
 #include "runtime/transputer/instructions.inc"
 };
@@ -55,29 +56,28 @@ enum class Unit : std::uint8_t { direct, integer, scheduler, reals, selected };
 
 /// The description of an instruction.
 struct Instruction {
-    std::string_view name; ///< as INMOS writes it
-    Word code;             ///< of a direct function, of an operation, or the selector of fpentry
+    std::string_view name; ///< INMOS's name
+    Word code;             ///< code of a direct function or operation, or the selector of fpentry
     Unit unit;
-    std::uint16_t cycles; ///< with code and data on the chip, without prefixes; of an operation on reals 1
-    std::uint16_t
-        extra_cycles;      ///< upper bound for what its effect adds; of an operation on reals what it adds to waits
-    std::uint8_t accesses; ///< upper bound for the words of data
+    std::uint16_t cycles;       ///< with code and data on the chip, without prefixes; 1 for an operation on reals
+    std::uint16_t extra_cycles; ///< upper bound for additional cycles (of later waits, for an operation on reals)
+    std::uint8_t accesses;      ///< upper bound for the words of data
     Models models;
-    std::uint16_t real_cycles = 0; ///< cycles of the floating-point unit, of single length where it depends on that
+    std::uint16_t real_cycles = 0; ///< cycles of the floating-point unit; if they vary, those for single length
 };
 
-/// Returns the description of an instruction; of `go_on`, `j_zero` and `unknown` one without cycles.
+/// Returns the description of an instruction; for `go_on`, `j_zero` and `unknown`, a description without cycles.
 const Instruction& description_of(Operation);
-/// Returns the direct function of a code from 0 to 15, except of pfix, nfix and opr: these are `unknown`.
+/// Returns the direct function of a code from 0 to 15; `unknown` for pfix, nfix and opr.
 Operation function_of(Word code);
 /// Returns the operation of a model; `unknown` if it has none of this code.
 Operation operation_of(Word code, Model);
 /// Returns the operation that fpentry selects.
 Operation selected_by(Word code);
-/// Returns the cycles of an instruction, beyond those that its effect adds. A T414 multiplies in 38 cycles (commonly
-/// stated), others in 40.
+/// Returns the cycles of an instruction, without additional cycles of its effect. A T414 multiplies in 38 cycles
+/// (commonly stated), others in 40.
 unsigned cycles_of(Operation, Model);
-/// Returns whether execution never goes on with the next instruction of the block: a branch, or an instruction of the
+/// Returns whether execution never continues with the next instruction of the block: a branch, or an instruction of the
 /// scheduler.
 bool ends_block(Operation);
 /// Returns whether the operand of a direct function counts words.
@@ -85,10 +85,10 @@ bool counts_words(Operation);
 /// Returns whether the operand is the distance of a branch: j, cj and call.
 bool branches_by_operand(Operation);
 
-/// An instruction has at most so many prefixes. Ours: code needs 7, and compilers pad with some more.
+/// The most prefixes of an instruction. We chose this limit: code needs 7, and compilers pad with some more.
 inline constexpr Word most_prefixes = 200;
 
-/// An instruction as it stands in memory.
+/// An instruction in memory.
 struct CodedInstruction {
     Operation operation = Operation::unknown;
     Word operand = 0; ///< with all prefixes; for an operation its code

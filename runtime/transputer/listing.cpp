@@ -16,7 +16,7 @@
 namespace placedpar::transputer {
 namespace {
 
-constexpr std::size_t most_versions = 8; // of the code at an address; a program may write code without end
+constexpr std::size_t most_versions = 8; // of code at an address; a program may rewrite its code without end
 constexpr std::size_t most_hot_blocks = 10;
 
 Word end_of(const Listing::Line& line) { return line.address + line.instruction.length; }
@@ -115,7 +115,7 @@ public:
     }
 
 private:
-    /// Returns the place of code, unless it is that of the line before.
+    /// Returns the place of code; "" if it is the same as for the preceding line.
     std::string new_place(Word address) {
         const std::string place = lines_.file_place(address);
         return std::exchange(place_, place) == place ? "" : place;
@@ -151,7 +151,7 @@ void Listing::begins(Word at) {
         code_has_changed(here, offset);
 }
 
-/// Finds or begins the count of other code at a place.
+/// Finds the count for changed code at a place, or begins a new count.
 void Listing::code_has_changed(Place& here, Word offset) {
     const auto memory = core_.memory().bytes(offset, core_.memory().size() - offset);
     const auto code = memory.first(read_instruction(memory, core_.model()).length);

@@ -12,7 +12,7 @@
 namespace placedpar::transputer {
 
 /// Counts how often each instruction of a core was executed, and its half cycles. An instruction that was overwritten
-/// by another is counted apart.
+/// is counted separately.
 class Listing final : public Core::Watcher {
 public:
     /// An instruction that was executed.
@@ -25,7 +25,7 @@ public:
         bool is_replaced = false; ///< memory has other code there now
     };
 
-    /// Counts from now on: watches the core. REQUIRES: both stay where they are during the run.
+    /// Begins to count, by watching the core. REQUIRES: neither object is moved during the run.
     explicit Listing(Core&);
     Listing(const Listing&) = delete;
     Listing& operator=(const Listing&) = delete;
@@ -40,7 +40,7 @@ private:
         std::uint64_t times = 0;
         HalfCycles spent = 0;
     };
-    /// The code that was executed at an address, in the order in which it stood there.
+    /// The versions of code that were executed at an address, in order of time.
     struct Place {
         Count now;
         std::vector<Count> before;
@@ -59,7 +59,7 @@ private:
 
 /// Prints the code that ran, by address: bytes, instruction, times, cycles and share of all cycles, with sums for each
 /// block of instructions that were executed one after the other. The blocks with most cycles come first, in a table.
-/// Names of procedures, and places in files where these change, are added as far as `lines` has them.
+/// Names of procedures, and places in files when they change, are added if `lines` has them.
 std::string print_listing(const Listing&, const CodeLines& lines);
 
 } // namespace placedpar::transputer

@@ -33,7 +33,7 @@ public:
     }
 
 private:
-    /// Executes an instruction. Returns whether the process goes on.
+    /// Executes an instruction. Returns whether the process continues.
     bool goes_on() {
         const Registers& r = core_.registers();
         const Word offset = NodeMemory::offset_of(r.instruction), size = core_.memory().size();
@@ -51,7 +51,7 @@ private:
         return result;
     }
 
-    /// Has the effect of an instruction of the scheduler on its own process, without a wait.
+    /// Performs the effect of a scheduler instruction on its own process, without a wait.
     bool pass(Operation operation, Registers& r) {
         switch (operation) {
         case Operation::in: return note(r.b, false);

@@ -23,12 +23,12 @@ static_assert(std::endian::native == std::endian::little, "words of a transputer
 /// first used. Addresses below are offsets from MostNeg, unless stated otherwise.
 class NodeMemory {
 public:
-    /// Code is forgotten, and the memory is saved, by pages of this size when they are written to.
+    /// When the program writes to a page of this size, decoded code of the page is discarded, and the page is saved.
     static constexpr Word page_bytes = 256;
 
     /// Throws std::invalid_argument unless 2048 <= bytes < 4 GB and bytes is a multiple of 256; std::bad_alloc.
-    /// `bytes_on_chip`: they hide as many bytes at the beginning of the memory outside of the chip, which programs
-    /// reach at addresses that wrap.
+    /// `bytes_on_chip`: they hide the same number of bytes at the beginning of the external memory, which programs can
+    /// reach at wrapped addresses.
     NodeMemory(std::uint64_t bytes, Word bytes_on_chip) : size_(static_cast<Word>(bytes)), hidden_(bytes_on_chip) {
         if (bytes < 2048 || bytes > 0xffff'ff00 || bytes % page_bytes != 0)
             throw std::invalid_argument("a transputer's memory has 2048 bytes to 4 Gbyte, in steps of 256");
@@ -40,24 +40,24 @@ public:
 
     static constexpr Word offset_of(Word address) { return address - most_negative; }
     Word size() const { return size_; }
-    /// Returns where an offset outside of the memory is when addresses wrap: in the memory, or in the bytes behind it,
-    /// which are those that the memory on the chip hides.
+    /// Returns the place of an offset outside of the memory when addresses wrap: in the memory, or after its end, where
+    /// the bytes are stored that the memory on the chip hides.
     Word wrapped(Word offset) const {
         offset %= size_;
         return offset < hidden_ ? size_ + offset : offset;
     }
-    /// Returns the same for an offset that may be in the memory.
+    /// Returns the place of an offset as wrapped() does; an offset in the memory stays unchanged.
     Word wrapped_or_not(Word offset) const { return offset < size_ ? offset : wrapped(offset); }
-    /// Returns the end of the memory, or of the bytes behind it, in which a place is that wrapped() returned.
+    /// Returns the end of the area that contains a place from wrapped(): the memory, or the hidden bytes after it.
     Word end_around(Word place) const { return place < size_ ? size_ : size_ + hidden_; }
     bool holds(Word offset, Word bytes) const { return offset <= size_ && bytes <= size_ - offset; }
 
     std::uint8_t* data() { return bytes_.get(); }
     const std::uint8_t* data() const { return bytes_.get(); }
-    /// Returns flags for each page: not 0 if something must be done before a byte of the page is written.
+    /// Returns flags for each page: not 0 if writing to the page needs a preparation.
     const std::uint8_t* page_flags() const { return pages_.get(); }
-    /// Returns whether something must be done before a byte, or one of these bytes, is written: if instructions of the
-    /// page are decoded, or if the page must be saved. REQUIRES: the memory holds the bytes.
+    /// Returns whether writing these bytes needs a preparation, because instructions of their pages are decoded or the
+    /// pages must be saved. REQUIRES: the memory holds the bytes.
     bool must_prepare(Word offset) const { return pages_[offset / page_bytes] != 0; }
     bool must_prepare(Word offset, Word bytes) const {
         for (Word page = offset / page_bytes; page <= (offset + bytes - 1) / page_bytes; ++page)
@@ -77,8 +77,8 @@ public:
         pages_[page] = static_cast<std::uint8_t>((pages_[page] & ~code) | (has_code ? code : 0));
     }
 
-    /// Keeps the contents as they are now, until keep() or let_go() is called, so that go_back() can restore them. Only
-    /// pages that are written are copied.
+    /// Saves the contents, until keep() or let_go() is called, so that go_back() can restore them. Only pages that are
+    /// written are copied.
     void keep() {
         if (std::exchange(has_kept_, true))
             mark_written();
@@ -94,8 +94,8 @@ public:
             if (pages_[page] & unsaved)
                 save_page(page);
     }
-    /// Restores what was kept. Calls `changes(offset, bytes)` for each word whose contents change. REQUIRES: keep() was
-    /// called, and after it neither let_go() nor go_back().
+    /// Restores the saved contents. Calls `changes(offset, bytes)` for each word whose contents change. REQUIRES:
+    /// keep() was called, and since then neither let_go() nor go_back().
     template <class F>
     void go_back(F changes) {
         for (std::size_t i = 0; i < copies_.size(); ++i)

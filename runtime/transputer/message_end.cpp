@@ -34,7 +34,7 @@ bool MessageEnd::Transfer::begin(Process& self) noexcept {
         end.out->give(part);
     else
         end.in->take(part);
-    if (ended) // the only byte of the part was here
+    if (ended) // the only byte of the part had already arrived
         return false;
     process = &self;
     self.begin_wait(activity, channel, where);
@@ -52,7 +52,7 @@ void MessageEnd::Transfer::wake() {
         waiting->kernel().make_ready(*waiting);
 }
 
-/// `of_part`: the bytes of the current part that this end has moved.
+/// `of_part` is the number of bytes of the current part that this end has moved.
 void MessageEnd::Transfer::give_up(std::uint64_t of_part) {
     given_up = true;
     moved_when_given_up = moved + of_part;
@@ -105,7 +105,7 @@ bool MessageEnd::give_up_output(AnyChannel& channel) {
     return true;
 }
 
-/// Returns whether all bytes have arrived, although the process has not gone on yet.
+/// Returns whether all bytes have arrived, although the process has not continued yet.
 bool MessageEnd::has_whole_message(const AnyChannel& channel) {
     try {
         return (inputs_.ended || in->store_early()) && channel.byte_form()->next_part(inputs_.message) == 0;

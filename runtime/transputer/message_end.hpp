@@ -24,10 +24,10 @@ namespace placedpar::transputer {
 /// of a message is a count of this end, as it is for the instructions `out` and `in`. A process continues when the last
 /// byte has been acknowledged, or has arrived. The other end may move the bytes by other counts.
 ///
-/// input() throws NoMessage for bytes of which the channel's protocol has no message.
+/// input() throws NoMessage for bytes that are not a message of the channel's protocol.
 class MessageEnd final : public ByteEnd, public Carrier {
 public:
-    /// `partner`: the name of the device at the other end, for reports.
+    /// `partner` is the name of the device at the other end, for reports.
     explicit MessageEnd(std::string partner) : partner_(std::move(partner)) {}
     MessageEnd(const MessageEnd&) = delete;
     MessageEnd& operator=(const MessageEnd&) = delete;
@@ -75,8 +75,8 @@ private:
         SourceLocation where = {};
         Process* process = nullptr; ///< waits for the end of the part
         bool ended = false;
-        bool given_up = false;   ///< the current message
-        std::uint64_t moved = 0; ///< bytes of its parts that have ended
+        bool given_up = false;   ///< the current message was abandoned
+        std::uint64_t moved = 0; ///< number of bytes of its completed parts
         std::uint64_t moved_when_given_up = 0;
     };
 

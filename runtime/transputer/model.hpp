@@ -23,7 +23,7 @@ constexpr Models only(Model model) { return 1u << static_cast<unsigned>(model); 
 inline constexpr Models all_models = 0x1f;
 /// Models with a floating-point unit.
 inline constexpr Models with_reals = only(Model::t800) | only(Model::t805);
-/// Models without one, whose instructions support routines for reals.
+/// Models without a floating-point unit, whose instructions support routines for reals.
 inline constexpr Models without_reals = all_models & ~with_reals;
 /// Models with the instructions that came with the T800: duplicate, moves in two dimensions, CRC, bits.
 inline constexpr Models second_generation = all_models & ~only(Model::t414);
