@@ -118,7 +118,6 @@ struct LanguageServer::State {
     }
 
     // Requests
-
     json::value initialize(const json::object&) {
         initialized = true;
         return {{"capabilities", capabilities()}, {"serverInfo", {{"name", "placedpar"}, {"version", version}}}};
@@ -210,6 +209,7 @@ struct LanguageServer::State {
     // Notifications
 
     json::value nothing(const json::object&) { return nullptr; }
+
     json::value exit(const json::object&) {
         ended = true;
         return nullptr;

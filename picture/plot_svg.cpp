@@ -113,8 +113,8 @@ std::string data_blocks(const Panel& panel, std::size_t number) {
     return out;
 }
 
-/// Returns commands that set Left to the margin which the y axes need: the numbers at an axis that is narrow beside its
-/// values, such as 1.0005e-09, need more than the usual margin. REQUIRES: all panels have been drawn on trial.
+/// Returns commands that set Left to the left margin of all panels. A narrow range far from 0 has long numbers at its
+/// axis, such as 1.0005e-09, and needs more than the usual margin. REQUIRES: all panels have been drawn on trial.
 std::string left_margin_commands(const Plot& plot) {
     constexpr int usual_letters = 5;
     std::string out = fmt::format("Letters = {}\n", usual_letters);

@@ -8,8 +8,7 @@
 #include "report/search_log.hpp"
 #include "text/user_error.hpp"
 
-#include <fmt/format.h>
-
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <span>

@@ -78,20 +78,14 @@ Rated rated_of(const py::object& returned, const py::array& population) {
     return {table_of(pair[0], population, "objectives"), table_of(pair[1], population, "constraints")};
 }
 
-class PythonProblem final : public SearchProblem {
+/// A problem whose objectives and constraints are a function in Python.
+class PythonProblem final : public AdaptedProblem {
 public:
     /// `parameters` describes the problem except for its objectives. REQUIRES: see FunctionInPython::problem().
     PythonProblem(std::shared_ptr<const SearchProblem> parameters, SharedObject function)
-        : parameters_(std::move(parameters)), function_(std::move(function)) {}
+        : AdaptedProblem(std::move(parameters)), function_(std::move(function)) {}
 
-    std::size_t bits() const override { return parameters_->bits(); }
-    Representation representation() const override { return parameters_->representation(); }
-    std::size_t channels() const override { return 0; }
-    std::optional<Objective> objective() const override { return parameters_->objective(); }
     bool has_constraints() const override { return columns_ && columns_->second > 0; }
-    double error(const Genome& genome, std::span<const double> sample) const override {
-        return parameters_->error(genome, sample);
-    }
     double fitness(const Genome& genome, std::span<const Sample> samples, double bias) const override {
         double fitness = 0;
         fitness_of({&genome, 1}, samples, bias, {&fitness, 1});
@@ -101,30 +95,24 @@ public:
                     std::span<double> out) const override;
     std::optional<Merit> merit(const Genome& genome) const override { return merits({&genome, 1}).front(); }
     std::vector<Merit> merits(std::span<const Genome>) const override;
-    std::vector<double> decode(const Genome& genome) const override { return parameters_->decode(genome); }
     std::vector<std::string> objective_names() const override;
-    std::vector<std::string> parameter_names() const override { return parameters_->parameter_names(); }
-    std::vector<std::string> parameter_units() const override { return parameters_->parameter_units(); }
-    std::vector<std::size_t> fields() const override { return parameters_->fields(); }
-    Coding coding() const override { return parameters_->coding(); }
 
 private:
     std::shared_ptr<const SearchProblem> coded_plainly(Coding coding) const override {
-        return std::make_shared<PythonProblem>(parameters_->coded(coding), function_);
+        return std::make_shared<PythonProblem>(problem_->coded(coding), function_);
     }
     Rated rate(std::span<const Genome>) const;
 
-    std::shared_ptr<const SearchProblem> parameters_;
     SharedObject function_;
     mutable std::optional<std::pair<std::size_t, std::size_t>>
         columns_; ///< objectives and constraints of the first call
 };
 
 Rated PythonProblem::rate(std::span<const Genome> population) const {
-    py::array_t<double> rows({population.size(), parameters_->parameter_names().size()});
+    py::array_t<double> rows({population.size(), problem_->parameter_names().size()});
     double* to = rows.mutable_data();
     for (const Genome& genome : population)
-        to = std::ranges::copy(parameters_->decode(genome), to).out;
+        to = std::ranges::copy(problem_->decode(genome), to).out;
     Rated rated = rated_of(function_.get()(rows), rows);
     const std::pair columns(rated.objectives.columns, rated.constraints.columns);
     if (columns_.value_or(columns) != columns)
@@ -143,7 +131,7 @@ void PythonProblem::fitness_of(std::span<const Genome> population, std::span<con
         throw UserError(fmt::format("a search has one objective, but the function returned {} for each individual: "
                                     "use search_front() for several objectives",
                                     rated.objectives.columns));
-    const Objective objective = *parameters_->objective();
+    const Objective objective = *problem_->objective();
     std::ranges::transform(std::span(rated.objectives.values.data(), out.size()), out.begin(),
                            [&](double value) { return objective.fitness(value); });
     for (std::size_t i = 0; has_constraints() && i < out.size(); ++i)
@@ -155,7 +143,7 @@ std::vector<Merit> PythonProblem::merits(std::span<const Genome> population) con
     const Rated rated = rate(population);
     std::vector<Merit> merits;
     for (std::size_t i = 0; i < population.size(); ++i)
-        merits.push_back(rated.merit(i, parameters_->objective()->goal));
+        merits.push_back(rated.merit(i, problem_->objective()->goal));
     return merits;
 }
 

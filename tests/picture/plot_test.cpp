@@ -269,7 +269,7 @@ TEST_CASE("a label longer than its axis has smaller letters") {
 }
 
 TEST_CASE("the label of the y axis stands left of wide numbers, inside the picture") {
-    auto label_place = [](double from, double to) { // the frame's left edge and the label's middle, in pixels
+    auto base_of_label = [](double from, double to) { // in pixels from the left; letters are 11 pixels high
         Plot plot = small_plot();
         plot.panels.resize(1);
         plot.panels[0].marks.clear();
@@ -280,9 +280,9 @@ TEST_CASE("the label of the y axis stands left of wide numbers, inside the pictu
         const std::size_t text = svg.find("compliance"), place = svg.rfind("translate(", text);
         return std::stod(svg.substr(place + 10));
     };
-    CHECK(label_place(1, 2) > 10);
-    CHECK(label_place(1.0005e-9, 1.0011e-9) > 10);
-    CHECK(label_place(-1.00051e-9, -1.00050e-9) > 10);
+    CHECK(base_of_label(1, 2) > 11);
+    CHECK(base_of_label(1.0005e-9, 1.0011e-9) > 11);
+    CHECK(base_of_label(-1.00051e-9, -1.00050e-9) > 11);
 }
 
 TEST_CASE("a title wider than the plot has smaller letters") {
