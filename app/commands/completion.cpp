@@ -134,8 +134,7 @@ Action declare_completion(Options& command, const std::string&) {
         .check(refuse_shell)
         .type("bash|zsh");
     command.add("WORDS", options->words,
-                "internal: the scripts ask for the possible values of the last of these "
-                "words");
+                "internal: the scripts ask for the possible values of the last of these words");
     return [options, command] {
         print_out(options->shell == "bash"  ? script(bash_script)
                   : options->shell == "zsh" ? script(zsh_script)

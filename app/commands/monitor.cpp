@@ -172,11 +172,7 @@ auto search_on(const NetlistAsked& netlist, const ServiceSettings& settings) {
     };
 }
 
-ExitCode serve(const ServiceSettings& settings) {
-    std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is handled like a full disk
-    Log log(STDERR_FILENO);
-    Service service(settings, log);
-    service.heed_signals(); // before the service is announced
+void announce(const ServiceSettings& settings, const Service& service) {
     if (settings.port)
         print_out(fmt::format("placedpar monitor: listening on {} port {}\n", settings.address, service.port()));
     if (!settings.unix_path.empty())
@@ -184,6 +180,14 @@ ExitCode serve(const ServiceSettings& settings) {
     if (settings.http_port)
         print_out(fmt::format("placedpar monitor: page at http://{}:{}/\n", web::address_in_url(settings.address),
                               service.http_port()));
+}
+
+ExitCode serve(const ServiceSettings& settings) {
+    std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is handled like a full disk
+    Log log(STDERR_FILENO);
+    Service service(settings, log);
+    service.heed_signals();
+    announce(settings, service);
     service.run();
     log.say(settings.state.empty() ? "stopped" : fmt::format("stopped; the state was written to {}", settings.state));
     return ExitCode::success;

@@ -61,6 +61,15 @@ std::vector<Time> simulated_loads(const Network& network, std::uint64_t seed, In
     return loads;
 }
 
+void refuse_without_native(const NativeOptions& options, bool predicts) {
+    const std::pair<bool, const char*> of_native_runs[] = {{options.threads != 0 && !predicts, "--threads"},
+                                                           {!options.map.empty(), "--map"},
+                                                           {options.pace != 0, "--pace"}};
+    for (const auto& [is_typed, name] : of_native_runs)
+        if (is_typed)
+            throw UserError(fmt::format("{} is for native runs: give --native, too", name));
+}
+
 } // namespace
 
 void add_native(Options& command, NativeOptions& options) {
@@ -89,14 +98,9 @@ void refuse_with_native(const NativeOptions& options, bool predicts,
                         const std::vector<std::pair<bool, const char*>>& typed) {
     if (options.is_native && predicts)
         throw UserError("--predict simulates a native run: leave out --native, or --predict");
-    const std::pair<bool, const char*> of_native_runs[] = {{options.threads != 0 && !predicts, "--threads"},
-                                                           {!options.map.empty(), "--map"},
-                                                           {options.pace != 0, "--pace"}};
     if (!options.is_native)
-        for (const auto& [is_typed, name] : of_native_runs)
-            if (is_typed)
-                throw UserError(fmt::format("{} is for native runs: give --native, too", name));
-    if (options.is_native)
+        refuse_without_native(options, predicts);
+    else
         for (const auto& [is_typed, name] : typed)
             if (is_typed)
                 throw UserError(fmt::format("{}: only simulated runs have this option: leave out --native", name));
