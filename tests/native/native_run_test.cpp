@@ -428,5 +428,5 @@ TEST_CASE("processes on different processors of a paced thread communicate, and 
 
 TEST_CASE("faults are refused") {
     CHECK_THROWS_WITH_AS(run_on(1, test::ring_of(2, "csp.identity") + "fault t[0] halts (from = 1ms);"),
-                         doctest::Contains("a native run has no faults"), UserError);
+                         doctest::Contains("a native run cannot have faults"), UserError);
 }

@@ -265,7 +265,7 @@ TEST_CASE("an input from another rank can be given up, and an output cannot") {
             output_or_fail(environment.output<int>("out"), 1, now() + 1ms);
     });
     CHECK(what_was_thrown(on_ranks(2, ring_of(2, "gives_up"), {gives_up}))
-              .find("an output to another rank of mpirun cannot be given up") != std::string::npos);
+              .find("an output to another rank of mpirun cannot be abandoned") != std::string::npos);
 }
 
 namespace {

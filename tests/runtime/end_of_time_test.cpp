@@ -94,7 +94,7 @@ TEST_CASE("processes of both priorities, timeslices, timers and links work just 
         "timer",
         [] { wait_until(late), Timer().wait_after(plus(Timer().read(), std::numeric_limits<std::int32_t>::max())); },
         &t800);
-    CHECK(error_of(simulation).starts_with("virtual time lasts for 106 days"));
+    CHECK(error_of(simulation).starts_with("virtual time ends after 106 days"));
 }
 
 TEST_CASE("a limit on the run ends it before the end of virtual time") {
