@@ -225,7 +225,7 @@ class Traces(unittest.TestCase):
             run, report, path = self.run_traced(COMMSTIME, "--trace-limit", 1000)
             texts.append(path.read_text(encoding="utf-8"))
             trace = JsonTrace(path)
-            self.assertIn("the trace ends at ", run.stderr)
+            self.assertIn("the trace is full and ends at ", run.stderr)
             self.assertIn("--trace-from and --trace-until", run.stderr)
             entries = sum(len(s) for s in trace.slices.values()) + len(trace.arrows)
             self.assertTrue(1000 <= entries < 1000 + 2 * len(trace.tracks), entries)
@@ -235,7 +235,7 @@ class Traces(unittest.TestCase):
 
     def test_a_long_run_is_limited_without_being_asked(self):
         run, _, path = self.run_traced(COMMSTIME, "--set", "count=150000")
-        self.assertIn("the trace ends at ", run.stderr)
+        self.assertIn("the trace is full and ends at ", run.stderr)
         self.assertIn("2000000 entries", run.stderr)
         self.assertLess(path.stat().st_size, 500_000_000)
 
@@ -258,7 +258,7 @@ class Traces(unittest.TestCase):
                          ["master", "slave[0]", "slave[1]", "slave[2]", "host"])
         self.assertEqual(run.stderr, "")
         run, _, path = self.run_traced(FIGURE_E2, ending="svg")
-        self.assertIn("with 20000 entries", run.stderr)
+        self.assertIn("after 20000 entries", run.stderr)
         self.assertLess(path.stat().st_size, 2_000_000)
 
     def test_tracing_does_not_change_the_run(self):

@@ -222,7 +222,7 @@ class Operations(unittest.TestCase):
         for use in (lambda: kept[0].out.channel, lambda: kept[0].out.output(1)):
             with self.assertRaisesRegex(pp.Error, "the end out was used after its process had ended"):
                 use()
-        with self.assertRaisesRegex(pp.Error, "after its process has ended"):
+        with self.assertRaisesRegex(pp.Error, "after its process had ended"):
             kept[0].measure("late", 1)
 
     def test_a_long_timeout_of_alt_is_never_over(self):

@@ -168,7 +168,7 @@ class Searches(unittest.TestCase):
     def test_errors_say_what_would_be_right(self):
         for message, arguments in (
                 ("did you mean \"tournament\"", {"reproduction": "tournamnet"}),
-                ("one objective, but the function returned 10 for each individual: search_front", {"problem": lambda rows: rows}),
+                ("one objective, but the function returned 10 for each individual: use search_front", {"problem": lambda rows: rows}),
                 ("low", {"bounds": [(5, -5)]}), ("a torus of 4 islands cannot have 3 rows", {"topology": "torus(3)", "islands": 4}),
                 ("must be numbers", {"problem": lambda rows: ["one"] * len(rows)}),
                 ("but have the shape \\(60, 2\\)", {"problem": lambda rows: rows.reshape(-1)[:120].reshape(60, 2)}),
