@@ -9,9 +9,9 @@
 namespace placedpar {
 
 /// Returns whether the first merit dominates the second. A feasible individual dominates every infeasible individual.
-/// Of two infeasible individuals, the one with the lesser violation dominates (K. Deb, "An efficient constraint
-/// handling method for genetic algorithms", 2000). Of two feasible individuals, one dominates the other if it is not
-/// worse in any cost and better in at least one cost.
+/// The lesser violation decides between two infeasible individuals (K. Deb, "An efficient constraint handling method
+/// for genetic algorithms", 2000). A feasible individual dominates another feasible individual if it is not worse in
+/// any cost and better in at least one cost.
 bool dominates(const Merit&, const Merit&);
 
 /// Returns the indices of the feasible individuals that no other dominates, in ascending order of the first cost,
