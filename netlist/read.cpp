@@ -127,42 +127,55 @@ std::string render(const ReadResult& result) { return render(result.diagnostics)
 
 /// The results of reading and parsing the text, which overrides do not change, and the options for all networks.
 struct ParsedNetlist::Syntax {
+    struct Content {
+        std::string (*translate_hint)(const std::string&) = nullptr; ///< as of MadeNetlist
+        Statements statements = {};
+        std::vector<std::string> included_paths = {};
+        bool includes_toolset = false;
+    };
+
     Syntax(const LoadedSource& source, const std::filesystem::path& path, const ReadOptions& options);
-    void parse(const std::filesystem::path& path);
-    /// Returns no network if the reporter has errors. REQUIRES: the reporter already has the diagnostics of `found`.
+    Content parse(const ValChoice&, Reporter&) const;
+    /// Returns whether the netlist must be made again of a configuration in another language: only when it is made can
+    /// an option set a val.
+    bool is_made_again(const Overrides& overrides) const {
+        return content.translate_hint && !overrides.empty() && !found.failed();
+    }
+    /// Returns no network if the reporter has errors. REQUIRES: the reporter already has the diagnostics of `found`,
+    /// unless the netlist is made again.
     std::optional<Network> network(const Catalogue&, const Overrides&, Reporter&, Declared&) const;
 
     std::shared_ptr<const SourceFile> file;
+    std::filesystem::path path;
     ReadOptions options;
-    Reporter found;                                              ///< diagnostics of reading and parsing
-    std::string (*translate_hint)(const std::string&) = nullptr; ///< as of MadeNetlist
-    Statements statements;
-    std::vector<std::string> included_paths;
-    bool includes_toolset = false;
+    Reporter found; ///< diagnostics of reading and parsing
+    Content content;
 };
 
-ParsedNetlist::Syntax::Syntax(const LoadedSource& source, const std::filesystem::path& path, const ReadOptions& read)
-    : file(source.file), options(read) {
+ParsedNetlist::Syntax::Syntax(const LoadedSource& source, const std::filesystem::path& from, const ReadOptions& read)
+    : file(source.file), path(from), options(read) {
     for (const auto& problem : source.problems)
         found.error(problem.location, problem.message, hint_for(file->text()));
     if (!found.failed())
-        parse(path);
+        content = parse({}, found);
 }
 
-void ParsedNetlist::Syntax::parse(const std::filesystem::path& path) {
+ParsedNetlist::Syntax::Content ParsedNetlist::Syntax::parse(const ValChoice& choose, Reporter& reporter) const {
+    Content parsed;
     MadeNetlist made;
     if (options.make_netlist)
-        made = options.make_netlist(file, options.include_folders, found);
-    translate_hint = made.translate_hint;
-    if (found.failed())
-        return;
-    TokenStream tokens(made.text ? made.text : file, path, found, options.include_folders, std::move(made.origins));
-    attempt([&] { statements = Parser(tokens, found).parse_netlist(); });
-    if (found.failed() && !made.text)
-        recognise_occam(file, found);
-    included_paths = tokens.take_included();
-    included_paths.insert(included_paths.end(), made.paths.begin(), made.paths.end());
-    includes_toolset = tokens.includes_toolset();
+        made = options.make_netlist(file, options.include_folders, choose, reporter);
+    parsed.translate_hint = made.translate_hint;
+    if (reporter.failed())
+        return parsed;
+    TokenStream tokens(made.text ? made.text : file, path, reporter, options.include_folders, std::move(made.origins));
+    attempt([&] { parsed.statements = Parser(tokens, reporter).parse_netlist(); });
+    if (reporter.failed() && !made.text)
+        recognise_occam(file, reporter);
+    parsed.included_paths = tokens.take_included();
+    parsed.included_paths.insert(parsed.included_paths.end(), made.paths.begin(), made.paths.end());
+    parsed.includes_toolset = tokens.includes_toolset();
+    return parsed;
 }
 
 std::optional<Network> ParsedNetlist::Syntax::network(const Catalogue& catalogue, const Overrides& overrides,
@@ -171,7 +184,11 @@ std::optional<Network> ParsedNetlist::Syntax::network(const Catalogue& catalogue
         return std::nullopt;
     const Statements set = read_overrides(overrides, reporter);
     Elaborator elaborator(catalogue, set, reporter);
-    elaborator.run(statements);
+    std::optional<Content> again;
+    if (is_made_again(overrides) && !reporter.failed())
+        again = parse([&](const auto&... val) { return elaborator.choose_val(val...); }, reporter);
+    const Content& stated = again ? *again : content;
+    elaborator.run(stated.statements);
     declared = declared_in(elaborator.draft());
     const Statements faults = read_faults(options.faults, reporter);
     elaborator.run(faults);
@@ -186,9 +203,9 @@ std::optional<Network> ParsedNetlist::Syntax::network(const Catalogue& catalogue
     if (reporter.failed())
         return std::nullopt;
     network.source_path = file->path();
-    network.included_paths = included_paths;
+    network.included_paths = stated.included_paths;
     add_program_paths(network, catalogue);
-    network.includes_toolset = includes_toolset;
+    network.includes_toolset = stated.includes_toolset;
     WrittenOut out = write_out(network, largest_source_bytes);
     network.hash = out.hash;
     check_size(std::move(out), {file, 0, 0}, reporter);
@@ -204,7 +221,7 @@ ParsedNetlist ParsedNetlist::of_text(const std::string& text, const std::string&
 }
 
 ReadResult ParsedNetlist::read(const Catalogue& catalogue, const Overrides& overrides) const {
-    Reporter reporter = syntax_->found;
+    Reporter reporter = syntax_->is_made_again(overrides) ? Reporter() : syntax_->found;
     ReadResult result;
     try {
         result.network = syntax_->network(catalogue, overrides, reporter, result.declared);
@@ -214,9 +231,9 @@ ReadResult ParsedNetlist::read(const Catalogue& catalogue, const Overrides& over
     result.diagnostics = reporter.take();
     result.not_shown = reporter.not_shown();
     sort_by_place(result.diagnostics);
-    if (syntax_->translate_hint)
+    if (const auto translate = syntax_->content.translate_hint)
         for (Diagnostic& each : result.diagnostics)
-            each.hint = syntax_->translate_hint(each.hint);
+            each.hint = translate(each.hint);
     return result;
 }
 

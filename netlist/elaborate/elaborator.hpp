@@ -28,6 +28,9 @@ public:
     Elaborator(const Catalogue& catalogue, const Statements& overrides, Reporter& reporter);
 
     void run(const Statements& statements);
+    /// Declares a val of a configuration in another language, which the names of the netlist may hide. Returns its
+    /// value, which an option may set.
+    Value choose_val(const std::string& name, const Value& original, const Location& at);
     /// Replaces programs by kinds, as the options `--use PROGRAM=KIND` say.
     void use(const ProgramKinds& kinds);
     /// Reads the programs that are files of a language (FileKinds). The names of these programs become those by which

@@ -29,7 +29,25 @@ std::string hint_at_sweep(const SetStatement& set) {
                              set.value_at.file->text());
 }
 
+Constant constant_of(const Value& value) {
+    if (const auto* integer = std::get_if<std::int64_t>(&value))
+        return integer_constant(*integer);
+    if (const auto* real = std::get_if<double>(&value))
+        return {*real};
+    return {std::get<std::string>(value)};
+}
+
 } // namespace
+
+Value Elaborator::choose_val(const std::string& name, const Value& original, const Location& at) {
+    Constant chosen = constant_of(original);
+    attempt([&] { chosen = overridden(name, chosen); });
+    if (!scopes_.find(name))
+        scopes_.declare_predefined(name, {chosen, at});
+    if (const Integer* integer = chosen.integer())
+        return std::holds_alternative<double>(original) ? Value(as_real(chosen)) : Value(integer->value);
+    return chosen.real() ? Value(*chosen.real()) : Value(*chosen.text());
+}
 
 Draft Elaborator::take() {
     for (auto& [place, set] : reached_)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "netlist/network/value.hpp"
 #include "text/reporter.hpp"
 
 #include <cstddef>
@@ -26,8 +27,13 @@ struct MadeNetlist {
     std::string (*translate_hint)(const std::string&) = nullptr;
 };
 
-/// Makes a netlist from a file, which may include files from the folders. Reports the errors of the file.
-using NetlistMaker = std::function<MadeNetlist(const std::shared_ptr<const SourceFile>& file,
-                                               const std::vector<std::filesystem::path>& folders, Reporter&)>;
+/// Returns the value of a val: the original one, or the one that an option sets.
+using ValChoice = std::function<Value(const std::string& name, const Value& original, const Location& at)>;
+
+/// Makes a netlist from a file, which may include files from the folders. Reports the errors of the file. Without a
+/// choice, vals keep their values.
+using NetlistMaker =
+    std::function<MadeNetlist(const std::shared_ptr<const SourceFile>& file,
+                              const std::vector<std::filesystem::path>& folders, const ValChoice&, Reporter&)>;
 
 } // namespace placedpar

@@ -43,7 +43,7 @@ std::string hint_of_configuration(const std::string& hint) {
 }
 
 MadeNetlist made_of(const std::shared_ptr<const SourceFile>& file, const std::vector<std::filesystem::path>& folders,
-                    Reporter& reporter) {
+                    const ValChoice& choose, Reporter& reporter) {
     ParseOptions options;
     options.folders = folders;
     options.built_in = [](const std::string& name) { return library_text(name); };
@@ -53,7 +53,7 @@ MadeNetlist made_of(const std::shared_ptr<const SourceFile>& file, const std::ve
     MadeNetlist made;
     if (!own.failed()) {
         program.is_configuration = true;
-        const Configured configured = Configurer(program, own).run();
+        const Configured configured = Configurer(program, choose, own).run();
         if (!own.failed())
             made = NetlistWriter(program, configured, own).write();
         made.translate_hint = hint_of_configuration;
@@ -78,8 +78,9 @@ bool is_configuration(const std::filesystem::path& path) {
 }
 
 MadeNetlist netlist_of_configuration(const std::shared_ptr<const SourceFile>& file,
-                                     const std::vector<std::filesystem::path>& folders, Reporter& reporter) {
-    return is_configuration(*file) ? made_of(file, folders, reporter) : MadeNetlist{};
+                                     const std::vector<std::filesystem::path>& folders, const ValChoice& choose,
+                                     Reporter& reporter) {
+    return is_configuration(*file) ? made_of(file, folders, choose, reporter) : MadeNetlist{};
 }
 
 } // namespace placedpar::occam

@@ -13,8 +13,9 @@ bool is_configuration(const SourceFile&);
 bool is_configuration(const std::filesystem::path&);
 
 /// Makes a netlist of a configuration (docs/reference/occam.md). Returns no text for another file, or after
-/// reporting errors. Folders are searched for the files that #INCLUDE and #USE name.
+/// reporting errors. Folders are searched for the files that #INCLUDE and #USE name. A VAL outside of all parts gets
+/// the chosen value; the code of PROCs keeps the value of the text.
 MadeNetlist netlist_of_configuration(const std::shared_ptr<const SourceFile>&,
-                                     const std::vector<std::filesystem::path>& folders, Reporter&);
+                                     const std::vector<std::filesystem::path>& folders, const ValChoice&, Reporter&);
 
 } // namespace placedpar::occam

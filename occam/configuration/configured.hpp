@@ -91,6 +91,9 @@ struct Configured {
     std::map<const Declaration*, ProcessKind> kinds; ///< of the procedures; for look-up only
 };
 
+/// Returns a constant as the value of a netlist; nothing for an array that is not a text.
+std::optional<Value> netlist_value(const Constant&, const Type&);
+
 /// Returns the number of elements of a type; 1 unless it is an array.
 std::size_t count_of_elements(const Type&);
 /// Returns the subscripts of an element: {2, 0}.

@@ -19,8 +19,8 @@ constexpr const char* allowed_in_software =
 
 } // namespace
 
-Configurer::Configurer(Program& program, Reporter& reporter)
-    : program_(program), reporter_(reporter), checker_(program, reporter) {
+Configurer::Configurer(Program& program, const ValChoice& choose, Reporter& reporter)
+    : program_(program), choose_(choose), reporter_(reporter), checker_(program, reporter) {
     program_.has_channel_tables = true;
 }
 
@@ -45,7 +45,8 @@ Configured Configurer::run() {
     try {
         checker_.check_units();
         add_predefined();
-        visit_all(program_.declarations);
+        for (const DeclarationBox& each : program_.declarations)
+            visit(*each), choose(*each);
         if (!has_config_)
             reporter_.error({program_.files.front(), 0, 0}, "the configuration has no CONFIG, so no process is on it",
                             "write CONFIG, and below it PROCESSOR with an instance of a PROC");

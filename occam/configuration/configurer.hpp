@@ -1,5 +1,6 @@
 #pragma once
 
+#include "netlist/language/made_netlist.hpp"
 #include "occam/check/checker.hpp"
 #include "occam/configuration/configured.hpp"
 
@@ -16,7 +17,7 @@ namespace placedpar::occam {
 class Configurer {
 public:
     /// REQUIRES: the program was parsed without errors, and is a configuration.
-    Configurer(Program&, Reporter&);
+    Configurer(Program&, const ValChoice&, Reporter&);
 
     /// Returns what the configuration describes. If errors are reported, it is not complete.
     Configured run();
@@ -41,6 +42,9 @@ private:
     void visit(Declaration&);
     void visit_all(std::vector<DeclarationBox>&);
     void declare(Declaration&);
+    void choose(Declaration&);
+    bool set_val(Declaration&, const Value&);
+    bool set_text(Declaration&, const std::string&);
     void execute(Process&);
     void execute_part(Declaration&, ConfigurationPart&);
     void form_of(Process&, Skip&) {}
@@ -90,7 +94,6 @@ private:
     void argument(Expression&, const Declaration& parameter, const ProcessKind&, std::size_t& port, PlacedProcess&);
     void channel_argument(Expression&, const PortDescription&, ChannelEnd);
     void add_end(const Element& channel, const PortDescription&, const ChannelEnd&);
-    std::optional<std::string> value_text(const Expression&) const;
 
     // What is known at the end (conclusion.cpp)
     void check_whole();
@@ -111,6 +114,7 @@ private:
     std::string text(const Element& element) const { return text_of(configured_, element); }
 
     Program& program_;
+    const ValChoice& choose_;
     Reporter& reporter_;
     Checker checker_;
     Configured configured_;

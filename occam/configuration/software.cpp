@@ -7,8 +7,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <bit>
-#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -111,8 +109,8 @@ void Configurer::argument(Expression& given, const Declaration& parameter, const
     if (innermost(*parameter.type).kind == Type::Kind::channel) {
         const ChannelEnd end{.process = configured_.processes.size(), .port = port, .element = {}, .at = given.at};
         channel_argument(given, kind.ports[port++], end);
-    } else if (auto value = value_text(given))
-        placed.values.push_back({netlist_name(parameter.name), std::move(*value), given.at});
+    } else if (const auto value = given.constant ? netlist_value(*given.constant, *given.type) : std::nullopt)
+        placed.values.push_back({netlist_name(parameter.name), print_constant(*value), given.at});
     else if (innermost(*given.type).kind != Type::Kind::mistaken)
         checker_.report(given.at, fmt::format("the value for \"{}\" must be a constant", parameter.name), "");
 }
@@ -139,23 +137,6 @@ void Configurer::add_end(const Element& channel, const PortDescription& port, co
             fmt::format("two processes {} the channel \"{}\"", is_output ? "output to" : "input from", text(channel)),
             "a channel has one process at each end", {{"the other one is here", at(known->at)}});
     known = end;
-}
-
-/// Returns the constant as a netlist writes it; nothing if it is not a constant.
-std::optional<std::string> Configurer::value_text(const Expression& expression) const {
-    if (!expression.constant)
-        return std::nullopt;
-    const Type& type = plain(*expression.type);
-    if (expression.constant->bytes) {
-        const auto& bytes = *expression.constant->bytes;
-        return print_constant(std::string(bytes.begin(), bytes.end()));
-    }
-    const std::int64_t bits = expression.constant->bits;
-    if (!is_real(type.basic))
-        return print_constant(bits);
-    const double value = type.basic == Basic::real64 ? std::bit_cast<double>(bits)
-                                                     : double{std::bit_cast<float>(static_cast<std::uint32_t>(bits))};
-    return std::isfinite(value) ? std::optional(print_constant(value)) : std::nullopt;
 }
 
 } // namespace placedpar::occam

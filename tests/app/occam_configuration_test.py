@@ -54,6 +54,27 @@ class Configurations(unittest.TestCase):
         swept = placedpar("sweep", SIXTEEN / "farm.pgm", "farmer.limit=10,20", "--results", self.folder / "r.sqlite")
         self.assertEqual(swept.returncode, 0, swept.stderr)
 
+    def test_vals_are_set_and_swept(self):
+        farm = SIXTEEN / "farm.pgm"
+        for file in SIXTEEN.iterdir():
+            shutil.copy(file, self.folder)
+        two = self.folder / "two.pgm"
+        two.write_text(farm.read_text(encoding="ascii").replace("workers IS 3", "workers IS 2"), encoding="ascii")
+        done = placedpar("run", farm, "--set", "workers=2")
+        self.assertIn("set: workers = 2\n", done.stdout)
+        self.assertEqual(done.stdout.replace("set: workers = 2\n", "").replace(str(farm), str(two)), placedpar("run", two).stdout)
+        shown = placedpar("show", farm, "--set", "workers=K / 512", "--format", "cfs").stdout
+        self.assertIn("T800 (memory = 65536) t[2];", shown)
+        swept = placedpar("sweep", farm, "workers=1..3", "--results", self.folder / "r.sqlite")
+        self.assertEqual(swept.returncode, 0, swept.stderr)
+        for setting, said in (("workers=4", r"farm\.pgm:17:30: error: link 4 does not exist"),
+                              ("workers=2.5", r'wrong type for the val "workers": 2\.5 is a real number'),
+                              ("workers=8589934592", r"farm\.pgm:5:5: error: the value that is set does not fit in INT"),
+                              ("wokers=2", 'did you mean "workers"'), ("sps_success=1", "vals: K = 1024, M = 1048576, workers = 3")):
+            done = placedpar("check", farm, "--set", setting)
+            self.assertEqual(done.returncode, 1, setting)
+            self.assertRegex(done.stderr, said)
+
     def test_errors_have_their_places_in_the_configuration(self):
         for file in SIXTEEN.iterdir():
             shutil.copy(file, self.folder)

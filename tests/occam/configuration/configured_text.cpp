@@ -13,7 +13,7 @@ ReadOptions configuration_options() {
 
 MadeText made_from(const std::filesystem::path& path) {
     Reporter reporter;
-    const MadeNetlist made = occam::netlist_of_configuration(load_source(path).file, {}, reporter);
+    const MadeNetlist made = occam::netlist_of_configuration(load_source(path).file, {}, {}, reporter);
     return {made.text ? made.text->text() : "", render(reporter.take())};
 }
 

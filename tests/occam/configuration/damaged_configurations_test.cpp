@@ -46,7 +46,7 @@ bool is_refused(const std::string& text, const std::filesystem::path& beside, co
     const auto file = std::make_shared<const SourceFile>(beside.string(), text);
     if (!occam::is_configuration(*file)) // PLACED is missing in a file .occ
         return true;
-    const MadeNetlist made = test::configuration_options().make_netlist(file, {}, reporter);
+    const MadeNetlist made = test::configuration_options().make_netlist(file, {}, {}, reporter);
     const bool failed = reporter.failed();
     const std::vector<Diagnostic> diagnostics = reporter.take();
     CHECK(diagnostics.size() <= 21);

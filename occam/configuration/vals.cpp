@@ -1,0 +1,81 @@
+// Values of constants: as a netlist has them, and as an option sets them.
+
+#include "occam/check/constant.hpp"
+#include "occam/configuration/configurer.hpp"
+#include "occam/network/kind.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <variant>
+
+namespace placedpar::occam {
+
+namespace {
+
+/// Returns the number as a constant of the type; nothing if it does not fit.
+std::optional<Constant> constant_of_number(const Value& number, Basic basic) {
+    if (const auto* real = std::get_if<double>(&number)) {
+        const auto single = static_cast<float>(*real);
+        if (basic == Basic::real64)
+            return Constant{std::bit_cast<std::int64_t>(*real), nullptr};
+        return std::isfinite(single) ? std::optional(Constant{std::bit_cast<std::int32_t>(single), nullptr})
+                                     : std::nullopt;
+    }
+    const std::int64_t integer = std::get<std::int64_t>(number);
+    const bool fits = integer >= most_negative(basic) && integer <= most_positive(basic);
+    return fits ? std::optional(Constant{integer, nullptr}) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<Value> netlist_value(const Constant& constant, const Type& of) {
+    const Type& type = plain(of);
+    if (type.kind == Type::Kind::array && plain(*type.element).is(Basic::byte))
+        return std::string(constant.bytes->begin(), constant.bytes->end());
+    if (type.kind != Type::Kind::basic)
+        return std::nullopt;
+    if (!is_real(type.basic))
+        return constant.bits;
+    const double value = type.basic == Basic::real64
+                             ? std::bit_cast<double>(constant.bits)
+                             : double{std::bit_cast<float>(static_cast<std::uint32_t>(constant.bits))};
+    return std::isfinite(value) ? std::optional<Value>(value) : std::nullopt;
+}
+
+/// Gives a VAL the value that an option sets. Constants of the libraries cannot be set.
+void Configurer::choose(Declaration& val) {
+    if (!choose_ || !val.constant || !std::holds_alternative<Abbreviation>(val.form))
+        return;
+    const auto original = netlist_value(*val.constant, *val.type);
+    if (!original || program_.files[val.at.file]->path().starts_with('<'))
+        return;
+    const Value chosen = choose_(netlist_name(val.name), *original, at(val.at));
+    if (chosen != *original && !set_val(val, chosen))
+        checker_.report(val.at, fmt::format("the value that is set does not fit in {}", name_of(*val.type)), "");
+}
+
+/// Returns whether the value fits.
+bool Configurer::set_val(Declaration& val, const Value& chosen) {
+    if (const auto* const text = std::get_if<std::string>(&chosen))
+        return set_text(val, *text);
+    const auto constant = constant_of_number(chosen, plain(*val.type).basic);
+    if (constant)
+        val.constant = constant;
+    return constant.has_value();
+}
+
+/// Returns whether the text fits. It may have another length, unless the type of the VAL states it.
+bool Configurer::set_text(Declaration& val, const std::string& text) {
+    const auto& written = std::get<Abbreviation>(val.form).type;
+    const bool is_open = !written || (!written->dimensions.empty() && !written->dimensions.front());
+    if (!is_open && text.size() != val.constant->bytes->size())
+        return false;
+    if (is_open)
+        val.type = program_.types.array(plain(*val.type).element, static_cast<std::uint32_t>(text.size()));
+    val.constant = Constant{0, std::make_shared<const std::vector<std::uint8_t>>(text.begin(), text.end())};
+    return true;
+}
+
+} // namespace placedpar::occam
