@@ -262,7 +262,7 @@ struct LanguageServer::State {
         document.forget();
     }
 
-    /// Marks a text to be checked, with the texts that include it.
+    /// Marks a text, and the texts that include it, to be checked.
     void mark_changed(const Document& document) {
         to_check.insert(document.uri);
         for (auto& [uri, other] : documents.all())
