@@ -13,7 +13,7 @@ struct Reader {
     std::function<void(const std::string&)> read;
 };
 
-/// Returns the readers of the program that this is linked into: lower_rooms.cpp or upper_rooms.cpp.
+/// Returns the readers that this program is linked with: those of lower_rooms.cpp or those of upper_rooms.cpp.
 std::span<const Reader> readers();
 
 /// Boots transputers with these bytes (booted.cpp).
