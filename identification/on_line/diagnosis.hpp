@@ -72,7 +72,6 @@ struct SampleOutcome {
 /// readings of a fast logger are first averaged to samples about 20 ms apart (hydraulics/data/sampling.hpp). Single
 /// readings are used only by the checks for frozen sensors and for pressures below vacuum, and to compute a spool's
 /// position from its voltage.
-/// from its voltage.
 ///
 /// 1. The state is a function of settings, seed, name, parameters and the accepted inputs in their order, and of
 /// nothing else.
