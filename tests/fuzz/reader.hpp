@@ -22,6 +22,9 @@ void boot_transputers(const std::string& bytes);
 /// Compiles a program of occam and runs it (occam.cpp).
 void compile_occam(const std::string& input);
 
+/// Reads a configuration in occam as a network (occam.cpp).
+void configure_occam(const std::string& input);
+
 /// Throws std::logic_error if the claim about the read data does not hold.
 void require(bool holds, const char* claim);
 
