@@ -55,7 +55,7 @@ public:
             check_window();
         if (integer("elite") > integer("population") - 2)
             refuse("elite",
-                   fmt::format("an elite of {} leaves no pair to be bred in a population of {}", integer("elite"),
+                   fmt::format("an elite of {} in a population of {} leaves no pair to breed", integer("elite"),
                                integer("population")),
                    fmt::format("the elite can have at most {} individuals", integer("population") - 2));
         check_coding();

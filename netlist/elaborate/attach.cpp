@@ -60,8 +60,9 @@ std::size_t Elaborator::device_end(const Reference& reference, const Found& foun
         refuse(reference.field_at, fmt::format("a {} has slots: {}.slot[...]", draft_.nodes[node].type, reference.name),
                how_to_attach);
     if (kind.bus == BusRole::none)
-        refuse(reference.field_at, fmt::format("{} has no place on a bus", with_article(draft_.nodes[node].type)),
-               "a workstation, a busmaster and a link adapter (C011, C012) have one");
+        refuse(reference.field_at,
+               fmt::format("{} cannot be connected to a bus", with_article(draft_.nodes[node].type)),
+               "a workstation, a busmaster and a link adapter (C011, C012) can be connected");
     return node;
 }
 

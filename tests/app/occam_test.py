@@ -152,7 +152,7 @@ PROC hello (CHAN OF SP fs, ts)
 """, "--keys", "a")
         self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
         self.assertRegex(done.stdout, r"deadlock at \d+\.\d+ ms")
-        self.assertIn("waits; an earlier request for a key found none", done.stdout)
+        self.assertIn("waits; an earlier request for a key found no key", done.stdout)
         self.assertRegex(done.stdout, r"root\.\d+:5 +inputs")
 
     def test_a_program_without_a_host_ends_with_success(self):

@@ -294,7 +294,8 @@ TEST_CASE("settings that contradict each other are refused at the parameter") {
          "farm.cfs:5:39: error: the first generation waits for 4 samples, but the window holds 3");
     says(master("first_window = 11"), "the first generation waits for 11 samples, but the window holds 10");
     CHECK(master("window = 3").empty()); // first_window has a default, which is reduced to the window
-    says(master("population = 10, elite = 9"), "farm.cfs:5:56: error: an elite of 9 leaves no pair to be bred");
+    says(master("population = 10, elite = 9"),
+         "farm.cfs:5:56: error: an elite of 9 in a population of 10 leaves no pair");
     says(master("bias = 8388609.0"), "expected from 1e-300 to 8388608");
     CHECK(master("bias = 8388608.0").empty());
     says(refusal("host", "host (samples = 13, problem = \"line\");"),
