@@ -47,7 +47,7 @@ class Programs(unittest.TestCase):
             file = pathlib.Path(folder) / "ring.btl"
             done = placedpar("compile", program, "-o", file)
             self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertRegex(done.stdout, r"ring\.btl: \d+ bytes for a T800; the places of its code are in .*ring\.lines\n")
+            self.assertRegex(done.stdout, r"ring\.btl: \d+ bytes for a T800; the source lines of its code are in .*ring\.lines\n")
             self.assertEqual(self.run_program(file), self.run_program(program))
 
     def run_text(self, text, *options, command="run"):
