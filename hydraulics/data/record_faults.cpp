@@ -113,8 +113,7 @@ void check_times(Record& record, const TextTable& table, const TimeColumn& time,
     const bool goes_on = record.period_s > 0;
     record.period_s = goes_on ? record.period_s : median_step(record.time_s);
     if (!(record.period_s > 0)) {
-        faults.push_back(error_at(table.rows[1].line, table.rows[1].cells[time.index].column,
-                                  "most times are not later than the time before them",
+        faults.push_back(error_at(table.rows[1].line, table.rows[1].cells[time.index].column, "most times do not rise",
                                   "rows must be in order of time"));
         return;
     }

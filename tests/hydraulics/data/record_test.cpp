@@ -92,8 +92,7 @@ TEST_CASE("a wrong header is refused with its place") {
           "it: --column time=NAME\n");
     CHECK(record_faults("time [s]\n"
                         "0\n") == "error 1:1: the record has no column of a sensor | LINK.SENSOR, such as "
-                                  "boom.inlet_pressure [psi]; or name it: --column "
-                                  "boom.inlet_pressure=NAME\n");
+                                  "boom.inlet_pressure [psi]; or name it: --column boom.inlet_pressure=NAME\n");
     CHECK(record_faults("time [s],boom.angle\n0,1\n") ==
           "error 1:10: column \"boom.angle\" has no unit | boom.angle [UNIT] with deg or rad\n");
     CHECK(record_faults("time [s],boom.angle [psi]\n0,1\n") ==
@@ -130,9 +129,8 @@ TEST_CASE("a wrong reading is refused with its place") {
 
 TEST_CASE("wrong times are refused with their place") {
     CHECK(record_faults(boom_columns + rows(0, 4)) == "error 0:0: the record has 4 samples, expected at least 5\n");
-    constexpr const char* rowless =
-        "error 0:0: the record has 0 samples, expected at least 5 | write a line for each instant below "
-        "the header; lines end in LF or in CR LF\n";
+    auto rowless = "error 0:0: the record has 0 samples, expected at least 5 | write a line for each instant below "
+                   "the header; lines end in LF or in CR LF\n";
     CHECK(record_faults(boom_columns) == rowless);
     CHECK(record_faults("time [s],boom.angle [deg]0.00,20.0,0.02,20.1") == rowless); // the line ends were lost
     CHECK(record_faults("time [s],boom.angle [deg]0.00,20.0,boom.spool [in]") == rowless);
@@ -155,8 +153,7 @@ TEST_CASE("wrong times are refused with their place") {
     std::string backwards = boom_columns;
     for (int i = 9; i >= 0; --i)
         backwards += row(0.02 * i);
-    CHECK(record_faults(backwards) ==
-          "error 3:1: most times are not later than the time before them | rows must be in order of time\n");
+    CHECK(record_faults(backwards) == "error 3:1: most times do not rise | rows must be in order of time\n");
     std::string milliseconds = "boom.angle [deg],time [s]\n";
     for (int i = 0; i < 6; ++i)
         milliseconds += fmt::format("{},{}\n", i, 20 * i);
