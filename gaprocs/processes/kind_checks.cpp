@@ -181,7 +181,7 @@ private:
                 ignored.emplace_back(parameter);
         if (!ignored.empty())
             warn(ignored.front(),
-                 fmt::format("ignored, since \"{}\" is an objective without measurements: {}", text("problem"),
+                 fmt::format("without effect, since \"{}\" is an objective without measurements: {}", text("problem"),
                              fmt::join(ignored, ", ")),
                  "\"generations\" of ga.host sets the length of the search");
     }

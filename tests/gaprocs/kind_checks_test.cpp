@@ -345,11 +345,12 @@ TEST_CASE("parameters that need a record are ignored, with a warning, for a prob
           "cycles_per_measurement_word = 0", "measurements = \"sample\""}) {
         std::string name(parameter, std::string(parameter).find(' '));
         says(refusal_of_sphere("", fmt::format(", {}", parameter)),
-             fmt::format("farm.cfs:5:41: warning: ignored, since \"sphere\" is an objective without measurements: {}\n",
-                         name));
+             fmt::format(
+                 "farm.cfs:5:41: warning: without effect, since \"sphere\" is an objective without measurements: {}\n",
+                 name));
     }
     says(refusal_of_sphere(", samples = 3", ""),
-         "farm.cfs:4:27: warning: ignored, since \"sphere\" is an objective without measurements: samples\n");
+         "farm.cfs:4:27: warning: without effect, since \"sphere\" is an objective without measurements: samples\n");
     says(refusal_of_sphere(", sample_bytes = 3", ""), "hint: \"generations\" of ga.host sets the length of the search");
     says(refusal_of_sphere("", ", window = 10, bias = 400.0"), "without measurements: window, bias\n");
     says(refusal("host", "host (problem = \"line\", generations = 3);"),
