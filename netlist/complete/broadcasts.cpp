@@ -90,7 +90,7 @@ void Broadcasts::require_master(const NetworkChannel& channel, const Placed& pla
                        "not a master of this bus",
                        channel.name, node_name(placed.bus()), sender.name, node_name(channel.from.node)),
            masters.empty() ? "the bus has no master; connect a workstation or a bus master to it"
-                           : fmt::format("its masters are {}", fmt::join(masters, ", ")),
+                           : fmt::format("the masters of the bus are {}", fmt::join(masters, ", ")),
            {{"the process is placed here", sender.placed}});
 }
 

@@ -68,7 +68,7 @@ std::size_t Elaborator::device_end(const Reference& reference, const Found& foun
 
 int Elaborator::bus_subscript(const Reference& reference, int least, int most) {
     auto given = subscripts(reference.field_subscripts);
-    std::string range = least == most ? fmt::format("it is {}.{}[{}]", reference.name, reference.field, least)
+    std::string range = least == most ? fmt::format("the only one is {}.{}[{}]", reference.name, reference.field, least)
                                       : fmt::format("expected from {} to {}", least, most);
     if (given.size() != 1)
         refuse(reference.field_at,
