@@ -37,8 +37,8 @@ inline double resident_bytes() {
     return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-/// Calls the measurement in a new thread. A thread keeps the stacks of one simulation for the next; a new thread has
-/// none yet, so that memory can be measured.
+/// Calls the measurement in a new thread. A thread keeps stacks for its next simulation. A new thread has none, so the
+/// memory that the simulation needs can be measured.
 template <class Measurement>
 void in_a_thread_of_its_own(Measurement measurement) {
     std::thread(measurement).join();

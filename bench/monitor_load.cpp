@@ -76,8 +76,8 @@ std::string sample_line(const Part& part, std::size_t index) {
     return fmt::format("{{\"type\":\"sample\",\"time_s\":{:.2f},\"links\":{{{}}}}}\n", sample.time_s, links);
 }
 
-/// A control system that says hello and then sends samples, either at fixed intervals or as soon as the last is
-/// answered.
+/// A control system that says hello and then sends samples, either at fixed intervals or as soon as the previous sample
+/// is answered.
 class ControlSystem : public std::enable_shared_from_this<ControlSystem> {
 public:
     ControlSystem(asio::io_context& io, const Part& part, std::size_t number, std::size_t samples)

@@ -1,6 +1,6 @@
-// How fast programs in occam are compiled and executed. The first programs run on one emulated T800-20. A row says how
-// many simulated seconds pass in a second of the host's processor. The ring has a process for each channel, and a token
-// goes around once. The last row is a long program that is only checked and compiled.
+// This program measures how fast programs in occam are compiled and executed. The first programs run on one emulated
+// T800-20. A row says how many simulated seconds pass in a second of the host's processor. The ring has a process for
+// each channel, and a token goes around once. The last row is a long program that is only checked and compiled.
 
 #include "bench/measure.hpp"
 #include "occam/check/check.hpp"
@@ -47,7 +47,7 @@ Image compiled(std::shared_ptr<const SourceFile> file) {
     return image_of(occam::compile(*parsed.program, *occam::main_procedure(*parsed.program), options), options);
 }
 
-/// A server at link 0 that takes no time. It succeeds in whatever a program asks for, which is to write or to exit.
+/// A server at link 0 that takes no time. It grants every request; programs request only to write and to exit.
 class Server final : public LinkEngines {
 public:
     void begin_transfer(int channel, Word address, Word bytes) override {
@@ -56,7 +56,7 @@ public:
     bool byte_waits(int) override { return false; }
     void reset(int) override {}
 
-    /// Does what the core waits for. Returns false if the program has ended, or waits for nothing.
+    /// Performs the transfer that the core waits for. Returns false if the program has ended, or waits for nothing.
     bool serve(Core& core) {
         if (output_) {
             const auto [offset, bytes] = *std::exchange(output_, std::nullopt);
@@ -79,7 +79,8 @@ public:
     const std::string& text() const { return text_; }
 
 private:
-    /// Answers a request: its length, a tag, and for a tag of writing the stream, the length of a text, and the text.
+    /// Answers a request. A request is its length and a tag; a request to write also has the stream, the length of a
+    /// text, and the text.
     void answer() {
         constexpr int write = 13, puts = 15, exit = 35;
         const int tag = request_[2];
@@ -99,7 +100,7 @@ private:
     bool has_exited_ = false;
 };
 
-/// The output of a program, mostly its result and its ticks, and the time that it took.
+/// The output of a program, which usually prints its result and its ticks, and the time of its run.
 struct Ran {
     std::string text;
     double simulated_s = 0, host_s = 0;

@@ -1,5 +1,5 @@
-// This program measures how much longer a genetic algorithm of 100 individuals computes natively for each sample of
-// chapter 5's plant than recursive least squares with all four delays does.
+// This program compares native processor times for each sample of chapter 5's plant: a genetic algorithm of 100
+// individuals against recursive least squares with all four delays.
 //
 // usage: recursion [SEEDS]
 

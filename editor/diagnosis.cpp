@@ -75,18 +75,18 @@ json::array related_json(const Diagnostic& diagnostic, NamesOf names, const Docu
 } // namespace
 
 const NetlistSyntax& syntax_of(Document& document) {
-    if (!document.syntax)
-        document.syntax = read_syntax(document.file);
-    return *document.syntax;
+    if (!document.netlist)
+        document.netlist = read_syntax(document.file);
+    return *document.netlist;
 }
 
 const OccamCheck& program_of(Document& document) {
-    if (!document.program) {
-        document.program = std::make_shared<const OccamCheck>(check_occam_source(document.file, {}));
-        if (!document.program->failed)
-            document.last_good = document.program;
+    if (!document.occam.present) {
+        document.occam.present = std::make_shared<const OccamCheck>(check_occam_source(document.file, {}));
+        if (!document.occam.present->failed)
+            document.occam.last_good = document.occam.present;
     }
-    return *document.program;
+    return *document.occam.present;
 }
 
 std::vector<Diagnostic> check_document(Document& document, const Catalogue& catalogue) {

@@ -82,9 +82,9 @@ Location Document::location(Position position) const {
 }
 
 void Document::forget() {
-    syntax.reset();
-    program.reset();
-    cycles.reset();
+    netlist.reset();
+    occam.present.reset();
+    occam.cycles.reset();
 }
 
 void Documents::set_text(Document& document, std::string text) {

@@ -21,7 +21,14 @@ namespace placedpar::editor {
 
 enum class Language : std::uint8_t { netlist, configuration, occam, study };
 
-/// A text that an editor has open, and what is known about it. Results of reading the text are kept until it changes.
+/// The kept results of checking a program in occam.
+struct OccamResults {
+    std::shared_ptr<const OccamCheck> present = {};   ///< check of the present text; null: not checked yet
+    std::shared_ptr<const OccamCheck> last_good = {}; ///< check of the last version without errors; null: there is none
+    std::optional<std::map<std::size_t, LineCycles>> cycles = {}; ///< cycles of each line of the present text
+};
+
+/// A text that an editor has open. Results of reading the text are kept until it changes.
 struct Document {
     std::string uri;
     std::filesystem::path path;
@@ -31,12 +38,10 @@ struct Document {
     std::optional<std::uint64_t> version = {};
     std::shared_ptr<const SourceFile> file;
 
-    std::set<std::filesystem::path> included = {};    ///< files that the text includes
-    std::optional<NetlistSyntax> syntax = {};         ///< set for a netlist
-    std::shared_ptr<const OccamCheck> program = {};   ///< set for a program
-    std::shared_ptr<const OccamCheck> last_good = {}; ///< the last version of the program without errors
-    std::optional<std::map<std::size_t, LineCycles>> cycles = {};
-    bool failed = false; ///< the last check has found an error, perhaps since a file was missing
+    std::set<std::filesystem::path> included = {}; ///< files that the text includes
+    std::optional<NetlistSyntax> netlist = {};     ///< syntax of a netlist; nullopt: not read yet, or another language
+    OccamResults occam = {};                       ///< empty for other languages
+    bool failed = false; ///< whether the last check has found an error, perhaps because a file was missing
 
     /// Returns the place of a position. Throws RequestError if the position is after the end of the text.
     Location location(Position) const;

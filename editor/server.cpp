@@ -143,8 +143,8 @@ struct LanguageServer::State {
             found = complete_netlist(syntax_of(document), catalogue, at);
         else if (document.language == Language::occam) {
             program_of(document); // also stores it as the last good program, if it has no errors
-            found =
-                complete_occam(*document.file, document.last_good ? document.last_good->program.get() : nullptr, at);
+            found = complete_occam(*document.file,
+                                   document.occam.last_good ? document.occam.last_good->program.get() : nullptr, at);
         }
         json::array items;
         for (const Completion& each : found)
@@ -262,7 +262,7 @@ struct LanguageServer::State {
         document.forget();
     }
 
-    /// Marks a text to be checked, with the texts that include it.
+    /// Marks a text, and the texts that include it, to be checked.
     void mark_changed(const Document& document) {
         to_check.insert(document.uri);
         for (auto& [uri, other] : documents.all())
@@ -275,10 +275,10 @@ struct LanguageServer::State {
         const OccamCheck& program = program_of(document);
         if (program.failed || document.is_part)
             return "";
-        if (!document.cycles)
-            document.cycles = cycles_of_lines(*program.program, {}, hover_model);
-        const auto found = document.cycles->find(at.line);
-        return found == document.cycles->end() ? "" : text_of_cycles(found->second, hover_model);
+        if (!document.occam.cycles)
+            document.occam.cycles = cycles_of_lines(*program.program, {}, hover_model);
+        const auto found = document.occam.cycles->find(at.line);
+        return found == document.occam.cycles->end() ? "" : text_of_cycles(found->second, hover_model);
     }
 
     std::string hover_text(Document& document, const Location& at) {

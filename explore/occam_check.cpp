@@ -19,11 +19,13 @@ void leave_out_unwanted(occam::SourceOptions& options, const occam::SourceOption
 } // namespace
 
 OccamCheck check_occam_source(std::shared_ptr<const SourceFile> file, std::vector<std::filesystem::path> folders,
-                              const occam::SourceOptions& wanted) {
+                              const occam::SourceOptions& wanted, std::shared_ptr<const SourceFile> standard_input) {
     Reporter reporter;
     occam::ParseOptions options;
     options.folders = std::move(folders);
-    options.built_in = [](const std::string& name) { return occam::library_text(name); };
+    options.built_in = [&standard_input](const std::string& name) {
+        return standard_input && name == "standard input" ? standard_input->text() : occam::library_text(name);
+    };
     occam::Parsed parsed = occam::parse(std::move(file), options, reporter);
     if (!reporter.failed()) {
         leave_out_unwanted(parsed.options, wanted);

@@ -5,6 +5,7 @@
 #include "occam/configuration/configuration.hpp"
 #include "text/load_source.hpp"
 #include "text/number.hpp"
+#include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -35,14 +36,10 @@ bool leaves_out(const OccamOptions& options, std::string_view name) {
     return found;
 }
 
-OccamCheck checked(const std::shared_ptr<const SourceFile>& file, std::span<const std::string> folders,
-                   const OccamOptions& typed, const WarningSink& warn) {
-    OccamCheck program = check_occam_source(file, {folders.begin(), folders.end()}, wanted_checks(typed));
-    const std::string text = render(program.diagnostics) + program.not_shown;
+/// Throws RefusedInput if the program has errors. Its warnings stay in the result.
+OccamCheck without_errors(OccamCheck program) {
     if (program.failed)
-        throw RefusedInput(text);
-    if (!text.empty())
-        warn(text);
+        throw RefusedInput(render(program.diagnostics) + program.not_shown);
     return program;
 }
 
@@ -68,9 +65,10 @@ bool gets_free_memory(const occam::Declaration& main) {
 
 /// Returns a program that calls a main procedure that uses a terminal.
 std::shared_ptr<const SourceFile> around(const std::filesystem::path& path, const occam::Declaration& main) {
+    const std::string file = is_standard_stream(path) ? "standard input" : path.filename().string();
     const auto& keyboard = *std::get<occam::Procedure>(main.form).parameters.front();
     const bool reads = keyboard.direction != occam::Direction::unused;
-    return std::make_shared<SourceFile>((path.parent_path() / ("terminal of " + path.filename().string())).string(),
+    return std::make_shared<SourceFile>((path.parent_path() / ("terminal of " + file)).string(),
                                         fmt::format(R"(#INCLUDE "hostio.inc"
 #USE "terminal.lib"
 #INCLUDE "{}"
@@ -84,7 +82,7 @@ PROC run.with.terminal (CHAN OF SP fs, ts)
       ended ! TRUE
 :
 )",
-                                                    path.filename().string(), reads ? "TRUE" : "FALSE", main.name));
+                                                    file, reads ? "TRUE" : "FALSE", main.name));
 }
 
 } // namespace
@@ -111,17 +109,31 @@ bool is_occam(const std::filesystem::path& path) {
     return path.extension() == ".occ" && !occam::is_configuration(path);
 }
 
-CompiledOccam compile_occam(const std::filesystem::path& path, std::span<const std::string> folders,
-                            const OccamOptions& typed, transputer::Model model, const WarningSink& warn) {
-    OccamCheck program = checked(loaded(path), folders, typed, warn);
+namespace {
+
+/// Reads and checks a program, with a procedure around its main procedure if that one uses a terminal.
+OccamCheck checked_program(const std::filesystem::path& path, const std::vector<std::filesystem::path>& folders,
+                           const OccamOptions& typed, const WarningSink& warn) {
+    const std::shared_ptr<const SourceFile> file = loaded(path);
+    OccamCheck program = without_errors(check_occam_source(file, folders, wanted_checks(typed)));
+    if (!program.diagnostics.empty())
+        warn(render(program.diagnostics) + program.not_shown);
     if (program.program->is_configuration)
         throw UserError(fmt::format("{}: the file is a configuration; compile makes a program for one transputer, and "
                                     "run takes a configuration",
                                     path.string()));
     if (!program.main)
         throw UserError(fmt::format("{}: the file has no PROC that can be run", path.string()));
-    if (uses_terminal(*program.main))
-        program = checked(around(path, *program.main), folders, typed, warn);
+    if (!uses_terminal(*program.main))
+        return program;
+    return without_errors(check_occam_source(around(path, *program.main), folders, wanted_checks(typed), file));
+}
+
+} // namespace
+
+CompiledOccam compile_occam(const std::filesystem::path& path, std::span<const std::string> folders,
+                            const OccamOptions& typed, transputer::Model model, const WarningSink& warn) {
+    const OccamCheck program = checked_program(path, {folders.begin(), folders.end()}, typed, warn);
     const occam::CodeOptions options{.model = model,
                                      .mode = occam::error_mode(typed.mode),
                                      .range_checks = program.options.range_checks && program.options.run_time_checks,

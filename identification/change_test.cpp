@@ -84,8 +84,8 @@ BestSplit best_split(const Part& part, ErrorsBy errors) {
     return best;
 }
 
-/// Returns the share of made-up parts without a change whose best split has at least the quotient; a share above
-/// `level` is not counted to its end.
+/// Returns the share of random parts without a change whose best split has at least this quotient. Stops counting once
+/// the share exceeds `level`.
 double probability_of(double quotient, const Part& part, ErrorsBy errors, double level) {
     RandomStream random(1, "series without a change");
     std::vector<UncertainValue> estimates(part.estimates.begin(), part.estimates.end());

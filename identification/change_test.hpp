@@ -14,19 +14,21 @@ struct UncertainValue {
 /// A change between two neighbouring estimates of a series.
 struct SeriesChange {
     std::size_t at;               ///< index of the first estimate after the change
-    UncertainValue before, after; ///< weighted means of the estimates on both sides, with errors by what decided
+    UncertainValue before, after; ///< weighted means on both sides; their errors are standard errors or from the
+                                  ///< scatter
     double probability;           ///< probability of at least so large a difference if nothing has changed
 };
 
-/// In a shorter series the standard errors alone decide, since its scatter shows too late that they are too small.
+/// In a series of fewer estimates only the standard errors decide: its scatter could not show in time that they are too
+/// small.
 inline constexpr std::size_t fewest_for_scatter = 6;
 
 /// Looks for the one change that explains a series best. For each place, the difference of the weighted means before
 /// and after is divided by its standard error. If the estimates scatter around the two means more than their standard
 /// errors allow, the scatter replaces the standard errors. The greatest of these quotients is compared with the
 /// quotients of 9,999 made-up series that do not change, with normal errors in the same proportions. A change is
-/// returned only if its probability is at most `level`. So about this share of the series without a change give one.
-/// `level` should be at least 0.001. Equal series give equal results.
+/// returned only if its probability is at most `level`, so about this share of all series without a change yield a
+/// change. `level` should be at least 0.001. Equal series give equal results.
 std::optional<SeriesChange> find_change(const std::vector<UncertainValue>& series, double level);
 
 /// Looks for further changes in the parts before and after each change. The scatter is computed from the whole series

@@ -22,7 +22,7 @@ constexpr std::size_t symbols_of_curve = 9;
 /// The dashes for each colour: lengths of strokes and gaps.
 constexpr std::array<const char*, colours.size()> dashes{"solid",     "(9,4)",          "(2,3)", "(14,4,3,4)",
                                                          "(5,2,5,7)", "(14,4,3,4,3,4)", "(3,7)", "(6,3,2,3)"};
-constexpr const char* asked_for = "(8,5)"; // for Stroke::dashes
+constexpr const char* asked_for = "(8,5)"; // pattern of Stroke::dashes
 
 std::size_t colour_number(const Panel& panel, std::size_t place) {
     const auto& asked = panel.series[place].colour;

@@ -10,8 +10,8 @@ namespace placedpar {
 /// These functions return gnuplot commands that leave room between the curves and the frame of a panel.
 
 /// Returns commands that set the variables XfromN, XtoN, YfromN and YtoN for panel number N to the ends of its axes.
-/// The ends are those that gnuplot chose when it drew the panel, or farther out where a series ends at the frame. Parts
-/// of a series that an axis cuts off need no room. REQUIRES: gnuplot has just drawn the panel.
+/// Gnuplot chose these ends when it drew the panel; an end is moved farther out if a series ends at the frame. Parts of
+/// a series that an axis cuts off need no room. REQUIRES: gnuplot has just drawn the panel.
 std::string room_commands(const Panel& panel, std::size_t number);
 
 /// Returns the panel, with ends set for each axis on which all values are equal. Without them gnuplot would choose a

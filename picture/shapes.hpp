@@ -36,8 +36,8 @@ Shape tree(const std::vector<std::size_t>& hangs_from);
 /// Places nodes by their subscripts: the last subscript counts across, the second last down, the third last across
 /// again.
 Shape grid(const std::vector<std::vector<std::int64_t>>& subscripts);
-/// Makes a hypercube. With three dimensions it is a cube. With another number of dimensions it is a grid, as of a
-/// torus, whose rows and columns are in the order of the Gray code.
+/// Makes a hypercube. With three dimensions it is drawn as a cube. With another number of dimensions it is a grid whose
+/// rows and columns are in the order of the Gray code.
 Shape hypercube(std::size_t dimensions);
 /// Makes a hypercube in which each corner is a circle of `dimensions` nodes. The nodes of each corner are consecutive.
 /// REQUIRES: three dimensions or more.

@@ -414,7 +414,8 @@ std::string print_ending(const RunReport& report) {
     return painted(well ? Paint::success : Paint::failure, name_of(ending));
 }
 
-/// Prints the errors that have halted processors of a network, in front of what then waits for ever.
+/// Prints the errors that have halted processors of a network. They are printed before the processes that wait for ever
+/// as a result.
 std::string print_halts(const RunReport& report) {
     std::string out;
     if (report.programs.size() > 1)

@@ -31,7 +31,7 @@ void compute(Cycles cycles, const CodeShape& grain) {
     if (self.executive())
         self.compute(cycles, grain);
     else
-        kernel.takes_no_time();
+        kernel.count_timeless_operation();
 }
 
 void stop(const SourceLocation& where) {

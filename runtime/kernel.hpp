@@ -131,19 +131,19 @@ public:
     }
     /// Returns whether processes keep histories.
     bool keeps_histories() const { return hot_.rare_conditions.any_of(RareConditions::histories); }
-    /// Counts an operation that took no time. If more than `unheeded` operations were counted since time last passed,
-    /// and the run was interrupted, ends the process by throwing Unwinding. After `most_operations_at_once` operations
-    /// throws std::logic_error, because time would never pass. Does neither while processes are unwound.
-    void takes_no_time(std::uint64_t unheeded = 0) {
+    /// Counts an operation that took no time. After more than `unchecked` operations in a row, each call checks the
+    /// run. If the run was interrupted, ends the process by throwing Unwinding. After `most_operations_at_once`
+    /// operations throws std::logic_error, because time would never pass. While processes are unwound, throws nothing.
+    void count_timeless_operation(std::uint64_t unchecked = 0) {
         if (std::exchange(hot_.operations_at, hot_.now) != hot_.now)
             hot_.operations_at_once = 0;
-        if (++hot_.operations_at_once > unheeded)
-            heed_operations();
+        if (++hot_.operations_at_once > unchecked)
+            check_timeless_operations();
     }
     static constexpr std::uint64_t most_operations_at_once = 100'000'000;
-    /// The number of clock readings, without time passing, before a reading checks for an interruption. Below it,
-    /// reading the clock never throws, so that a destructor may do it.
-    static constexpr std::uint64_t unheeded_readings = most_operations_at_once / 1000;
+    /// The number of clock readings in a row, without time passing, that are not checked. Up to this number, reading
+    /// the clock never throws, so that a destructor may do it.
+    static constexpr std::uint64_t unchecked_readings = most_operations_at_once / 1000;
     /// Makes a waiting process ready when the work is over.
     void after_work(Process& p) { end_.after_work.push_back(p); }
     /// Advances virtual time to `until` if nothing else can happen before or at that time. Returns whether time was
@@ -204,7 +204,7 @@ private:
             unwind_running();
     }
     ReplayLog* attend(const Process& running);
-    void heed_operations();
+    void check_timeless_operations();
     void tell_and_make_ready(Process&);
 
     void add(Process&);

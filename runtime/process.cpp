@@ -116,7 +116,7 @@ inline bool Process::computes_at_once(Cycles cycles, const CodeShape& fineness) 
         return true;
     bool at_once = executive_->begin_computing(*this, cycles, fineness);
     if (at_once)
-        kernel_.takes_no_time();
+        kernel_.count_timeless_operation();
     return at_once;
 }
 

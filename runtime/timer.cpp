@@ -27,7 +27,7 @@ std::int64_t seen_by(const Process& self, ReplayLog::Action what, Look look) {
 
 [[gnu::noinline]] Time now_as_seen(Kernel& kernel) {
     return Time{seen_by(kernel.running(), ReplayLog::Action::now, [&] {
-        kernel.takes_no_time(Kernel::unheeded_readings);
+        kernel.count_timeless_operation(Kernel::unchecked_readings);
         kernel.look_at_clock();
         return kernel.now().count();
     })};
@@ -56,7 +56,7 @@ namespace {
 inline Time now(Kernel& kernel) {
     if (kernel.keeps_histories()) [[unlikely]]
         return now_as_seen(kernel);
-    kernel.takes_no_time(Kernel::unheeded_readings);
+    kernel.count_timeless_operation(Kernel::unchecked_readings);
     kernel.look_at_clock();
     return kernel.now();
 }

@@ -11,19 +11,22 @@ namespace placedpar::serve {
 ///   "do"        "check", "run", "explain", "listing" or "exercise"
 ///   "main"      the file that is checked or run: a netlist or a configuration, or a program in occam (.occ)
 ///   "files"     {name: text}; no other file is read
-///   "seed"      of the run; 1 if it is missing
+///   "seed"      the seed of the run; 1 if it is missing
 ///   "exercise"  the number of the exercise that "main" solves
 ///   "expected"  what a solution prints, if the task is not an exercise of the course
 ///   "keys"      the keys that are pressed for a program; none if it is missing
 ///
-/// The answer to "check" is {"faults": [...]}. The other answers have "ended" and "warnings". If there is no run, they
-/// have "faults" and "refused", which says why as the command line does. After a run they have "output" (the text that
-/// booted programs printed), "report" and "page" (HTML), and, if requested, "explanation" or "listing". After an
-/// exercise, they have "verdict", "result" (name_of(StudentRun::End)) and, if the program ran to its end,
-/// "simulated_ms".
+/// The answer to "check" has only "faults". Any other answer has "ended" and, by the value of "ended", these members:
 ///
-/// "ended" is the ending of the run as name_of(Ending) writes it, "solved" or "not solved" after an exercise, "refused"
-/// if there is no run, or "failed" after a failure. A process that is killed at a limit has no answer; the service
+///   "refused"           "refused" (the reason, as the command line prints it), "faults"; there was no run
+///   "failed"            "refused" (the reason); the run ended by an exception
+///   of name_of(Ending)  "output" (text that booted programs printed), "report", "page" (HTML) or "page_missing" (the
+///                       reason), and, if the job asks for it, "explanation" or "listing"
+///   "solved", "not solved", "interrupted", for an exercise
+///                       "verdict", "result" (name_of(StudentRun::End)), and "simulated_ms" if the program ran to its
+///                       end
+///
+/// An answer also has "warnings", unless the run failed. A process that is killed at a limit has no answer; the service
 /// answers with "killed" (serve/runs.hpp).
 ///
 /// After `limits.seconds` the run is interrupted, and the answer has the results up to then.

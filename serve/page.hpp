@@ -4,7 +4,7 @@
 
 namespace placedpar::serve {
 
-// Functions that return parts of the page. The build embeds the files: see CMakeLists.txt.
+// These functions return parts of the page. The build embeds the files: see CMakeLists.txt.
 
 std::string frame_html(); ///< has placeholders: @STYLE@ and @PROGRAM@
 std::string style_css();  ///< CodeMirror's style, then ours

@@ -14,8 +14,8 @@ struct sqlite3_stmt;
 
 namespace placedpar::store {
 
-/// An error with SQLite's message and, if there is one, the operating system's. `damage()` returns whether the file is
-/// damaged, or is not a database.
+/// An error with SQLite's message and, if there is one, the operating system's message. `damage()` returns whether the
+/// file is damaged, or is not a database.
 class DatabaseError : public UserError {
 public:
     DatabaseError(const std::string& what, bool damage) : UserError(what), damage_(damage) {}
@@ -28,7 +28,7 @@ private:
 /// An open SQLite database. Its functions and its statements' functions throw DatabaseError. Not thread-safe.
 class Database {
 public:
-    /// Opens the database. `make`: create the file if it does not exist.
+    /// Opens the database. With `make`, creates the file if it does not exist.
     explicit Database(const std::filesystem::path& path, bool make = true);
 
     /// Executes any number of statements without parameters, and discards their results.

@@ -14,13 +14,13 @@
 
 namespace placedpar::test {
 
-/// The seed that the environment variable PLACEDPAR_SEED asks for; null if it asks for none.
+/// Returns the value of the environment variable PLACEDPAR_SEED; null if it is not set.
 inline const char* seed_asked_for() { return std::getenv("PLACEDPAR_SEED"); }
 
-/// Whether a test runs all of its cases, and so may judge the totals.
+/// Returns whether a test runs all of its cases, so that it may judge the totals.
 inline bool all_seeds() { return !sanitized && !seed_asked_for(); }
 
-/// Returns the seeds of a random test: `count` of them, a tenth of them under sanitizers, or only the one in
+/// Returns the seeds of a random test: `count` of them, a tenth of them under sanitizers, or only the seed in
 /// PLACEDPAR_SEED. With `INFO(test::replay(seed))`, a failing case prints the command that repeats it.
 inline std::vector<std::uint64_t> seeds(std::size_t count, std::uint64_t first = 0) {
     if (const char* one = seed_asked_for())

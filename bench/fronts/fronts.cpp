@@ -1,5 +1,5 @@
-// This program searches for the fronts of ZDT1 to ZDT4 and for the optima of G01 to G06, and prints what each seed
-// found. compare.py compares that with other programs.
+// This program searches for the fronts of ZDT1 to ZDT4 and for the optima of G01 to G06, and prints the result of each
+// seed. compare.py compares the results with the results of other programs.
 //
 // usage: fronts SEEDS FRONT_EVALUATIONS CONSTRAINED_EVALUATIONS
 

@@ -1,4 +1,4 @@
-// This program does with pagmo what fronts.cpp does with PlacedPar, of which it uses nothing. For the fronts, it runs
+// This program makes the searches of fronts.cpp with pagmo, and uses nothing of PlacedPar. For the fronts, it runs
 // `nsga2`, with the operators of PlacedPar ("pagmo") or with pagmo's defaults ("pagmo-defaults"). For the constraints,
 // it runs the ant colony `gaco` ("pagmo") or `cstrs_self_adaptive` with differential evolution ("pagmo-adaptive").
 //

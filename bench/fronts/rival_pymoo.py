@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Does with pymoo what fronts.cpp does with PlacedPar: NSGA2 for fronts and GA for constraints, with pymoo's defaults.
+"""Makes the searches of fronts.cpp with pymoo: NSGA2 for fronts and GA for constraints, with pymoo's defaults.
 
 usage: rival_pymoo.py SEEDS FRONT_EVALUATIONS CONSTRAINED_EVALUATIONS
 """
@@ -16,7 +16,7 @@ except ImportError:
 
 
 def search(name, algorithm, evaluations, seed):
-    """Prints what was found; `name` is that of PlacedPar."""
+    """Prints the result; `name` is PlacedPar's name of the problem."""
     problem = get_problem(name.replace("g0", "g"))
     found = minimize(problem, algorithm, ("n_eval", evaluations), seed=seed, verbose=False)
     rows = [["not", "feasible"]] if found.F is None else [[repr(float(value)) for value in row]

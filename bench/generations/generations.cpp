@@ -50,7 +50,7 @@ double pole_error(const Chase& chase, const Answer& answer) {
 
 struct Result {
     Contestant contestant;
-    double seconds = std::numeric_limits<double>::infinity(); // for all chases, in the fastest round
+    double seconds = std::numeric_limits<double>::infinity(); // time of all chases in the fastest round
     std::vector<Answer> answers;
 
     void run(std::span<const Chase> chases) {

@@ -53,8 +53,9 @@ struct Transient {
 };
 
 struct Answer {
-    double compliance; // of the best individual in the last generation; for the service, the median that it reports
-    std::uint64_t error_evaluations; // each of one individual at one sample; 0: not counted
+    double compliance; // compliance of the best individual in the last generation; for the service, the median that it
+                       // reports
+    std::uint64_t error_evaluations; // number of errors computed, each for one individual at one sample; 0: not counted
 };
 
 struct Contestant {

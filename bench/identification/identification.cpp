@@ -41,7 +41,7 @@ Transient transient_of(std::uint64_t seed) {
 
 struct Result {
     Contestant contestant;
-    double seconds = std::numeric_limits<double>::infinity(); // for all transients, in the fastest round
+    double seconds = std::numeric_limits<double>::infinity(); // time of all transients in the fastest round
     std::uint64_t error_evaluations = 0;
     std::vector<double> compliances;
 

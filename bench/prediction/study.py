@@ -5,7 +5,7 @@ Calibrates this computer, and compares predicted with measured times of native r
 two ranks of mpirun if it is installed: farms of 1 to 7 slaves, islands and pipelines, with evaluations of about 1 us to
 10 ms. Then compares two threads with one, with DEAP, and with pagmo.
 Writes calibration, tables (CSV) and plots (SVG, by gnuplot) into FOLDER. Takes some minutes; --quick makes a few runs
-only. A measured time is the median of the runs; the least is beside it, for a computer that others use, too.
+only. A measured time is the median of the runs; the least time is beside it, since other programs may delay a run.
 """
 
 import argparse
@@ -22,8 +22,8 @@ import tempfile
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples" / "native"
 UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1}
 WORK = {"1 us": 30, "10 us": 300, "100 us": 3000, "1 ms": 30000, "10 ms": 300000}
-BAND = 0.15  # of the measured time
-AIM_S = 0.4  # length of a run
+BAND = 0.15  # largest relative error, as a share of the measured time
+AIM_S = 0.4  # intended length of a run
 
 FARMS = [(1, "1 us"), (3, "1 us"), (7, "1 us"), (1, "10 us"), (2, "10 us"), (5, "10 us"), (3, "100 us"), (6, "100 us"),
          (4, "1 ms"), (7, "1 ms"), (2, "10 ms")]
@@ -31,7 +31,7 @@ ISLANDS = [(2, "1 us"), (4, "1 us"), (4, "10 us"), (8, "100 us"), (4, "1 ms")]
 PIPELINES = [(1, "10 us"), (2, "100 us"), (3, "100 us"), (2, "1 ms")]
 
 
-# As root, mpirun wants to be allowed.
+# mpirun refuses to run as root without these variables.
 ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
 
@@ -75,7 +75,7 @@ class Program:
 
 
 def compare(program, calibration, places, runs, quick):
-    """Compares on two places, which are "threads" or "ranks"."""
+    """Compares predicted and measured times on two threads or two ranks: `places` is "threads" or "ranks"."""
     rows = []
     chosen = list(netlists())
     measured = program.measured if places == "threads" else program.measured_on_ranks

@@ -71,7 +71,7 @@ def ring_of_placedpar(processes, rounds):
 
 
 def ring_of_simpy(processes, rounds):
-    """The same with SimPy 3 or 4: a store for one message stands for each channel."""
+    """Returns the run of the ring with SimPy 3 or 4, in which each channel is a store for one message."""
     import simpy
 
     def first(store, following):
@@ -95,7 +95,7 @@ def ring_of_simpy(processes, rounds):
 
 
 def ring_of_simpy_2(processes, rounds):
-    """The same with SimPy 2."""
+    """Returns the run of the ring with SimPy 2."""
     from SimPy.Simulation import Process, Simulation, Store, get, put
 
     class First(Process):
@@ -121,7 +121,7 @@ def ring_of_simpy_2(processes, rounds):
 
 
 def ring():
-    """Messages a second around a ring: each message is an output and an input."""
+    """Compares messages per second around a ring; each message is an output and an input."""
     processes, rounds = 10, 200 if SMALL else 5000
     messages = processes * rounds
     try:
@@ -149,7 +149,7 @@ def search_of_deap(individuals, dimensions, generations):
 
 
 def search():
-    """Generations a second of a search with a fitness in NumPy."""
+    """Compares generations per second of a search with a fitness in NumPy."""
     generations = 10 if SMALL else 200
 
     def ours():
@@ -168,7 +168,7 @@ def instructions(command):
 
 
 def user_time(command):
-    """Returns the least time of a processor that a command takes, in seconds."""
+    """Returns the least processor time of a command over seven runs, in seconds."""
     times = []
     for _ in range(7):
         before = os.times().children_user
@@ -178,14 +178,14 @@ def user_time(command):
 
 
 def cost_of_a_run(command_of, cost):
-    """Returns the cost of a run: that of a command with many runs, less that of the command with two."""
+    """Returns the cost of one run, from the difference between a command with 12 runs and a command with 2 runs."""
     few, more = 2, 10
     return max(cost(command_of(few + more)) - cost(command_of(few)), 1e-6) / more
 
 
 def command_line():
-    """Runs from Python beside runs from the command line, without the start of either. Valgrind counts instructions
-    where it is installed, since times differ by more than the 1 % that a run from Python may cost."""
+    """Compares runs from Python with runs from the command line, without the start of the programs. If Valgrind is
+    installed, it counts instructions, since times vary by more than the 1 % that a run from Python may cost."""
     if SMALL:
         raise Skipped("it takes minutes")
     built = pathlib.Path(pp._core.__file__).parents[2] / "app" / "placedpar"

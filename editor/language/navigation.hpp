@@ -10,7 +10,7 @@
 
 namespace placedpar::editor {
 
-// What an editor shows about the word at a place. Texts are plain, in lines.
+// These functions return what an editor shows about the word at a place, as plain text in lines.
 
 /// Describes a kind, a type, a parameter or attribute with its range, a port, a fault, or a declared name; "" for other
 /// words.

@@ -26,7 +26,7 @@ struct NetlistContext {
     Place place = Place::statement;
     std::string owner = "";     ///< the name or type before the dot or the parentheses
     std::string attribute = ""; ///< the attribute whose value stands here
-    std::string fault = "";     ///< the attributes are those of this fault of `owner`
+    std::string fault = "";     ///< if set, the attributes belong to this fault of `owner`
     std::string word = "";      ///< the word before a thing, such as "place"
 };
 

@@ -85,7 +85,7 @@ const Declaration* meaning_at(const Program& program, const Location& at) {
     return nullptr;
 }
 
-/// Adds the names of the files that are used, and those of the main file that are visible at a place; each once.
+/// Adds the names that used files declare, and the names of the main file that are visible at a place; each name once.
 void add_names(const Program& program, const SourceFile& file, const Location& at, std::vector<Completion>& found) {
     std::set<std::string> known;
     const auto add = [&](const Declaration& each) {

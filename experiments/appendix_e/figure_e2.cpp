@@ -37,7 +37,7 @@ double population_of_an_island(const Network& network) {
     return static_cast<double>(std::get<std::int64_t>(island.parameters.at("population")));
 }
 
-/// Returns the machine as appendix E describes it, beside the netlist's.
+/// Compares the machine of the netlist with the machine that appendix E describes.
 Comparison structure_of(const Network& network) {
     Comparison table{.name = "Figure E.2, the machine"};
     const double islands = count_processes(network, "ga.island"), slaves = count_processes(network, "ga.slave");

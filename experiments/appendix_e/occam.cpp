@@ -18,7 +18,8 @@
 #include <utility>
 #include <vector>
 
-// Programs in occam beside those that INMOS's compiler made in 1991, and beside the thesis's programs.
+// This experiment compares programs in occam with the programs that INMOS's compiler made in 1991, and with the
+// thesis's programs.
 
 namespace placedpar {
 
@@ -36,8 +37,8 @@ constexpr std::array ways_to_compile{
     WayToCompile{"mode stop", {.model = transputer::Model::t800, .mode = occam::ErrorMode::stop}},
 };
 
-/// A program, what it prints, and its ticks of 64 us as INMOS's occam compiler 2.01 made it in each of the three ways,
-/// on the emulated T800 with all memory on the chip.
+/// A program, the result that it prints, and its times after INMOS's occam compiler 2.01 has compiled it in each of the
+/// three ways. The times are in ticks of 64 us, on the emulated T800 with all memory on the chip.
 struct ProgramOfInmos {
     const char* name;
     double result;
@@ -49,7 +50,7 @@ constexpr std::array programs_of_inmos{
     ProgramOfInmos{"two-clients", 150015000, {3219, 3219, 3610}},
 };
 
-/// Returns the ticks that a program prints behind its result. Throws UserError if the result is wrong.
+/// Returns the ticks that a program prints after its result. Throws UserError if the result is wrong.
 double ticks_of(const ProgramOfInmos& program, const WayToCompile& way, const ReplayContext& context,
                 Fingerprint& fingerprint) {
     context.progress(fmt::format("{}, {}", program.name, way.column));
@@ -148,8 +149,8 @@ Cell cell_of_generations(const char* row, const std::string& column, const Print
     return judged_by(Judge::own, judged_cell(row, column, "", 1, run.text.find(hash) != run.text.npos, 0, 0));
 }
 
-/// A cluster whose programs are in occam. The usual generator gives the strings of ga.master; the congruential one
-/// takes less time.
+/// A cluster whose programs are in occam. With the usual generator it breeds the strings of ga.master; the congruential
+/// generator takes less time.
 struct SearchOfCluster {
     const char* name;
     const char* numbers; ///< the random numbers

@@ -82,8 +82,8 @@ void add_communication(Comparison& comparison, const TimingColumn& slaves, const
                                  rest([&](const char* row) { return slaves.simulated(row); }), 2));
 }
 
-/// Compares differences that depend on the communication alone. Communication is 1 to 3 % of the times in Table E.1, so
-/// most of these would be within their tolerances without communication.
+/// Compares differences that depend on the communication alone. Communication is only 1 to 3 % of the times in Table
+/// E.1, so most of these times would be within their tolerances even without communication.
 Comparison communication_table(const StudyReplay& study, const Comparison& table_e1) {
     Comparison comparison{.name = "cells that judge the communication", .judged = true};
     const std::array columns{"0 slaves", "1 slave", "2 slaves", "3 slaves"};

@@ -19,7 +19,7 @@ using namespace identification;
 namespace {
 
 constexpr std::size_t records_a_fault = 20;
-// Ours: a single record with a larger error looks suspicious.
+// The limit is ours: a single record with a larger error looks suspicious.
 constexpr double off_by = 0.12;
 
 const RecordSource simple_plant{"scenario-a", "low", false}, measured_machine{"excavator", "mid", true},

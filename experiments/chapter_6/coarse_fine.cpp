@@ -184,7 +184,7 @@ Series grid(const Recoding& reading, const std::string& name) {
     return points;
 }
 
-/// Returns the panel with other axes, without the points beyond them.
+/// Returns the panel with other axes, without the points beyond these axes.
 Panel part_of(Panel panel, const std::string& title, const Axis& x, const Axis& y) {
     panel.title = title;
     panel.x = x;

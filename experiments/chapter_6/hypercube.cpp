@@ -38,8 +38,8 @@ double binomial(std::size_t of, std::size_t chosen) {
     return count;
 }
 
-/// Returns a cell, which is judged unless the difference is 0. This count is 1, the vertex itself, but the thesis
-/// prints 0.
+/// Returns a cell, which is judged unless `differ` is 0: the count is then 1, the vertex itself, but the thesis prints
+/// 0.
 Cell neighbours_cell(std::size_t bits, std::size_t differ, std::size_t counted) {
     std::string row = fmt::format("neighbours at {} bit{} of difference", differ, differ == 1 ? "" : "s"),
                 column = fmt::format("l = {}", bits);

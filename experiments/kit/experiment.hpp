@@ -62,8 +62,8 @@ struct Experiment {
     bool has_printed = false; ///< whether ReplayContext::printed has an effect
 };
 
-/// Returns every experiment, as sorted by in_order(). Each file in the folders chapter_*, appendix_* and machine has
-/// one.
+/// Returns every experiment, as sorted by in_order(). Each file in the folders chapter_*, appendix_* and machine
+/// defines one experiment.
 const std::vector<Experiment>& experiments();
 
 /// Sorts by chapter, then by number. Appendices come after the chapters, and "machine" comes last.

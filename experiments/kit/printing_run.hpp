@@ -22,11 +22,11 @@ struct PrintedRun {
     std::vector<double> numbers() const;
 };
 
-/// Compiles a program in occam and runs it on a T800 with 2 Mbyte. `memory_cycles`: of an access to the memory outside
-/// of the chip. Throws RefusedInput and UnfinishedRun.
+/// Compiles a program in occam and runs it on a T800 with 2 Mbyte. An access to the memory outside of the chip takes
+/// `memory_cycles` cycles. Throws RefusedInput and UnfinishedRun.
 PrintedRun run_occam(const std::filesystem::path&, const occam::CodeOptions&, int memory_cycles, const ReplayContext&);
 
-/// Runs a netlist of the examples, of which one processor has a host. Throws as run_to_the_end().
+/// Runs a netlist of the examples in which one processor has a host. Throws as run_to_the_end().
 PrintedRun run_printing(const std::filesystem::path& netlist, const Overrides&, const ReplayContext&);
 
 } // namespace placedpar

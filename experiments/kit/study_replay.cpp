@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <set>
 #include <string_view>
 
@@ -78,11 +77,14 @@ void StudyReplay::look_at_netlists() const {
 }
 
 Comparison& StudyReplay::table(Replay& replay, const std::string& name) const {
-    auto found = std::ranges::find(replay.comparisons, name, &Comparison::name);
-    if (found == replay.comparisons.end())
-        refuse(fmt::format("the replay needs a table \"{}\", but the study has only \"{}\"", name,
-                           fmt::join(replay.comparisons | std::views::transform(&Comparison::name), "\", \"")));
-    return *found;
+    std::vector<std::string> names;
+    for (Comparison& each : replay.comparisons)
+        if (each.name == name)
+            return each;
+        else
+            names.push_back(each.name);
+    refuse(fmt::format("the replay needs a table \"{}\", but the study has only \"{}\"", name,
+                       fmt::join(names, "\", \"")));
 }
 
 double StudyReplay::number_in(const std::string& name) const {

@@ -19,7 +19,7 @@ public:
 
     /// Returns the study's tables and notes. The fingerprint covers all runs of the study in their order.
     Replay replay() const;
-    /// Returns the table with that name among those of replay().
+    /// Returns the table with this name among the tables of replay().
     Comparison& table(Replay&, const std::string& name) const;
     /// Returns the first number in the name of a row or column: 12 in "tree of 12 slaves".
     double number_in(const std::string& name) const;

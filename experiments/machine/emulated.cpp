@@ -17,8 +17,8 @@
 #include <span>
 #include <vector>
 
-// Figures of transputers that execute their own code. A program in the transputer's instructions measures each by its
-// clock, or the times at which its instructions begin are noted.
+// This experiment measures transputers that execute their own code. A program in the transputer's instructions measures
+// by its clock, or a watcher notes the times at which instructions begin.
 
 namespace placedpar {
 
@@ -38,7 +38,7 @@ constexpr Word code_on_chip = transputer::most_negative + 0x80, code_outside = t
 /// A T800 without wires that executes a program.
 class EmulatedProgram final : private transputer::LinkEngines, private Core::Watcher {
 public:
-    /// `priority`: of the program, 0 high, 1 low.
+    /// `priority` is the priority of the program: 0 is high, 1 is low.
     EmulatedProgram(const std::string& source, int priority, Word origin = code_on_chip)
         : program_(transputer::assemble(source, origin, Model::t800)),
           core_(Model::t800, 0x40000, {.clock_hz = emulated_hertz}, *this) {
@@ -135,7 +135,7 @@ double longest_latency_beside(const char* program) { return static_cast<double>(
 
 // Turns
 
-/// Processes that compute become ready after a delay, and one more behind them.
+/// After a delay, processes that compute become ready; the process `asks` becomes ready behind them.
 constexpr const char* turns = R"(
            ldc {}; stl 2; ldc 0; stl 1
     delay: ldlp 1; ldc over - delay; lend
@@ -146,8 +146,8 @@ constexpr const char* turns = R"(
      asks: stopp
 )";
 
-/// Returns the time from the moment at which a process becomes ready until it begins, in timeslice periods, while
-/// `others` processes that became ready just before compute. `delay`: in turns of a loop.
+/// Returns the time from the moment at which a process becomes ready until it begins, in timeslice periods. Just
+/// before, `others` processes that compute have become ready; they do so after `delay` turns of a loop.
 double wait_beside(int others, int delay) {
     std::string starts;
     for (int i = 0; i < others; ++i)
@@ -213,7 +213,8 @@ double cycles_of_fetching() {
 
 // Communication
 
-/// P. Welch's COMMSTIME as INMOS's compiler makes it: four processes pass a number round, one of them in parallel.
+/// P. Welch's COMMSTIME as INMOS's compiler makes it: four processes pass a number round, and one of them outputs in
+/// parallel.
 constexpr const char* commstime = R"(
            ldc 0; sttimer; mint; stl 3; mint; stl 5; mint; stl 4; mint; stl 2      -- channels a, b, c, d
            ldc delta - one; ldlp -8; startp
@@ -273,7 +274,7 @@ constexpr const char* in_parallel = R"(
    joined: ldc 0
 )";
 
-/// Outputs a message over link 1, inputs one over it, or does both in parallel. Notes the ticks in word 5.
+/// Outputs a message over link 1, inputs a message over it, or does both in parallel. Notes the ticks in word 5.
 std::string exchange_of(bool outputs, bool inputs) {
     const std::string out = fmt::format("ldl 4; mint; ldnlp 1; ldc {}; out", message_bytes);
     const std::string in = fmt::format("ldl 4; mint; ldnlp 5; ldc {}; in", message_bytes);

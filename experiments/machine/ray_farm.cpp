@@ -108,8 +108,9 @@ private:
         FarmChannel &from_before, &to_before, &onward, &back;
     };
 
-    /// Returns the parent of a processor in the tree: of its neighbours with lower numbers, the first in the list of
-    /// links of 2 May 2022. The program that made the network's description has used one link per processor since 2023.
+    /// Returns the parent of a processor in the tree: the first of its neighbours with lower numbers, in the order of
+    /// the list of links of 2 May 2022. The program that made the network's description has used one link per processor
+    /// since 2023.
     std::size_t parent(std::size_t node) const {
         static constexpr std::array<std::uint8_t, 13> two_cards{0, 0, 1, 2, 3, 4, 5, 1, 2, 3, 4, 5, 6};
         static constexpr std::array<std::uint8_t, 73> rack{

@@ -36,16 +36,16 @@ std::int64_t string_bytes(const Calibration& c) {
     return std::clamp<std::int64_t>(std::llround(static_cast<double>(cycles(c.string.median)) / copies), 1, 65536);
 }
 
-/// Returns the declaration of the cores or ranks, without the parameters of sleep. A message there and back within one
-/// core takes four inputs or outputs and two switches. Between two cores it takes two switches, and two inputs or
-/// outputs that follow each other.
-std::string print_core(const MessageCosts& c, Time patience) {
+/// Returns the definition of `name`: a core, or a rank of mpirun. `sleep` is its parameter for sleep. A message there
+/// and back within one core takes four inputs or outputs and two switches. Between two cores it takes two switches, and
+/// two inputs or outputs that follow each other.
+std::string print_core(const MessageCosts& c, Time patience, const std::string& sleep, const char* name) {
     const double within = (c.there_and_back.median - 2 * c.switching.median) / 4;
     const double across = c.across.median / 2 - c.switching.median;
     return fmt::format("define core (clock = {}M, channelcall = {}, crossing = {}, switching = {},\n"
-                       "             patience = {}, ",
+                       "             patience = {}, {}) {};\n",
                        static_cast<std::int64_t>(cycles_in_a_nanosecond * 1000), cycles(within), cycles(across),
-                       cycles(c.switching.median), cycles(nanoseconds(patience)));
+                       cycles(c.switching.median), cycles(nanoseconds(patience)), sleep, name);
 }
 
 std::string print_memory(const MessageCosts& c, const char* name) {
@@ -54,14 +54,15 @@ std::string print_memory(const MessageCosts& c, const char* name) {
 }
 
 std::string print_threads(const Calibration& c) {
-    return print_core(c.threads, native::most_patience) +
-           fmt::format("waking = {}) this_core;\n", cycles(waking_ns(c))) + print_memory(c.threads, "this_memory");
+    return print_core(c.threads, native::most_patience, fmt::format("waking = {}", cycles(waking_ns(c))), "this_core") +
+           print_memory(c.threads, "this_memory");
 }
 
 std::string print_ranks(const Calibration& c) {
+    const std::int64_t oversleeping = std::max<std::int64_t>(cycles(c.oversleeping.median), 1);
     return "\n/* the ranks of mpirun, and the network between them */\n" +
-           print_core(*c.ranks, native::most_patience_of_rank) +
-           fmt::format("oversleeping = {}) this_rank;\n", std::max<std::int64_t>(cycles(c.oversleeping.median), 1)) +
+           print_core(*c.ranks, native::most_patience_of_rank, fmt::format("oversleeping = {}", oversleeping),
+                      "this_rank") +
            print_memory(*c.ranks, "this_network");
 }
 

@@ -17,10 +17,11 @@ constexpr double misfit_left = 0.2;     ///< largest share of the misfit that ma
 constexpr double doubt = 0.2;           ///< weight of a gain if no pressure was near a limit
 constexpr double near_share = 0.7;      ///< share of a limit from which a pressure counts as near
 constexpr double largest_square = 1e4;  ///< limits one flow's squared error, so that a wild reading decides nothing
-constexpr double back_in3_per_s = -5;   ///< oil that leaves a cylinder faster shows an open outlet
+constexpr double back_in3_per_s = -5;   ///< a lower flow of oil into a cylinder shows that its outlet is open
 constexpr double smoothing = 0.3;       ///< weight of a new reading in the smoothed flow of oil
-constexpr double outlet_shuts_s = 0.75; ///< six times the pilot valve's lag
-constexpr double steepest = 1;          ///< greatest change of a bypass's flow with that into the link
+constexpr double outlet_shuts_s = 0.75; ///< time after which an outlet is taken to be shut: six times the pilot valve's
+                                        ///< lag
+constexpr double steepest = 1;          ///< greatest change of a bypass's flow per change of the flow into the link
 constexpr double least_inlet_in2 = 0.02, least_flow_in3_per_s = 10;
 
 bool same_surplus(Configuration a, Configuration b) {
@@ -192,7 +193,7 @@ std::optional<std::vector<LinkSample>> ConfigurationWatch::samples(const Circuit
     for (const Junction& junction : circuit) {
         const std::size_t i = index_of(junction.link);
         const double link_psi = mean([&](const ValveInterval& each) { return each.end.links.inlet_psi[i]; });
-        const double other = comes[i] - inlet[i] - bypass[i]; // into pipes and other links
+        const double other = comes[i] - inlet[i] - bypass[i]; // flow into pipes and into the other links
         const double beyond =
             junction.through == Through::junction ? psi[index_of(circuit[junction.next].link)] : valve_.flow.tank_psi;
         const double through = inlet[i] + other, k = valve_.flow.conductance(1);

@@ -28,11 +28,12 @@ struct ValveInterval {
 
 /// Recognises the configuration of the main valve from the readings of all links.
 ///
-/// The junctions' pressures follow by integration from the areas and the cylinders' pressures, and the configuration
-/// from them by the rule of 2.4, as in the machine. Where a pressure just reaches a limit, the noise of the readings
-/// decides, and the rule may stay in the wrong state for seconds. Therefore the flows into the cylinders are compared
-/// with the flows that move the pistons and expand the hoses. Another position of the cross-over valves replaces the
-/// present one if it explains these flows much better and a change to it lies within the last `reach` intervals.
+/// The junctions' pressures are integrated from the areas and the cylinders' pressures. As in the machine, the rule of
+/// 2.4 then gives the configuration from the junctions' pressures. Where a pressure just reaches a limit, the noise of
+/// the readings decides, and the rule may stay in the wrong state for seconds. Therefore the flows into the cylinders
+/// are compared with the flows that move the pistons and expand the hoses. Another position of the cross-over valves
+/// replaces the present one if it explains these flows much better and a change to it lies within the last `reach`
+/// intervals.
 class ConfigurationWatch {
 public:
     static constexpr std::size_t reach = 4; ///< intervals
@@ -55,7 +56,7 @@ public:
     /// Returns the means over the last `span` intervals as samples of this circuit. Flows that the circuit does not
     /// have are added to the piston's flow and to the bypass: the oil stored in pipes, the valves of links at rest, and
     /// the flows into other links. Returns nullopt if the readings contradict the circuit. REQUIRES: driven() contains
-    /// its links.
+    /// the links of the circuit.
     std::optional<std::vector<LinkSample>> samples(const Circuit&) const;
 
 private:

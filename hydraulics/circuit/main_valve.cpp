@@ -39,7 +39,8 @@ ValveFlows MainValve::flows(Configuration now, const PerLink<double>& psi, const
     for (std::size_t i = 0; i < psi.size(); ++i) {
         flows.inlet[i] = one_way(links.inlet_in2[i], psi[i] - links.inlet_psi[i]);
         flows.bypass[i] = one_way(links.bypass_in2[i], psi[i] - beyond[i]);
-        flows.relief[i] = std::max(psi[i] - flow.relief_psi, 0.0); // 1 in^3/s a psi
+        flows.relief[i] = std::max(psi[i] - flow.relief_psi, 0.0); // the relief valve passes 1 in^3/s for each psi
+                                                                   // above its pressure
     }
     return flows;
 }

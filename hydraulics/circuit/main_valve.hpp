@@ -17,7 +17,7 @@ struct BranchPressures {
     double p23_psi; ///< branch 2 behind its check valve: at the stick
 };
 
-/// Returns them from the pressures at the junctions of the links.
+/// Returns the branches' pressures, given the pressures at the junctions of the links.
 BranchPressures branch_pressures(const PerLink<double>& junction_psi);
 
 /// The orifices of the main valve and the pressures behind its inlets.
@@ -34,7 +34,7 @@ struct ValveFlows {
 struct MainValve {
     FlowConstants flow{};
     double pipe_in3_per_psi = 0; ///< compliance of the oil at each junction: volume / bulk modulus
-    double laminar_psi = 0;      ///< drop below which a flow is proportional to it
+    double laminar_psi = 0;      ///< pressure drop below which a flow is proportional to the drop
 
     /// Returns the flow through an orifice with a check valve.
     double one_way(double area_in2, double drop_psi) const;

@@ -56,7 +56,7 @@ std::optional<RecordChannel> channel_typed(std::string name) {
     return channel_named(name);
 }
 
-/// Returns what a cell of the header names, and whether the user said so.
+/// Returns the column name that the user gave for a cell of the header, or null.
 const ColumnName* typed_name(const std::vector<ColumnName>& names, const std::string& cell) {
     auto found = std::ranges::find_if(names, [&](const ColumnName& each) {
         return each.in_file == cell || each.in_file == name_and_unit(cell).name;
@@ -90,14 +90,15 @@ int score_of(const std::vector<TextCell>& cells, const std::vector<ColumnName>& 
     return time ? 1 + sensor : 0;
 }
 
-/// Where the header is, and what separates its columns.
+/// The position of the header in the text, and the separator of its columns.
 struct HeaderFound {
     std::size_t at = 0;
     char separator = ',';
-    int score = -1;        ///< 0: no column is known; 1: the time is; 2: a sensor, too
+    int score = -1;        ///< 0: no column is known; 1: the time's column is known; 2: a sensor's column is known, too
     std::size_t cells = 0; ///< number of cells
 
-    /// More cells are better in the same line; and of several lines that have the time, the header has most cells.
+    /// A higher score is better. At equal scores more cells are better, if both readings are of one line or if both
+    /// know only the time's column.
     bool is_better_than(const HeaderFound& other) const {
         return score > other.score || (score == other.score && cells > other.cells && (score == 1 || at == other.at));
     }
@@ -162,7 +163,8 @@ ColumnName column_name(std::string_view text) {
     return {in_file, *channel, unit};
 }
 
-/// Makes comments of the lines above the header, since a logger's own lines describe the record; sets the separator.
+/// Finds the header and sets the separator. Returns the text with the lines above the header as comments, since a
+/// logger's own lines describe the record.
 std::string RecordReader::find_table(std::string_view text) {
     if (text.starts_with("\xef\xbb\xbf"))
         text.remove_prefix(3);
@@ -179,7 +181,8 @@ std::string RecordReader::find_table(std::string_view text) {
     return commented.append(text.substr(found.at));
 }
 
-/// Removes the rows of words below the header. The first that has units states the units of columns without one.
+/// Removes the rows of words below the header. The first such row with units gives the units of columns that have none
+/// in the header.
 void RecordReader::take_units_row() {
     const auto first_sample = std::ranges::find_if(
         table_.rows, [](const TextRow& row) { return std::ranges::any_of(row.cells, is_number_or_time); });
@@ -192,7 +195,7 @@ void RecordReader::take_units_row() {
     table_.rows.erase(table_.rows.begin(), first_sample);
 }
 
-/// Returns whether the first cell of a column that is not missing is a date with a time.
+/// Returns whether a column holds dates with times: its first cell with a value decides.
 bool RecordReader::has_dates(std::size_t index) const {
     const auto row =
         std::ranges::find_if(table_.rows, [index](const TextRow& each) { return !is_missing(each.cells[index]); });

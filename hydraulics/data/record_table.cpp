@@ -105,7 +105,7 @@ void RecordReader::find_decimal_sign(std::vector<Diagnostic>& faults) {
         faults.push_back(thousands_fault(*unclear, line));
 }
 
-/// Returns the seconds from the first date.
+/// Returns the time of the row, in seconds after the first date.
 double RecordReader::clock_s(const TextRow& row, const Column& column, std::vector<Diagnostic>& faults) {
     const TextCell& cell = row.cells[column.index];
     const std::optional<ClockTime> time = clock_time(cell.text);

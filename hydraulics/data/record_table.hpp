@@ -131,10 +131,10 @@ private:
     std::size_t line_ = 1;           ///< number of the next line
     std::vector<std::string> units_; ///< the cells of a row of units below the header
     std::vector<Column> columns_;
-    std::optional<char> decimal_sign_;                 ///< nullopt until a number has one
-    std::optional<std::int64_t> begun_ns_;             ///< the first date, in ns since 1970
-    bool has_zone_ = false;                            ///< whether the dates have a zone
-    std::optional<std::size_t> configuration_;         ///< index of the column of the configurations
+    std::optional<char> decimal_sign_;         ///< nullopt until a number has a decimal point or a decimal comma
+    std::optional<std::int64_t> begun_ns_;     ///< the first date, in ns since 1970
+    bool has_zone_ = false;                    ///< whether the dates have a zone
+    std::optional<std::size_t> configuration_; ///< index of the column of the configurations
     std::size_t skipped_ = 0, first_skipped_line_ = 0; ///< rows that lack a reading
     std::optional<RowBefore> before_;
     std::optional<double> period_s_;

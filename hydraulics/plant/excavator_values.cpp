@@ -29,7 +29,7 @@ TimedOrifices two_link_orifices(std::string_view name, const Parameters& paramet
 }
 
 /// Returns the flow into the link's cylinder that the controller demands, and the link's pressure at this flow. If a
-/// check valve shuts the junction's bypass, the flow is that of all pumps of the junction.
+/// check valve shuts the junction's bypass, the link takes the flow of all pumps of the junction.
 FlowTarget target_of(const Junction& junction, const FlowConstants& flow, const Parameters& parameters) {
     LinkMechanics link = coupled_mechanics(junction.link, parameters);
     double in = junction.through == Through::nowhere ? junction.pumps * flow.pump_in3_per_s

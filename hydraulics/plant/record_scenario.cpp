@@ -102,7 +102,7 @@ Record record_two_links(const Parameters& parameters, const LinksInMotion&, cons
 }
 
 bool links_use(std::string_view name) {
-    if (in_group(name, {"boom.", "stick.", "swing."})) // all links use what the bucket uses
+    if (in_group(name, {"boom.", "stick.", "swing."})) // a link uses a row if the bucket has a row of this name
         return Parameters::excavator().find(fmt::format("bucket{}", name.substr(name.find('.')))) != nullptr;
     if (name.starts_with("two_links."))
         return name.ends_with("_damping") ||

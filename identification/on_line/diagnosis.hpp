@@ -69,9 +69,9 @@ struct SampleOutcome {
 };
 
 /// The on-line diagnosis of one excavator: its population sets, the data that feed them, and the active alarms. The
-/// readings of a fast logger are first averaged to samples about 20 ms apart (hydraulics/data/sampling.hpp). Only these
-/// use single readings: the checks for frozen sensors and for pressures below vacuum, and the computation of a spool
-/// from its voltage.
+/// readings of a fast logger are first averaged to samples about 20 ms apart (hydraulics/data/sampling.hpp). Single
+/// readings are used only by the checks for frozen sensors and for pressures below vacuum, and to compute a spool's
+/// position from its voltage.
 ///
 /// 1. The state is a function of settings, seed, name, parameters and the accepted inputs in their order, and of
 /// nothing else.
@@ -96,7 +96,7 @@ public:
     const hydraulics::Sampling& sampling() const { return sampling_; }
     /// Returns the mean time of the last complete sample; nullopt after the windows have restarted.
     std::optional<double> sample_s() const { return state_.sample_s; }
-    /// Returns the state of the link two samples before sample_s(); nullopt if the windows have begun since.
+    /// Returns the state of the link two samples before sample_s(); nullopt if the windows have restarted since.
     std::optional<hydraulics::LinkSample> centre(hydraulics::Link link) const {
         return state_.tracks[index_of(link)].centre(fit_, state_.parameters.links[index_of(link)]);
     }

@@ -14,7 +14,8 @@ using namespace hydraulics;
 
 namespace {
 
-constexpr double off_share = 0.15, off_errors = 3; ///< beyond both a compliance is not that of a healthy link; ours
+constexpr double off_share = 0.15, off_errors = 3; ///< a link is faulty if its compliance deviates by more than this
+                                                   ///< share and more than this many errors; ours
 
 ValveReading valve_reading(const Record& record, std::size_t i, const PerLink<LinkConstants>& constants) {
     ValveReading reading;

@@ -12,17 +12,18 @@ namespace placedpar::identification {
 /// Returns whether configurations can be recognised from a record: all links have inlet pressure, angle and areas.
 bool recognisable(const hydraulics::ChannelSet& there);
 
-/// How often the recognised configuration agreed with the column of configurations in the record.
+/// Counts how often the recognised configuration agreed with the column of configurations in the record.
 struct Recognition {
     std::array<std::size_t, hydraulics::all_configurations.size()>
         samples{}; ///< number of samples of each recognised configuration
     std::size_t judged = 0, right = 0;
-    std::size_t changes = 0, soon = 0; ///< soon: recognised within two samples
+    std::size_t changes = 0, soon = 0; ///< changes of configuration, and the changes that were recognised within two
+                                       ///< samples
 };
 
-/// The identification of a machine that moves (3.3). It recognises the configuration of each sample and the links into
-/// which oil flows, and searches with the population set that Figure 3.13 has for them. At the end of each stretch with
-/// one configuration and the same links, the sets of that stretch make a round.
+/// Identifies the compliances of a machine that moves (3.3). Recognises the configuration of each sample and the links
+/// into which oil flows, and searches with the population set of these links (Figure 3.13). At the end of each stretch
+/// with one configuration and the same links, the sets of this stretch make a round.
 class MovingIdentification {
 public:
     /// Returns the settings of a search for this number of links.
@@ -61,7 +62,8 @@ private:
     hydraulics::Configuration before_{};
     std::vector<hydraulics::LinkSet> in_use_;
     std::vector<Pending> pending_; ///< samples whose last readings may still get another configuration
-    std::map<hydraulics::LinkSet, std::size_t> next_; ///< reading of the next sample: samples of a set do not overlap
+    std::map<hydraulics::LinkSet, std::size_t> next_; ///< for each set, the first reading that its next sample may use,
+                                                      ///< so that samples do not overlap
     std::map<hydraulics::LinkSet, SetSearch> searches_;
     Recognition recognition_;
     char truth_ = '-';              ///< the column's configuration at the last sample
@@ -73,7 +75,7 @@ private:
 std::vector<LinkIdentified> combined_links(const std::vector<SetAnswer>& sets);
 
 /// Returns the text of cross-check 2 (3.3), one line for each fault. A fault is in a link whose compliance is wrong in
-/// all sets, or in what both links of a branch share.
+/// all sets, or in a part that both links of a branch share.
 std::string locate_faults(const std::vector<LinkIdentified>& links, const hydraulics::PerLink<double>& healthy);
 
 } // namespace placedpar::identification

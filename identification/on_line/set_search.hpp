@@ -26,7 +26,7 @@ struct SetAnswer {
 /// The population is kept from one round to the next. Rounds and weights are those of whole_search.hpp.
 class SetSearch {
 public:
-    static constexpr std::size_t fewest_samples = 10; ///< fewer are not searched
+    static constexpr std::size_t fewest_samples = 10; ///< a set with fewer samples is not searched
 
     SetSearch(hydraulics::LinkSet set, const WholeWay& way, const hydraulics::FlowConstants& flow, RandomStream random);
 
@@ -47,7 +47,7 @@ private:
     void evolve();
     std::size_t samples() const;
     std::vector<double> found_in(const Part& part) const; ///< in the circuit's order
-    /// Returns least squares over the samples of all configurations, in the order of links_of().
+    /// Returns the least-squares fit over the samples of all configurations, in the order of links_of().
     std::vector<LeastSquares> least_squares() const;
 
     hydraulics::LinkSet set_;

@@ -150,7 +150,7 @@ void StateFile::renew() {
         throw store::DatabaseError(known.trouble, false);
 }
 
-/// The content of a removed file can still be read while the file is locked.
+/// Writes a copy of the removed file, whose content can still be read while the file is locked.
 void StateFile::put_copy_in_place() {
     fs::path copy = write_state_file(lock_->beginning(lock_->size()), path_);
     auto lock = std::make_unique<store::FileLock>(copy, path_.string(), "placedpar monitor");

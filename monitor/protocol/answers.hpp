@@ -25,7 +25,8 @@ struct Load {
     std::size_t clients = 0;
     std::size_t machines = 0;
     std::size_t queued_bytes = 0; ///< bytes waiting to be sent, all clients together
-    std::uint64_t samples = 0;    ///< this member and the next members are totals since the start of the service
+    std::uint64_t samples = 0;    ///< `samples`, `generations`, `work_s` and `cpu_s` are totals since the start of the
+                                  ///< service
     std::uint64_t generations = 0;
     double work_s = 0; ///< time spent on messages
     double cpu_s = 0;  ///< processor time of the service's thread

@@ -26,7 +26,7 @@ struct Hello {
     Role role = Role::control;
     Answers answers = Answers::all;
     double load_every_s = 0; ///< period of load reports; 0: only on request
-    bool anew = false;       ///< first forget all stored data of this machine
+    bool anew = false;       ///< whether the service first forgets all stored data of this machine
     std::string token;       ///< "" if no token is sent
     identification::ExcavatorParameters parameters;
 };

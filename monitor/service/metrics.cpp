@@ -33,7 +33,7 @@ void for_each_estimate(
         }
 }
 
-/// Returns one number about the whole service.
+/// Returns the lines of a metric that has one value for the whole service.
 std::string metric(const char* name, const char* type, const char* about, double value) {
     return fmt::format(
         "# HELP placedpar_monitor_{0} {1}\n# TYPE placedpar_monitor_{0} {2}\nplacedpar_monitor_{0} {3}\n", name, about,

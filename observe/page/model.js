@@ -6,7 +6,7 @@ const run = data.timeline, report = data.report;
 const levelDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 const runningWork = new Set(["executes", "carries", "computes"]);
 
-// For each bin the time until its beginning, in bins: the time between two moments is a difference.
+// Returns, for each bin, the track's time before the bin, in bins. The time between two moments is then a difference.
 function sumsOf(levels) {
   const sums = new Float64Array(levels.length + 1);
   for (let i = 0; i < levels.length; ++i) sums[i + 1] = sums[i] + levelDigits.indexOf(levels[i]) / 63;
@@ -14,7 +14,7 @@ function sumsOf(levels) {
 }
 
 const span = Math.max(run.end - run.begin, 1);
-// What waits for ever is drawn beyond the end.
+// In a deadlock, waits that never end are drawn beyond the end of the run.
 const endsInDeadlock = report.deadlock && run.end >= report.time_ps;
 const drawnEnd = run.end + (endsInDeadlock ? 0.06 * span : 0);
 
@@ -27,7 +27,7 @@ function pathOf(flat) {
 
 const tracks = run.tracks.map((track, number) => ({
   number, name: track.name, node: track.node, kind: track.kind, outermost: track.outermost, place: track.place,
-  running: sumsOf(track.running), ready: sumsOf(track.ready), slices: [], // those that are known: stretches.js
+  running: sumsOf(track.running), ready: sumsOf(track.ready), slices: [], // slices of the unpacked stretches: see stretches.js
 }));
 const drawnTracks = tracks.slice().sort((a, b) => a.place - b.place);
 const trackNamed = new Map(tracks.map(track => [(track.kind === "processor" ? "processor " : "") + track.name, track]));
@@ -43,7 +43,7 @@ function stateOf(slice) {
   return slice.open && slice.doing !== "delayed" && endsInDeadlock ? "stuck" : "waiting";
 }
 
-// What is cut off by the beginning or the end of what is shown may have begun before, and may go on.
+// A slice at the beginning or the end of the traced time may have begun earlier, and may continue afterwards.
 const beginText = (slice, precision) => timeText(slice.begin, precision) + (slice.begin <= run.begin && run.begin > 0 ? " or before" : "");
 
 function endText(slice, precision) {
@@ -56,12 +56,13 @@ function sumUntil(sums, moment) {
   return whole + 1 < sums.length ? sums[whole] + (at - whole) * (sums[whole + 1] - sums[whole]) : sums[whole];
 }
 
-// What share of the time between two moments a track was running, or ready.
+// Returns the share of the time between two moments in which a track was running or ready; `sums` is from sumsOf().
 function shareOf(sums, from, to) {
   return to > from ? Math.min(1, (sumUntil(sums, to) - sumUntil(sums, from)) * run.bin / (to - from)) : 0;
 }
 
-// What the components of a process do, together; of a component or what is not a process, its own. Added once: there may be thousands.
+// Returns the sums of all components of a process together; for other tracks, the track's own sums. The result is kept,
+// because a process may have thousands of components.
 function sumsTogether(track, what) {
   const lanes = componentsOf[track.number] || [track], name = what + " together";
   if (lanes.length === 1) return track[what];
@@ -76,7 +77,7 @@ const bySliceEnd = d3.bisector(slice => slice.end).right;
 const byPathEnd = d3.bisector(part => part.end).right;
 const byLeft = d3.bisector(message => message.left).left;
 
-// The number of the first slice that ends behind a moment.
+// Returns the index of the first slice that ends after a moment.
 function sliceFrom(track, moment) { return bySliceEnd(track.slices, moment); }
 
 function sliceAt(track, moment) {
@@ -90,7 +91,7 @@ function stateOfTrack(track, moment) {
   return isKnownAt(moment) ? "gone" : "unknown";
 }
 
-// A process computes while one of its components does; else it is ready while one of them is.
+// A process is running while one of its components is; otherwise it is ready while one of them is ready, and so on.
 function stateOfProcess(track, moment) {
   const states = (componentsOf[track.number] || [track]).map(each => stateOfTrack(each, moment));
   return ["running", "ready", "stuck", "waiting", "unknown"].find(state => states.includes(state)) || "gone";
@@ -98,7 +99,7 @@ function stateOfProcess(track, moment) {
 
 const outermostName = path => path.replace(/ \(has ended\)$/, "").split("/")[0];
 
-// [{channel, partner}] of a wait.
+// Returns [{channel, partner}] for a wait: its channels and the partners at their other ends.
 function awaitedIn(slice) {
   return slice.note.split("\n").filter(line => line.includes("\t")).map(line => {
     const [channel, partner] = line.split("\t");
@@ -106,7 +107,8 @@ function awaitedIn(slice) {
   });
 }
 
-// What a process waits for at a moment, with its components: [{slice, channel, partner}]; [{slice}] of a router's sender, which waits on no channel.
+// Returns the waits of a process and its components at a moment: [{slice, channel, partner}]. A router's sender waits
+// on no channel and gives [{slice}].
 function waitsOf(track, moment) {
   const waits = [];
   for (const each of componentsOf[track.number] || [track]) {
@@ -118,7 +120,7 @@ function waitsOf(track, moment) {
   return waits;
 }
 
-// From a process to the one that it waits for, to the one that this waits for, ...: [[from, to], ...].
+// Returns the chain of waits from a process: to its partner, to the partner's partner and so on, as [[from, to], ...].
 function chainFrom(name, moment) {
   const links = [], seen = new Set();
   for (let at = name; at && !seen.has(at);) {
@@ -155,7 +157,7 @@ function describe(slice) {
 const timeUnits = [["s", 1e12], ["ms", 1e9], ["us", 1e6], ["ns", 1e3], ["ps", 1]];
 const unitFor = length => timeUnits.find(([, size]) => Math.abs(length) >= size) || timeUnits[4];
 
-// To about a thousandth of the precision.
+// Returns the time as text, exact to about a thousandth of `precision`.
 function timeText(moment, precision) {
   const [unit, size] = unitFor(moment), digits = Math.max(0, Math.min(9, Math.ceil(Math.log10(size / Math.max(precision / 1000, 1)))));
   return (moment / size).toFixed(digits) + " " + unit;

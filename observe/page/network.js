@@ -2,10 +2,10 @@
 
 const pictures = ["machine", "software"].map(view => ({ view, svg: d3.select("#" + view + " > svg") })).filter(each => !each.svg.empty());
 const loadColour = d3.interpolateRgb("#ffffff", "#8db7dd"), heatColour = d3.interpolateRgb("#f4f6f8", "#0b3a66"), wireColour = d3.interpolateRgb("#8da2b5", "#1f4e79");
-const largePicture = 200, legible = 0.45; // nodes from which on a picture is a map of loads; the scale from which on its texts are shown
+const largePicture = 200, legible = 0.45; // a picture with this many nodes is a map of loads, with texts only above this scale
 const drawnProcess = name => name.replace(/ !$/, ""); // high priority is marked
 
-// All that is drawn moves together.
+// Puts everything that is drawn into one group, so that zooming moves all of it.
 function wrapPicture(picture) {
   const svg = picture.svg, all = document.createElementNS("http://www.w3.org/2000/svg", "g");
   svg.attr("width", null).attr("height", null);
@@ -17,12 +17,12 @@ function wrapPicture(picture) {
   picture.scale = Math.min(fit.width / extent.width, fit.height / extent.height);
   svg.call(d3.zoom().scaleExtent([0.3, Math.max(20, 2 / picture.scale)]).on("zoom", () => zoomPicture(picture, d3.event.transform)));
   picture.over = picture.all.append("g");
-  all.querySelectorAll(":scope > .link, :scope > .channels").forEach(label => all.appendChild(label)); // no arrow strikes them out
+  all.querySelectorAll(":scope > .link, :scope > .channels").forEach(label => all.appendChild(label)); // labels are above the arrows
   zoomPicture(picture, d3.zoomIdentity);
   addDefinitions(svg, picture.view);
 }
 
-// From far away a large network is a map of loads, without texts; its boxes are seen when they are large enough to be read.
+// A large network is a map of loads without texts until the user zooms in far enough to read the texts.
 function zoomPicture(picture, transform) {
   picture.all.attr("transform", transform);
   const far = picture.large && transform.k * picture.scale < legible, changed = far !== picture.far;
@@ -42,7 +42,7 @@ function addDefinitions(svg, view) {
       .append("path").attr("d", "M0 0 L10 5 L0 10 Z").attr("fill", colour);
 }
 
-// A node of the machine has its processor's track, one of the software its process's.
+// Returns the track of a node: of its processor in the view of the machine, of its process in the view of the software.
 function trackOfNode(view, name) {
   return view === "machine" ? trackNamed.get("processor " + name) || trackNamed.get(name) : trackNamed.get(drawnProcess(name));
 }
@@ -56,12 +56,12 @@ function addMeter({ view, large }, element) {
   const meter = { track, frame: node.select(".frame"), width: box.width, isProcess: isOfProcess(track) };
   node.append("rect").attr("class", "load-frame").attr("x", box.x).attr("y", box.y + box.height - 6).attr("width", box.width).attr("height", 6);
   meter.bar = node.append("rect").attr("class", "load").attr("x", box.x).attr("y", box.y + box.height - 6).attr("height", 6);
-  meter.percent = node.append("text").attr("class", "percent").attr("x", box.x + box.width + 3).attr("y", box.y + box.height).text("100 %"); // the longest
+  meter.percent = node.append("text").attr("class", "percent").attr("x", box.x + box.width + 3).attr("y", box.y + box.height).text("100 %"); // the longest text, for the space that it needs
   if (meter.isProcess) meter.sign = addSign(node, box.x + 5, box.y + 5);
   return meter;
 }
 
-// The drawing grows to the right where the share of its last box would be cut off.
+// Widens the drawing if the percentage beside its last box would be cut off.
 function makeRoomForShares({ svg, meters }) {
   const extent = svg.node().viewBox.baseVal, shares = meters.filter(each => each.percent).map(each => each.percent.node().getBBox());
   extent.width = Math.max(extent.width, d3.max(shares, box => box.x + box.width - extent.x + 2) || 0);
@@ -93,7 +93,7 @@ function addWire(view, element) {
 
 function makePicture(picture) {
   const element = document.getElementById(picture.view), hidden = element.hidden;
-  element.hidden = false; // what is hidden has no size
+  element.hidden = false; // a hidden element has no size
   wrapPicture(picture);
   const found = selector => picture.all.selectAll(selector).nodes();
   picture.meters = found("g.node[data-node]").map(node => addMeter(picture, node)).filter(Boolean);
@@ -104,7 +104,7 @@ function makePicture(picture) {
   element.hidden = hidden;
 }
 
-// The share of a process is that of all components of its PARs, too.
+// Returns the share of a track's running time; for a process, with all components of its PARs.
 const runningShare = (track, from, to) => shareOf(sumsTogether(track, "running"), from, to);
 
 function showMeter(meter, moment, from, to, far) {

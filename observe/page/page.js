@@ -1,9 +1,9 @@
-// The page as a whole: the moment that is looked at, the process that is chosen, and who is told of them.
+// The page as a whole: the moment at the slider, the chosen process, and the parts of the page that show them.
 
 const now = { moment: run.begin, chosen: null, timer: null };
 const views = ["machine", "software"], slider = document.getElementById("slider"), steps = Number(slider.max);
 
-// Loads are those of a fortieth of what the timelines show.
+// Returns the interval around a moment over which loads are shown: a fortieth of the interval in the timelines.
 function around(moment) {
   const [from, to] = view.scale.domain(), half = Math.max((to - from) / 80, run.bin / 2);
   const begin = Math.max(run.begin, Math.min(moment - half, run.end - 2 * half));
@@ -31,7 +31,7 @@ function choose(name) {
   showMoment();
 }
 
-// A step of the animation: a two-hundredth of what the timelines show.
+// Makes a step of the animation: a two-hundredth of the interval in the timelines.
 function advance() {
   if (looked.unpacks) return;
   const [from, to] = view.scale.domain();
@@ -60,7 +60,7 @@ function lookAt(from, to) {
   d3.select(canvas).call(zoom.transform, d3.zoomIdentity.translate(left - scale * view.full(from), 0).scale(scale));
 }
 
-// The zoom counts in pixels: for the same moments to stay in sight it changes with the width.
+// D3's zoom is in pixels, so it must change with the width to keep the same moments in sight.
 function resize() {
   const [from, to] = view.scale.domain();
   fitCanvas();
@@ -113,7 +113,7 @@ function listen() {
 
 const numbersSaid = ["at", "from", "to"];
 
-// What the address asks for, and the page has not.
+// Shows an error for each part of the address that the page cannot follow.
 function sayWhatIsUnknown(said) {
   const faults = [];
   if (views.includes(said.get("view")) && !pictures.some(each => each.view === said.get("view"))) faults.push(`This page has no drawing for the view "${said.get("view")}".`);
@@ -138,7 +138,8 @@ function addJumps() {
     .append("a").attr("class", "to").attr("tabindex", 0).text(each => each[1]).on("click", ([id]) => document.getElementById(id).scrollIntoView());
 }
 
-// What is looked at can be said in the address: run.html#at=0.5&process=master[0]&view=software&from=0.2&to=0.3, in parts of the run.
+// Shows what the address selects: run.html#at=0.5&process=master[0]&view=software&from=0.2&to=0.3. Times are fractions
+// of the run.
 function followAddress() {
   const said = new URLSearchParams(location.hash.slice(1));
   sayWhatIsUnknown(said);
@@ -153,7 +154,7 @@ function followAddress() {
     lookAt(momentAt(from), momentAt(to));
   }
   if (!isSaid("at")) return;
-  goTo(run.begin + Number(said.get("at")) * span); // the slider has 10,000 steps
+  goTo(run.begin + Number(said.get("at")) * span); // more exact than the slider, which has 10,000 steps
 }
 
 function begin() {

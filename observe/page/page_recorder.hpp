@@ -42,7 +42,8 @@ private:
     const Tracks& tracks_;
     LoadBins bins_;
     Stretches stretches_;
-    std::vector<PathPart> path_; ///< parts of the critical path that have a track; of a very long path only the longest
+    std::vector<PathPart> path_; ///< parts of the critical path that have a track; only the longest parts of a very
+                                 ///< long path
     Time begin_{}, end_{};
     std::string why_;
 };

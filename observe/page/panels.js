@@ -1,7 +1,7 @@
-// What stands in words: the chosen process, measures, the deadlock; convergence.
+// The parts of the page that are text, tables and charts: the chosen process, measures, the deadlock, convergence.
 
 const escaped = text => String(text).replace(/[&<>"]/g, each => `&#${each.charCodeAt(0)};`);
-// Of a process without a track, as a router's on an infinitely fast processor, there is nothing to be shown.
+// A process without a track, such as a router's process on an infinitely fast processor, gets no link.
 const processLink = name => trackNamed.has(outermostName(name)) ? `<a class="to" data-process="${escaped(outermostName(name))}">${escaped(name)}</a>` : escaped(name);
 
 function waitText({ slice, channel, partner }, moment) {
@@ -44,7 +44,7 @@ function showChosen(name, moment, from, to) {
 const numberText = value => typeof value === "number" ? Number(value.toPrecision(6)).toString() : escaped(value);
 const percent = share => typeof share === "number" ? (100 * share).toFixed(1) + " %" : "";
 
-// A share of the run, or the time itself where the run has no share: after a deadlock.
+// Returns the share of the run's time; after a deadlock, which has no such share, the time itself.
 const shareText = (share, ps) => typeof share === "number" ? percent(share) : timeText(ps || 0, span);
 
 function waitingText(process) {
@@ -76,7 +76,7 @@ function showMeasures() {
   d3.selectAll("#measures a.to").on("click", function () { choose(this.dataset.process); });
 }
 
-// Of a long run, where its slices and messages are to be seen one by one.
+// Returns the text that says where slices and messages of a long run are shown one by one.
 function extentText() {
   const count = number => d3.format(",")(number), bins = `summarised, in bins of ${timeText(run.bin, run.bin)}`;
   if (!canUnpack) return ` This browser cannot unpack its slices and messages (it has no DecompressionStream): all are ${bins}.`;
@@ -84,7 +84,7 @@ function extentText() {
   return all + (run.lost ? ` ${count(run.left_out)} more, of the middle, are ${bins}.` : "");
 }
 
-// Where the timelines are of a part of the run, as the tables and the curves are not.
+// Returns the warning that the timelines show only a part of the run, while tables and curves show the whole run.
 function partText() {
   if (run.begin <= 0 && run.end >= report.time_ps) return "";
   const why = run.end < report.time_ps ? ` They end there: ${escaped(run.why)}.` : "";
@@ -92,7 +92,7 @@ function partText() {
   return `<b>A part of the run</b> is in the timelines and the drawing: from ${run.begin && timeText(run.begin, span)} to ${timeText(run.end, span)}, of ${timeText(report.time_ps, span)}.${why} Tables and curves show the whole run.`;
 }
 
-// How well the clocks of ranks are known, of which the timelines are.
+// Returns the text that says how well the clocks of ranks are known.
 function clocksText() {
   const clocks = report.clocks || [];
   return clocks.length ? ` Times are of the clock of rank 0; the clocks of the other ranks are known to ${timeText(d3.max(clocks, each => each.error_ps), 1e3)}.` : "";
@@ -114,7 +114,8 @@ function showOutcome() {
 const chart = { width: 460, height: 220, bottom: 34, top: 22, right: 26 }, mostCurves = 12;
 const strokes = ["none", "6 3", "2 2", "9 3 2 3"], bands = [[0.05, 0.95, 0.18], [0.25, 0.75, 0.3]];
 
-// For each generation the values of all searches, a column after the other and sorted. A search that has ended is as its last row.
+// Returns, for each generation, the sorted values of all searches, column by column. A search that has ended keeps the
+// values of its last generation.
 function sortedValues() {
   const generations = d3.set(d3.merge(data.searches.map(search => search.generations.map(row => row[0])))).values().map(Number).sort(d3.ascending);
   const next = data.searches.map(() => 0);
@@ -127,7 +128,7 @@ function sortedValues() {
   });
 }
 
-// What a share of the searches is below, over the generations: rows as those of a search.
+// Returns a quantile of the searches over the generations, in rows like the rows of a search.
 const quantileCurves = new Map();
 function quantileCurve(part) {
   if (!quantileCurves.has("values")) quantileCurves.set("values", sortedValues());
@@ -147,7 +148,8 @@ function drawBands(svg, x, y, column) {
   }
 }
 
-// A curve for each search; every second search is dashed in its own way. Many searches are bands around their median, and the chosen one is a curve.
+// Draws a curve for each search, with four patterns of strokes in turn. Many searches are drawn as bands around their
+// median, and the chosen search as a curve.
 function drawChart(title, label, column) {
   const { width, height, bottom, top, right } = chart;
   const curves = curvesDrawn().map(rows => rows.filter(row => row[column] !== null)).filter(rows => rows.length);
@@ -187,7 +189,7 @@ function showConvergence() {
   d3.selectAll("#convergence a.to").on("click", function () { choose(this.dataset.process); });
 }
 
-// Where the searches are at a moment; the chosen one among many.
+// Marks the generations of the searches at a moment. Among many searches, shows the curve of the chosen search.
 function markGenerations(moment, chosen) {
   const search = data.searches.find(each => outermostName(each.name) === chosen);
   d3.selectAll("#convergence .chosen-curve").attr("d", function () { return search ? this.dataOf(search.generations) : null; });

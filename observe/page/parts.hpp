@@ -4,7 +4,7 @@
 
 namespace placedpar::page {
 
-// Functions that return the files of a page. The build embeds these files in the program: see CMakeLists.txt.
+// These functions return the files of a page. The build embeds these files in the program: see CMakeLists.txt.
 
 std::string frame_html(); ///< has placeholders: @TITLE@, @STYLE@, @LIBRARY@, @DATA@, @STRETCHES@, @PROGRAM@, and one
                           ///< for each picture

@@ -12,8 +12,8 @@ namespace placedpar::page {
 
 namespace {
 
-/// Returns the text of a slice. A wait has a line for each channel, with the partner after a tab, and a line for its
-/// timer. Another slice has its subject.
+/// Returns the text of a slice. The text of a wait has a line for each channel, with the partner after a tab, and a
+/// line for its timer. The text of any other slice is its subject.
 std::string note_of(const Slice& slice) {
     std::string note = slice.subject;
     for (const Awaited& each : slice.awaited)

@@ -17,8 +17,8 @@ struct PackedStretch {
     std::string bytes;
 };
 
-/// Collects the slices and messages of an interval of a run. A packed stretch can be unpacked without the others, since
-/// it has its own texts.
+/// Collects the slices and messages of an interval of a run. A packed stretch contains its texts, so it can be unpacked
+/// alone.
 class Stretch {
 public:
     explicit Stretch(Time begin) : begin_(begin), end_(begin) {}

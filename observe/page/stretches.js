@@ -1,5 +1,5 @@
-// The slices and messages of a run, in stretches as the program packs them (stretch.hpp). Those of a short run are all
-// there at once. Those of a long one are unpacked where they are looked at, which takes the browser a moment.
+// The slices and messages of a run, in stretches as the program packs them (stretch.hpp). The stretches of a short run
+// are all read at once. The stretches of a long run are unpacked when they come into sight.
 
 const mostEntries = { inSight: 400000, unpacked: 1000000 };
 const elements = document.querySelectorAll("script.stretch");
@@ -7,11 +7,11 @@ const stretches = d3.range(elements.length).map(i => ({
   begin: run.stretches[3 * i], end: run.stretches[3 * i + 1], entries: run.stretches[3 * i + 2], element: elements[i], content: null, wantedAt: 0,
 }));
 const canUnpack = !run.deflated || "DecompressionStream" in window;
-// What the page looks at now; what of it is known, since all may not be unpacked yet.
+// The stretches that the page needs now (`at`), and those of them that are unpacked (`known`).
 const looked = { at: [], known: new Set(), count: 0, unpacks: false };
 let messages = [];
 
-// Bytes as numbers of seven bits a byte, the lowest first.
+// Reads numbers of seven bits in each byte, the lowest bits first.
 function readerOf(bytes) {
   let at = 0;
   const next = () => {
@@ -26,7 +26,7 @@ function readerOf(bytes) {
   };
 }
 
-// {number of track: slices}
+// Returns {number of track: slices}.
 function slicesOf(reader, begin, texts) {
   const counts = d3.range(reader.next()).map(() => [reader.next(), reader.next()]), all = d3.sum(counts, each => each[1]);
   const [gaps, lengths, doings, notes] = [0, 1, 2, 3].map(() => reader.column(all)), slices = {};
@@ -75,7 +75,8 @@ async function inflated(bytes) {
 
 const liesIn = (stretch, from, to) => stretch.begin <= to && from <= stretch.end;
 
-// All those at the moment; all in sight as well, unless these are so many that they could not be told apart.
+// Returns the stretches at the moment, and the stretches in sight, unless the latter have too many entries to be
+// distinguished.
 function stretchesAt(moment, from, to) {
   if (!run.deflated) return stretches;
   const inSight = stretches.filter(each => liesIn(each, from, to)), largest = d3.max(stretches, each => each.entries);
@@ -83,7 +84,7 @@ function stretchesAt(moment, from, to) {
   return stretches.filter(each => liesIn(each, moment, moment) || (isNarrow && liesIn(each, from, to)));
 }
 
-// Those that were looked at last stay unpacked.
+// Discards the contents of stretches that were needed longest ago, if too many entries are unpacked.
 function forget() {
   let entries = 0;
   for (const each of stretches.filter(each => each.content).sort((a, b) => b.wantedAt - a.wantedAt)) {
@@ -92,7 +93,7 @@ function forget() {
   }
 }
 
-// What the tracks and messages have is what is known of it.
+// Gives the slices and messages of the unpacked stretches to the tracks and to `messages`.
 function gather() {
   looked.known = new Set(looked.at.filter(each => each.content));
   const contents = [...looked.known].map(each => each.content);
@@ -101,7 +102,7 @@ function gather() {
   messages = d3.merge(contents.map(each => each.messages)).sort((a, b) => a.left - b.left);
 }
 
-// What is looked at may change meanwhile. `then` is called when all of it is there.
+// Unpacks the stretches that the page needs, which may change meanwhile, and then calls `then`.
 async function unpack(then) {
   looked.unpacks = true;
   for (let next; (next = looked.at.find(each => !each.content));) {
@@ -113,7 +114,7 @@ async function unpack(then) {
   then();
 }
 
-// Looks at a moment and at what is in sight. What is not known of them is unpacked; `then` is called when it is there.
+// Selects the stretches for a moment and for the interval in sight. If some must be unpacked, calls `then` afterwards.
 function lookInto(moment, from, to, then) {
   const before = looked.at;
   looked.at = stretchesAt(moment, from, to);
@@ -124,12 +125,12 @@ function lookInto(moment, from, to, then) {
   if (canUnpack && !looked.unpacks && looked.at.some(each => !each.content)) unpack(then);
 }
 
-// Whether all that went on at a moment is known.
+// Returns whether all stretches at a moment are unpacked.
 function isKnownAt(moment) {
   return !(run.lost && run.lost[0] <= moment && moment < run.lost[1]) && stretches.every(each => !liesIn(each, moment, moment) || looked.known.has(each));
 }
 
-// From one moment to another, in pieces: [[from, to, whether it is known], ...].
+// Divides an interval into pieces that are unpacked or not: [[from, to, whether it is unpacked], ...].
 function piecesOf(from, to) {
   const unknown = stretches.filter(each => liesIn(each, from, to) && !looked.known.has(each)).map(each => [each.begin, each.end]);
   if (run.lost) unknown.push(run.lost);

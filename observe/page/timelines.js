@@ -1,4 +1,4 @@
-// The timelines: a row a track, on a canvas that shows the part of them that is in sight.
+// The timelines: a row for each track. The canvas shows the rows and the interval that are in sight.
 
 const rowHeight = 17, headHeight = 22, most = { messages: 4000 };
 const colours = { path: "#d6006c", running: "#1f4e79", ready: "#d98a1f", waiting: "#9aa7b4", stuck: "#b3261e", link: "#2f7d6b" };
@@ -8,7 +8,8 @@ if (path.length) shown["critical path"] = true;
 const whole = [run.begin, run.begin + span + drawnEnd - run.end];
 const view = { label: 210, wanted: 210, sought: "", unfolded: new Set(), width: 0, height: 0, full: d3.scaleLinear().domain(whole), scale: d3.scaleLinear().domain(whole), rows: [], rowOf: new Map() };
 
-// Running is full and dark, ready half as high and hatched, waiting a thin line: told apart without colour.
+// States can be distinguished without colour: running is full and dark, ready is half as high and hatched, waiting is a
+// thin line.
 const hatch = (() => {
   const tile = document.createElement("canvas"), line = tile.getContext("2d");
   tile.width = tile.height = 6;
@@ -26,7 +27,7 @@ function isShown(track) {
   return shown.processes && (track.outermost === track.number || isUnfolded(track.outermost));
 }
 
-// The components of a PAR are in the row of their process, or unfolded in rows of their own.
+// The components of a PAR are drawn in the row of their process, or, if the process is unfolded, in rows of their own.
 const isUnfolded = number => shown.components || view.unfolded.has(number);
 const isFoldable = track => track.outermost === track.number && (componentsOf[track.number] || []).length > 1;
 const foldedIn = track => isFoldable(track) && !isUnfolded(track.number) ? componentsOf[track.number].filter(each => each !== track) : [];
@@ -57,7 +58,7 @@ function arrangeRows() {
 function fitCanvas() {
   const ratio = window.devicePixelRatio || 1;
   view.height = Math.min(headHeight + view.rows.length * rowHeight, Math.max(260, Math.round(window.innerHeight * 0.55)));
-  scroller.style.height = view.height + 2 + "px"; // before its width is read: it may have a scrollbar at one height and none at another
+  scroller.style.height = view.height + 2 + "px"; // set before the width is read, since the height decides whether there is a scrollbar
   view.width = Math.max(scroller.clientWidth, 240);
   view.label = Math.min(view.wanted, Math.round(view.width * 0.4));
   canvas.width = view.width * ratio;
@@ -94,7 +95,7 @@ function drawCross(x, y) {
   pen.stroke();
 }
 
-// The longest beginning and end of a text that there is room for.
+// Returns the text; if it is too long, its beginning and its end with an ellipsis in between.
 function shortened(text, width) {
   if (pen.measureText(text).width <= width) return text;
   let kept = text.length - 1;
@@ -116,10 +117,10 @@ function drawSlice(track, slice, from, to) {
   } else if (!foldedAway(track)) drawWait(slice, x, y, width);
 }
 
-// In the row of its process only what a component computes is drawn.
+// In the row of their process, folded components are drawn only while they compute or are ready, not while they wait.
 const foldedAway = track => track.kind === "process" && track.outermost !== track.number && !isUnfolded(track.outermost);
 
-// Of each column of pixels, how much of it is running and, on top of that, ready; of components that are folded, together.
+// Draws in each column of pixels the share of running time and, above it, of ready time, including folded components.
 function drawShares(track, from, to) {
   const y = topOf(view.rowOf.get(track.number)), high = rowHeight - 4;
   const x0 = Math.max(view.scale(from), view.label), x1 = Math.min(view.scale(to), view.width);
@@ -134,7 +135,7 @@ function drawShares(track, from, to) {
   }
 }
 
-// Slice by slice where they are known and not too many, else as shares.
+// Draws the slices of a piece if they are unpacked and not too many, otherwise shares.
 function drawPiece(track, from, to, known) {
   const most = (view.scale(to) - view.scale(from)) / 1.5 + 3, slices = [];
   for (const lane of known ? lanesOf(track) : [])
@@ -187,14 +188,14 @@ function drawMessage(message, strong) {
 function drawMessages(chosen) {
   if (!shown.messages) return;
   const some = visibleMessages();
-  if (some.length > view.width / 2 && !chosen) return; // a black page says nothing
+  if (some.length > view.width / 2 && !chosen) return; // so many arrows would cover everything
   for (const message of some) {
     const strong = [message.from, message.to].some(number => outermostName(tracks[number].name) === chosen);
     if (strong || some.length <= view.width / 2) drawMessage(message, strong);
   }
 }
 
-// One line from the beginning of the run to its end, over what it could not have done without.
+// Draws the critical path as one line from the beginning of the run to its end.
 function drawPath() {
   if (!shown["critical path"]) return;
   const [from, to] = view.scale.domain(), middle = part => topOf(view.rowOf.get(part.track)) + rowHeight / 2;
@@ -212,7 +213,7 @@ function drawPath() {
   pen.stroke();
 }
 
-// The part of the critical path that a track has at a moment.
+// Returns the part of the critical path that is on the track at a moment; null if there is none.
 function pathAt(track, moment) {
   const part = path[byPathEnd(path, moment)];
   return shown["critical path"] && part && part.track === track.number && part.begin <= moment ? part : null;
@@ -256,7 +257,7 @@ function drawTimelines(moment, chosen) {
   pen.fillRect(0, 0, view.label - 4, headHeight);
 }
 
-// What is at a place of the canvas: {track, moment}; neither in the head or beside it.
+// Returns the track and the moment at a point of the canvas. In the head the track is null, in the labels the moment.
 function placeAt([x, y]) {
   const row = view.rows[Math.floor((y - headHeight + scroller.scrollTop) / rowHeight)];
   return { track: row && row.track && y > headHeight ? row.track : null, moment: x >= view.label ? view.scale.invert(x) : null };

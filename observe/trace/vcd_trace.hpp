@@ -36,7 +36,7 @@ private:
     };
     using Changes = std::vector<Change>;
     struct Wire {
-        std::int32_t tracks = 0; ///< number of tracks that set it to 1
+        std::int32_t tracks = 0; ///< number of tracks that set the wire to 1
         bool shown = false;      ///< last value in the file
         bool is_on() const { return tracks > 0; }
     };
@@ -51,7 +51,7 @@ private:
     OutputFile& file_;
     const Tracks& tracks_;
     Changes changes_;
-    std::map<std::uint32_t, Wire> wires_; ///< key: number
+    std::map<std::uint32_t, Wire> wires_; ///< key: number of the wire
 };
 
 } // namespace placedpar

@@ -131,7 +131,7 @@ struct Ackley : OverBox<Ackley> {
     double objective(std::span<const double> x) const;
 };
 
-/// Rastrigin's function, computed over and over, so that an evaluation takes as long as is wanted.
+/// Rastrigin's function, computed `work` times, so that an evaluation takes as long as the user wants.
 struct Costly : OverBox<Costly> {
     static constexpr std::string_view name = "costly",
                                       about = "Rastrigin's function computed `work` times, to make an evaluation as "

@@ -36,7 +36,7 @@ double nearest_whole(const City& a, const City& b) { return std::floor(euclidean
 
 double next_whole(const City& a, const City& b) { return std::ceil(euclidean(a, b)); }
 
-/// The pseudo-Euclidean distance: a tenth of the square, never rounded down.
+/// Returns the pseudo-Euclidean distance: the root of a tenth of the squared distance, rounded up to a whole number.
 double pseudo_euclidean(const City& a, const City& b) {
     const double exact = euclidean(a, b) / std::sqrt(10.0), whole = std::floor(exact + 0.5);
     return whole < exact ? whole + 1 : whole;
@@ -48,7 +48,7 @@ double radians(double coordinate) {
     return 3.141592 * (degrees + 5 * (coordinate - degrees) / 3) / 180;
 }
 
-/// The distance on TSPLIB's idealised earth; x is the latitude, y the longitude.
+/// Returns the distance on TSPLIB's idealised earth; x is the latitude, y the longitude.
 double geographical(const City& a, const City& b) {
     constexpr double radius_km = 6378.388;
     const double along = std::cos(radians(a.y) - radians(b.y)), difference = std::cos(radians(a.x) - radians(b.x));

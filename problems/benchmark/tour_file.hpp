@@ -14,7 +14,7 @@ namespace placedpar {
 /// The travelling salesman with a table of distances, which need not be equal in both directions.
 class TableTour {
 public:
-    /// `distances`: from each city to all, row by row. REQUIRES: places * places distances.
+    /// `distances` has a row for each city, with the distances to all cities. REQUIRES: places * places distances.
     TableTour(std::size_t places, std::vector<std::int32_t> distances)
         : places_(places), distances_(std::move(distances)) {}
 

@@ -27,10 +27,9 @@ struct Pole {
 Pole pole_of(double a1, double a2);
 
 /// The change of a1 during an experiment: linear in the generation, from 1.5 to `a1`. Table 5.4 prints a1 = -1.5 + 1.0
-/// (gen - 200). The sign is the sign of the coefficient in A(q^-1), and with the printed slope the plant would be
-/// unstable from the second generation of the change on. The default keeps the time of the change in the table instead:
-/// a1 = 1.5
-/// - (gen - 200) / 200 until generation 400.
+/// (gen - 200). The printed sign is the sign of the coefficient in A(q^-1), and with the printed slope the plant would
+/// be unstable from the second generation of the change on. The default keeps the times of the change in the table
+/// instead: between generations 200 and 400, a1 falls from 1.5 by (gen - 200) / 200.
 struct PlantChange {
     double a1 = 0.5;    ///< value at the end
     double from = 200;  ///< generation at which the change begins

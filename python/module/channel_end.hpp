@@ -13,8 +13,9 @@
 
 namespace placedpar::python {
 
-/// An end of a channel that a process in Python uses. It keeps the message between Python, which needs the lock, and
-/// the channel, which must not have it. A Python variable may refer to the end after its process has ended.
+/// An end of a channel that a process in Python uses. It keeps the message between Python, for which the caller holds
+/// the lock, and the channel, which must be used without the lock. A Python variable may refer to the end after its
+/// process has ended.
 class ChannelEnd {
 public:
     ChannelEnd(std::string port, Direction direction) : port_(std::move(port)), direction_(direction) {}

@@ -42,7 +42,7 @@ GeneratorRun::~GeneratorRun() {
     });
 }
 
-/// REQUIRES: the process that does the run is running.
+/// Notes where the generator waits in its program. REQUIRES: called by the process of this run.
 void GeneratorRun::note_place() const {
     if (!now_)
         return;

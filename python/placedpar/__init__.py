@@ -4,7 +4,7 @@
     run = pp.load("figure-e2.cfs", slaves=4).run(seed=1)
     run.measures
 
-pandas and NumPy are used where they are installed: without pandas, tables are lists of dictionaries.
+pandas and NumPy are used if they are installed. Without pandas, tables are lists of dictionaries.
 """
 
 from ._core import version as __version__

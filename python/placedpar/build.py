@@ -1,4 +1,4 @@
-"""Networks that are built in Python, without a netlist's text: each call adds a statement of a netlist."""
+"""Builds networks in Python, without the text of a netlist: each call adds a statement of a netlist."""
 
 import keyword
 import re
@@ -10,7 +10,7 @@ _UNQUOTED = re.compile(r"-?\d[\d.]*(e[+-]?\d+)?[kKmM]?|TRUE|FALSE|HIGH|LOW")
 
 
 def _expression(value: Any) -> str:
-    """Returns a value as a netlist writes it: "20M" is a number, another text is in quotes."""
+    """Returns a value as a netlist writes it: "20M" is a number, any other text gets quotes."""
     if isinstance(value, bool):
         return "TRUE" if value else "FALSE"
     if isinstance(value, (list, tuple)):
@@ -76,16 +76,20 @@ class Statements:
         self._places.append((frame.f_code.co_filename, frame.f_lineno))
 
     def processor(self, type: str, name: Optional[str] = None, **attributes: Any) -> Part:
-        """Adds a node, such as processor("T800", clock="20M"), and returns it. Its type may be any of netlists, such as
-        "T800", "C004" or "workstation"."""
+        """Adds a node, such as processor("T800", clock="20M"), and returns it. The type may be any type of
+        netlists, such as "T800", "C004" or "workstation"."""
         part = Part(self._new(name or f"{type.lower()}_{len(self._lines)}"))
         self.statement(f"{type} {_attributes(attributes)} {part._name};")
         return part
 
     def process(self, name: str, kind: Union[str, type], on: Part, priority: Optional[str] = None,
                 **parameters: Any) -> Part:
-        """Adds a process and returns it. kind: a class derived from Process, or the name of a kind, such as
-        "csp.producer". on: its processor. priority: "HIGH" or "LOW"."""
+        """Adds a process and returns it.
+
+        kind: a class derived from Process, or the name of a kind, such as "csp.producer".
+        on: the processor of the process.
+        priority: "HIGH" or "LOW".
+        """
         part = Part(self._new(name), on)
         if isinstance(kind, type) and kind not in self._kinds:
             if not hasattr(kind, "_ports"):
@@ -100,7 +104,7 @@ class Statements:
     def connect(self, a: Port, b: Port, link: Optional[Port] = None, **attributes: Any) -> None:
         """Connects two ports by a channel, or two links by a wire.
 
-        link: the link of a processor that carries the channel; by default, the shortest route is chosen.
+        link: the link of a processor that carries the channel; by default, the channel takes the shortest route.
         attributes: attributes of the wire, such as length=0.3 or linkspeed="10M".
         """
         name = f"connection_{len(self._lines)}"
@@ -122,7 +126,7 @@ class Statements:
         return name
 
     def _placed(self, wrong: NetlistError) -> NetlistError:
-        """Returns the errors with line numbers of the program instead of the netlist."""
+        """Returns the errors with the lines of the Python program instead of the lines of the netlist."""
         diagnostics = []
         for each in wrong.diagnostics:
             if each["line"] and self._places:

@@ -17,9 +17,13 @@ def convergence(searches: Union[Searches, Mapping[str, Searches]], title: str = 
                 logarithmic: bool = False) -> Drawing:
     """Draws the best value so far over the generations, as a median with quartiles over the searches.
 
-    searches: one or several, such as searches with other seeds; or for each name of a setting one or several. title: of
-    the plot, by default what it shows. logarithmic: the axis of the values, which must be above 0. gnuplot draws the
-    plot; .save("NAME.svg") writes it. Raises Error if gnuplot is not installed, or no value is a finite number.
+    searches: one search or several, such as searches with different seeds; or a dictionary from names of curves to one
+    search or several.
+    title: title of the plot; by default it says what the plot shows.
+    logarithmic: whether the axis of the values, which must be above 0, is logarithmic.
+
+    gnuplot draws the plot, and .save("NAME.svg") writes it. Raises Error if gnuplot is not installed, or if no value is
+    a finite number.
     """
     settings = searches if isinstance(searches, Mapping) else {"best": searches}
     curves = [_curve(name, [some] if isinstance(some, Found) else some) for name, some in settings.items()]

@@ -21,7 +21,7 @@ class NetlistError(Error):
     """A netlist was refused.
 
     `diagnostics` has all errors and warnings as dictionaries with the keys severity, message, file, line, column, hint
-    and text. `file`, `line` (from 1), `column` (from 1) and `hint` are those of the first error.
+    and text. `file`, `line` (from 1), `column` (from 1) and `hint` are attributes of the first error.
     """
 
     def __init__(self, text: str, diagnostics: Sequence[dict[str, Any]] = ()) -> None:
@@ -42,7 +42,7 @@ class RecordError(Error):
     """The readings in a DataFrame were refused.
 
     `diagnostics` has the errors as dictionaries with the keys severity, row (its label in the index), column (its
-    name), message and hint. `row` and `column` are those of the first error; None stands for all rows or columns.
+    name), message and hint. `row` and `column` are attributes of the first error; None stands for all rows or columns.
     """
 
     def __init__(self, text: str, diagnostics: Sequence[dict[str, Any]] = ()) -> None:
@@ -58,13 +58,13 @@ class RecordWarning(UserWarning):
 
 
 class ProcessError(Error):
-    """A process in Python raised an exception, which is the `__cause__`. The text names the process and the time."""
+    """A process in Python raised an exception, which is the `__cause__`. The text names the process and the virtual time."""
 
 
 class Deadlock(Error):
-    """A run ended in a deadlock. The text has the cycle, and where each process waits in its program.
+    """A run ended in a deadlock. The text has the cycle, and the line of its program at which each process waits.
 
-    `run` is the run, with its measures up to the deadlock.
+    `run` is the run with its measures up to the deadlock.
     """
 
     def __init__(self, text: str, run: Any) -> None:

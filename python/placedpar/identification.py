@@ -25,8 +25,8 @@ class Identification:
 
     @property
     def links(self) -> Any:
-        """A table with a row for each compliance: link, unit, compliance, standard_error, flags and so on. The way
-        "service" identifies each movement anew, and its rows have set, from_s and to_s, too."""
+        """A table with a row for each compliance: link, unit, compliance, standard_error, flags and so on. With the way
+        "service", there is a row for each link and movement, which also has set, from_s and to_s."""
         movements = self.report.get("movements", [{"links": self.report.get("links", [])}])
         rows = [{**movement, **link} for movement in movements for link in movement["links"]]
         for row in rows:
@@ -35,7 +35,7 @@ class Identification:
 
     @property
     def verdicts(self) -> Any:
-        """A table of the verdicts on the links, of the way "service": link, verdict, probability and so on."""
+        """A table of the verdicts on the links, if the way is "service": link, verdict, probability and so on."""
         return table(self.report.get("verdicts", []))
 
     def __str__(self) -> str:
@@ -50,17 +50,23 @@ def identify(record: Any, *, links: Union[str, Sequence[str]] = "", configuratio
 
     record: a DataFrame of shape (samples, columns) with the columns of a record's file, such as "time [s]",
     "boom.inlet_pressure [psi]", "boom.angle [deg]" and "boom.spool [in]" (docs/guides/records.md has all sensors and
-    units). A column is in the unit of its name. columns: names of columns that have others, such as
-    {"boom.angle [deg]": "Phi 1"}; columns_from: a file with such names, one in each line.
-    links: such as "boom" or ["bucket", "boom"]. configuration: of the main valve, "a" to "e". way: "service" (each
-    movement), "thesis" (the first transient) or "whole" (several links over the whole movement). machine: a file with
-    constants. areas_from: "areas", "spool" or "servo". offset: of the boom's spool in inches, "auto" or "none".
-    missing: "skip" leaves out rows that lack a reading. side: "inlet" or "outlet". bias: in (in^3/s)^2.
+    units). The name of a column states its unit.
+    columns: the DataFrame's names of columns with other names, such as {"boom.angle [deg]": "Phi 1"}.
+    columns_from: a file with such names, one in each line.
+    links: one link or several, such as "boom" or ["bucket", "boom"].
+    configuration: configuration of the main valve, "a" to "e".
+    way: "service" (each movement), "thesis" (the first transient) or "whole" (several links over the whole movement).
+    machine: a file with the constants of the machine.
+    areas_from: source of the valve's areas: "areas", "spool" or "servo".
+    offset: offset of the boom's spool in inches, or "auto" or "none".
+    missing: "skip" leaves out rows that lack a reading.
+    side: side of the cylinders, "inlet" or "outlet".
+    bias: bias of the fitness, in (in^3/s)^2.
     numbers: bits, population, trials, window, elite, samples, rising (a truth value) and coding ("natural" or "gray"),
-    as options of `placedpar identify`.
+    which mean the same as the options of `placedpar identify`.
 
-    Raises RecordError, which names the column and the row, for wrong readings, and Error for settings that do not fit
-    and a record that lacks what the settings need. Warns with RecordWarning.
+    Raises RecordError for wrong readings; it names the column and the row. Raises Error for settings that are not
+    valid, and for a record that lacks data that the settings require. Warns with RecordWarning.
     """
     if not hasattr(record, "to_csv") or not hasattr(record, "columns"):
         raise TypeError(f"a record is a pandas DataFrame, not {type(record).__name__}")
@@ -103,8 +109,8 @@ def _set(settings: _core.IdentifySettings, name: str, value: Any) -> None:
 
 
 def _placed(faults: Sequence[dict[str, Any]], record: Any, text: str) -> list[dict[str, Any]]:
-    """Returns the faults with the row's label and the column's name in place of the line and column of the text. They
-    are None for a fault of the whole record, of all columns or of all cells of a row."""
+    """Returns the faults with the row's label and the column's name in place of the line and column of the text. The
+    label or the name is None if the fault concerns all rows or all columns."""
     lines = text.split("\n")
     placed = []
     for fault in faults:
@@ -124,5 +130,5 @@ def _placed(faults: Sequence[dict[str, Any]], record: Any, text: str) -> list[di
 
 
 def _settings_in_python(text: str) -> str:
-    """Returns a text with the names of settings in place of those of the command line's options."""
+    """Returns a text with names of settings in place of the names of the command line's options."""
     return re.sub(r"--([a-z][a-z-]*)", lambda option: {"link": "links", "column": "columns"}.get(option[1], option[1].replace("-", "_")), text)

@@ -10,9 +10,13 @@ from .errors import Error
 class Monitor:
     """A connection to a monitor, for one machine. Use it in a `with` statement.
 
-    machine: name of the machine. port: the TCP port of the monitor at `address`; or unix: the path of its socket.
-    timeout_s: longest time for which an answer is awaited. hello: further fields of the first message, such as
-    role="watch" or token="...". `welcome` is the monitor's answer to it. Raises Error for a message that is refused.
+    machine: name of the machine.
+    port: the TCP port of the monitor at `address`.
+    unix: the path of the monitor's socket, in place of `port`.
+    timeout_s: longest time to wait for an answer.
+    hello: further fields of the first message, such as role="watch" or token="...".
+
+    `welcome` is the monitor's answer to the first message. Raises Error if the monitor refuses a message.
     """
 
     def __init__(self, machine: str, port: int = 0, address: str = "127.0.0.1", unix: Optional[str] = None,
@@ -32,7 +36,7 @@ class Monitor:
             raise
 
     def ask(self, answer: str, **message: Any) -> dict[str, Any]:
-        """Sends a message and returns the next answer of this type. Alarms received before it are appended to `alarms`."""
+        """Sends a message and returns the next answer of this type. Appends alarms that arrive before the answer to `alarms`."""
         self._socket.sendall((json.dumps(message) + "\n").encode())
         while True:
             line = self._lines.readline()
@@ -54,7 +58,7 @@ class Monitor:
     def sample(self, time_s: float, links: Mapping[str, Mapping[str, float]]) -> dict[str, Any]:
         """Sends the readings of all active links at one instant, and returns the estimates.
 
-        links: for each link inlet_psi, angle_deg, and spool_in, servo_V, or inlet_in2 and bypass_in2.
+        links: for each link, inlet_psi and angle_deg, and also spool_in, or servo_V, or inlet_in2 and bypass_in2.
         """
         return self.ask("estimates", type="sample", time_s=time_s, links={name: dict(each) for name, each in links.items()})
 

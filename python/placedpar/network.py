@@ -23,7 +23,7 @@ FilePath = Union[str, "os.PathLike[str]"]
 
 
 def picoseconds(time: Time) -> int:
-    """Returns a time in picoseconds: a number is in seconds, a text is as in a netlist ("20us")."""
+    """Returns a time in picoseconds: a number is in seconds; a text has a unit as in a netlist ("20us")."""
     if isinstance(time, str):
         return _core.parse_time(time)
     if isinstance(time, timedelta):
@@ -64,7 +64,7 @@ class _Shown:
         self.text = text
 
     def save(self, path: FilePath) -> None:
-        """Writes the text to a file, which a browser opens without the internet."""
+        """Writes the text to a file, which a browser can show without access to the internet."""
         Path(path).write_text(self.text, encoding="utf-8")
 
 
@@ -88,7 +88,7 @@ class Page(_Shown):
 
 
 class Run:
-    """A finished run of a network. `Network.run` makes it."""
+    """A finished run of a network, as Network.run() returns it."""
 
     def __init__(self, network: _core.Network, core: _core.Run) -> None:
         self._network = network
@@ -150,13 +150,14 @@ class Run:
 
     @property
     def timeline(self) -> Any:
-        """A table of intervals: track (a process, processor or link), activity, begin and end in seconds, subject (of a
-        processor the process, of a link the channel), bytes, partner (of a wait). The run is repeated to record it."""
+        """A table of intervals: track (a process, processor or link), activity, begin and end in seconds, subject (the
+        process that a processor executes, or the channel that a link carries), bytes, partner (of a wait). The run is
+        repeated to record the intervals."""
         names = ("track", "activity", "begin", "end", "subject", "bytes", "partner")
         return table_of_columns(**dict(zip(names, self._network.timeline(self._core))))
 
     def page(self, height: int = 700) -> Page:
-        """Returns the page of the run: machine, timelines, convergence. The run is repeated to record it.
+        """Returns the page of the run: machine, timelines, convergence. The run is repeated to record the page.
 
         height: height of the frame in a notebook, in pixels.
         """
@@ -170,7 +171,7 @@ class Run:
 
 
 class Network(Statements):
-    """A network of processors and processes: `load` reads one from a netlist, and Network() is built by calls.
+    """A network of processors and processes: load() reads a network from a netlist, and calls add parts to an empty Network().
 
         net = pp.Network()
         a = net.processor("T800", clock="20M")
@@ -206,7 +207,7 @@ class Network(Statements):
         return self._checked[1]
 
     def changed(self, settings: Mapping[str, Any]) -> "Network":
-        """Returns the network with other settings, as `load` takes them."""
+        """Returns the network with changed settings, which are given as in load()."""
         other = Network()
         other.__dict__.update({name: copy.copy(value) for name, value in self.__dict__.items()})
         other._settings = {**self._settings, **{name: setting(value) for name, value in settings.items()}}
@@ -217,12 +218,15 @@ class Network(Statements):
             progress: ProgressOption = None) -> Run:
         """Runs the network in virtual time and returns a Run. Other Python threads continue meanwhile; Ctrl-C ends the run.
 
-        seed: of all random numbers. until: latest end, in seconds or as "20ms". shuffle: a seed with which ready
-        processes run in a random order. progress: a function that is called with the virtual time and the latest end in
-        seconds (None if there is none), on another thread; False: no line of progress on a terminal or in a notebook.
-        The time is that of the latest generation of a search, or step of a process in Python; a run without them tells
-        only its end. Raises Deadlock, ProcessError, and Error for a run that
-        cannot be made.
+        seed: seed of all random numbers.
+        until: latest end of the run, in seconds or as "20ms".
+        shuffle: a seed with which ready processes run in a random order.
+        progress: a function that is called, on another thread, with the virtual time and the latest end in seconds
+        (None if there is none); False shows no line of progress on a terminal or in a notebook. The virtual time is the
+        time of the latest generation of a search, or of the latest step of a process in Python. A run without searches
+        and without processes in Python reports only its end.
+
+        Raises Deadlock, ProcessError, and Error for a run that cannot be made.
         """
         order = None if shuffle is None else seed_of(shuffle, "shuffle")
         end_ps, clock = limit(until), _core.Clock()
@@ -243,7 +247,7 @@ class Network(Statements):
 
     @property
     def cfs(self) -> str:
-        """The network as a netlist without loops and constants."""
+        """Returns the network as a netlist without loops and constants."""
         return self._core.cfs()
 
     def _repr_svg_(self) -> str:
@@ -261,9 +265,12 @@ def load(netlist: FilePath, kinds: Sequence[type] = (), settings: Optional[Mappi
 
     netlist: the path of a file, or the text of a netlist (a text has a semicolon or several lines).
     kinds: classes derived from Process, which the netlist names by their `kind`.
-    settings, and further keyword arguments: values, attributes and parameters that replace those of the netlist, such
-    as slaves=4, linkspeed="10M", settings={"t[0].clock": "20M"}.
-    include: folders of included files. faults: faults as in a netlist. use: kinds in place of programs, by name.
+    settings, and further keyword arguments: values, attributes and parameters that replace the values in the netlist,
+    such as slaves=4, linkspeed="10M", settings={"t[0].clock": "20M"}.
+    include: folders in which included files are searched.
+    faults: faults, written as in a netlist.
+    use: for each process that is named, the kind that replaces its program.
+
     Raises NetlistError, with file, line, column and hint of each error.
     """
     for kind in kinds:

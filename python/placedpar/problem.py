@@ -13,8 +13,8 @@ EQUATION_TOLERANCE = 1e-4  #: an equation h(x) = 0 of a problem object is satisf
 
 def prepared(problem: Problem, bounds: Optional[Bounds], bits: Union[int, Sequence[int]],
              search: str) -> tuple[Union[str, Function], Bounds, Sequence[int]]:
-    """Returns the name or the function of a problem, its bounds, and the bits of each parameter. search: the name of the
-    function that searches."""
+    """Returns the name or the function of a problem, its bounds, and the bits of each parameter. `search` is the name
+    of the function that searches, for messages."""
     if hasattr(problem, "_evaluate"):
         problem, bounds, objectives = _of_pymoo(problem)
     elif hasattr(problem, "fitness") and hasattr(problem, "get_bounds"):
@@ -59,8 +59,8 @@ def _of_pymoo(problem: Any) -> tuple[Function, Bounds, int]:
 
 
 def _of_pygmo(problem: Any) -> tuple[Function, Bounds, int]:
-    """Returns the function, bounds and number of objectives of a pygmo problem. Its fitness has objectives,
-    equations and inequalities, in this order."""
+    """Returns the function, bounds and number of objectives of a pygmo problem. The problem's fitness is
+    a list of objectives, equations and inequalities, in this order."""
     import numpy
 
     def count(name: str, by_default: int = 0) -> int:

@@ -68,7 +68,7 @@ class Inputs(_Port):
 
 
 class Output(_Port):
-    """An output end. `yield self.NAME.output(message)` returns when the message has been taken."""
+    """An output end. `yield self.NAME.output(message)` returns when the receiver has taken the message."""
     is_output = True
 
 
@@ -81,7 +81,7 @@ class Outputs(_Port):
 class Parameter:
     """A parameter with a unit and a range. A plain attribute, such as `cycles = 100`, is a parameter, too.
 
-    default: an int, a float or a str; the type int, float or str if the netlist must give the value.
+    default: the default value, an int, a float or a str; or the type int, float or str if the netlist must give a value.
     """
 
     def __init__(self, default: Any, unit: str = "", least: Optional[float] = None, most: Optional[float] = None,
@@ -102,8 +102,8 @@ class Parameter:
 class Process:
     """A process kind. Attributes that are ports or parameters describe its interface; `body` is its program.
 
-    In the body, `self.name` is the name of the process in the netlist, such as "relay[2]", and `self.seed` the seed of
-    the run. `kind` is the name by which netlists use the class; by default it is the name of the class.
+    In the body, `self.name` is the name of the process in the netlist, such as "relay[2]", and `self.seed` is the
+    seed of the run. `kind` is the name of the kind in netlists; by default it is the name of the class.
     """
 
     kind: str = ""
@@ -180,12 +180,12 @@ def wait(time: Time) -> Operation:
 
 
 def until(time: Time) -> Operation:
-    """Waits until a virtual time, in seconds from the start of the run or as "20ms". It can be a guard of `alt`, too."""
+    """Waits until a virtual time, in seconds from the start of the run or as "20ms". It can also be a guard of `alt`."""
     return _core.until(picoseconds(time))
 
 
 def when(condition: bool, guard: Union[ChannelEnd, Operation]) -> Union[ChannelEnd, Operation]:
-    """Returns the guard, or a guard that is never ready if the condition is false."""
+    """Returns the guard if the condition is true, otherwise a guard that is never ready."""
     return guard if condition else never()
 
 
@@ -195,5 +195,5 @@ def now() -> float:
 
 
 def clock() -> int:
-    """Returns the reading of the processor's clock in ticks, occam's `timer ? t`. Call it only in a body."""
+    """Returns the reading of the processor's clock in ticks, as occam's `timer ? t` does. Call it only in a body."""
     return _core.clock()

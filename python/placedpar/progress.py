@@ -38,10 +38,12 @@ def _line_on_terminal() -> Optional[Callable[[str], None]]:
 
 @contextlib.contextmanager
 def progress_of(option: ProgressOption, what: str) -> Iterator[Optional[Told]]:
-    """Returns a function that is told how much is done, and of how much (None: unknown); None if nothing is shown.
+    """Returns a function that shows progress; None if no progress is shown. Its arguments are the amount of work that is
+    done and the whole amount (None if unknown).
 
-    option: a function that is called instead; False shows nothing; otherwise a line is shown where there is a terminal
-    or a notebook, once the work has taken half a second. what: such as "{} of {} runs".
+    option: the user's function, which is returned; or False, which shows nothing. Otherwise a line is shown on a
+    terminal or in a notebook, once the work has taken half a second.
+    what: the text of the line, such as "{} of {} runs".
     """
     line = None if option is False or callable(option) else _line_in_notebook() or _line_on_terminal()
     if line is None:
@@ -66,7 +68,7 @@ def progress_of(option: ProgressOption, what: str) -> Iterator[Optional[Told]]:
 
 @contextlib.contextmanager
 def watched(tell: Optional[Told], done: Callable[[], float], of: Optional[float]) -> Iterator[None]:
-    """Tells how much is done in each fifth of a second, from a thread of its own."""
+    """Calls `tell` five times per second, from a separate thread, with the amount of work that is done."""
     if tell is None:
         yield
         return

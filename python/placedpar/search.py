@@ -1,4 +1,4 @@
-"""Searches by genetic algorithms, with the fitness in Python or of a problem that PlacedPar knows."""
+"""Searches by genetic algorithms. The objective is a function in Python, or a problem that PlacedPar knows."""
 
 import math
 import os
@@ -15,9 +15,11 @@ from .tables import table, table_of_csv
 class Found:
     """The result of a search: the best individual of all islands and generations.
 
-    x: its parameters, an array of shape (d,). value: its objective; NaN if it is not feasible. violation: by how much
-    it violates the constraints in all, 0 if it is feasible. fitness: what the search maximised. generation: the
-    generation, from 1, and island, from 0, that found it.
+    x: parameters of the individual, an array of shape (d,).
+    value: objective of the individual; NaN if the individual is not feasible.
+    violation: sum of the violations of the constraints; 0 if the individual is feasible.
+    fitness: fitness of the individual, which the search maximised.
+    generation, island: the generation, counted from 1, and the island, counted from 0, that found the individual.
     """
 
     x: Any
@@ -46,7 +48,7 @@ class Found:
 
     @property
     def log(self) -> Any:
-        """A table of every generation of every island, as Run.log has it, without times."""
+        """A table of every generation of every island, like Run.log but without times."""
         return table_of_csv(self._csv)
 
     def __repr__(self) -> str:
@@ -66,29 +68,34 @@ def search(problem: Problem, bounds: Optional[Sequence[tuple[float, float]]] = N
            progress: ProgressOption = None) -> Found:
     """Searches for the least value of an objective and returns what was Found.
 
-    problem: a function of a population, an array of shape (n, d), that returns n values, shape (n,) or (n, 1); or a
-    problem as pymoo or pygmo have it; or the name of a known problem, such as "rastrigin(dimensions = 10)".
-    With constraints, the function returns a tuple: the values, and an array of shape (n,) or (n, k) with numbers of
-    which each is at most 0 if its constraint is satisfied. A feasible individual is better than every other; of two
-    that are not, the one that violates its constraints less in all is better.
-    bounds: d pairs (least, greatest) of a function. maximise: the greatest value is wanted.
-    bits: of each parameter's field, a number or d numbers; coding: "natural", "gray" or "real" (no bits).
-    Each island has `population` individuals and its own random numbers, given by `seed`.
-    checkpoint: a file that keeps all populations, every 10 generations. If it is there, the search goes on from it;
-    a file of another problem, or of a function with other bounds or another goal, is refused.
+    problem: a function of a population, which gets an array of shape (n, d) and returns n values, of shape (n,) or
+    (n, 1); or a problem object of pymoo or pygmo; or the name of a known problem, such as "rastrigin(dimensions = 10)".
+    With constraints, the function returns a tuple: the values, and an array of shape (n,) or (n, k). A constraint is
+    satisfied if its number is at most 0. A feasible individual is better than an individual that is not feasible. Of two
+    individuals that are not feasible, the individual with the smaller sum of violations is better.
+    bounds: d pairs (least, greatest) for the parameters of a function.
+    maximise: whether to search for the greatest value instead.
+    bits: number of bits of each parameter's field; one number, or d numbers.
+    coding: "natural", "gray" or "real" (no bits).
+    population: number of individuals of each island. Each island has its own random numbers, given by `seed`.
+    checkpoint: a file in which all populations are stored every 10 generations. If the file exists, the search continues
+    from it. A file of another problem, or of a function with other bounds or another goal, is refused.
 
-    The policies are texts as in a netlist, such as "tournament(3)", or functions:
+    A policy is a text as in a netlist, such as "tournament(3)", or a function:
     reproduction(fitness, count, random) -> count indices of parents;
     crossover(a, b, random) -> (a, b); mutation(x, place, random) -> x, for each place that is mutated;
     topology(islands) -> for each island a list of its neighbours;
-    schedule(exchange, neighbours) -> the neighbours that get emigrants; its attribute `every` counts generations;
-    emigration(fitness, random) -> indices; its attribute `count` is their number;
+    schedule(exchange, neighbours) -> the neighbours that get emigrants; the function's attribute `every` is the number
+    of generations between exchanges;
+    emigration(fitness, random) -> indices of emigrants; the function's attribute `count` is the number of emigrants;
     acceptance(fitness, immigrants, random) -> for each immigrant the index of the individual that it replaces, or
     None.
-    Strings are arrays of bits, real numbers, or places of a permutation.
+    a, b and x are arrays of bits, real numbers, or places of a permutation.
 
-    progress: a function that is called with the numbers of generations made, on all islands together, and wanted;
-    False: no line of progress on a terminal or in a notebook. Raises Error for settings that do not fit.
+    progress: a function that is called with the number of generations made, on all islands together, and the number of
+    all generations; False shows no line of progress on a terminal or in a notebook.
+
+    Raises Error for settings that are not valid.
     """
     if islands == 1 and topology is None:
         topology = "none"
@@ -103,9 +110,13 @@ def search(problem: Problem, bounds: Optional[Sequence[tuple[float, float]]] = N
 
 
 class Front:
-    """The result of search_front: x, an array of shape (n, d), and values, of shape (n, objectives), of the n
-    individuals that no other dominates; names of the objectives; least_violation of the constraints, 0 if an
-    individual satisfies all; the number of evaluations that this call made.
+    """The result of search_front(): the n individuals that no other individual dominates.
+
+    x: their parameters, an array of shape (n, d).
+    values: their objectives, an array of shape (n, objectives).
+    names: names of the objectives.
+    least_violation: least sum of violations of the constraints; 0 if an individual satisfies all constraints.
+    evaluations: number of evaluations that this call made.
     """
 
     def __init__(self, found: dict[str, Any]) -> None:
@@ -128,9 +139,11 @@ def search_front(problem: Problem, bounds: Optional[Sequence[tuple[float, float]
     """Searches for the front of several objectives by NSGA-II, and returns the Front.
 
     problem: as in search(), but the values that a function returns have the shape (n, objectives). All objectives are
-    minimised, or all maximised. bounds, maximise, bits, coding, checkpoint, progress: as in search(). The other
-    settings are those of NSGA-II: coding="real" has simulated binary crossover and polynomial mutation.
-    Makes population * (generations + 1) evaluations. Raises Error for settings that do not fit.
+    minimised, or all are maximised.
+    bounds, maximise, bits, coding, checkpoint, progress: as in search().
+
+    The operators are the operators of NSGA-II; with coding="real" these are simulated binary crossover and polynomial
+    mutation. Makes population * (generations + 1) evaluations. Raises Error for settings that are not valid.
     """
     function, ranges, fields = prepared(problem, bounds, bits, "search_front")
     if population in (0, 1):

@@ -1,4 +1,4 @@
-"""Many runs of a network, and what would make it faster."""
+"""Makes many runs of a network, and explains what would make it faster."""
 
 import itertools
 import json
@@ -17,15 +17,19 @@ def sweep(network: Network, settings: Optional[Mapping[str, Any]] = None, seeds:
           jobs: int = 0, progress: ProgressOption = None, **more_settings: Any) -> Any:
     """Runs a network with all combinations of settings and seeds, on all cores, and returns a table.
 
-    settings, and further keyword arguments: for each name a value or several values, such as slaves=range(8),
-    linkspeed=["5M", "20M"]. seeds: number of seeds, from `seed` on. measure: one or several measures as in `placedpar
-    sweep`, such as "master.T_exe" or "max(slave.T_c)"; "time" is in milliseconds. store: a file that keeps the runs,
-    with which a later sweep goes on. jobs: number of threads; 0: one for each core. progress: a function that is called
-    with the numbers of runs made and of missing runs, at the end also if nothing was missing; False: no line of progress
-    on a terminal or in a notebook.
+    settings, and further keyword arguments: for each name one value or several values, such as slaves=range(8),
+    linkspeed=["5M", "20M"].
+    seeds: number of seeds, of which `seed` is the first.
+    measure: one or several measures as in `placedpar sweep`, such as "master.T_exe" or "max(slave.T_c)"; "time" is in
+    milliseconds.
+    store: a file in which the runs are stored. A later sweep with this file makes only the runs that are missing.
+    jobs: number of threads; 0: one for each core.
+    progress: a function that is called with the number of runs made and the number of runs that were missing; it is
+    called at least once, at the end. False shows no line of progress on a terminal or in a notebook.
 
-    The table has a row for each run: the settings, seed, outcome, and the measures (None if the run has no such figure).
-    A network that has processes in Python or is not a netlist's file is run on one core, and without a store.
+    The table has a row for each run: the settings, seed, outcome, and the measures (None if the run does not have the
+    measure). A network that has processes in Python, or that was not read from a file, is run on one core and without a
+    store.
     """
     axes = []
     for name, values in {**(settings or {}), **more_settings}.items():
@@ -49,7 +53,7 @@ def sweep(network: Network, settings: Optional[Mapping[str, Any]] = None, seeds:
 
 def _runs_here(network: Network, axes: Sequence[tuple[str, Sequence[str]]], measures: Sequence[str],
                seeds: Sequence[int], until: Optional[Time], tell: Optional[Told]) -> list[dict[str, Any]]:
-    """Makes the runs one after the other, since Python runs the processes of one network at a time."""
+    """Makes the runs one after the other, since Python can run only one network with processes in Python at a time."""
     rows: list[dict[str, Any]] = []
     combinations = list(itertools.product(*(values for _, values in axes)))
     for combination in combinations:
@@ -72,7 +76,7 @@ def _figures_of_run(network: Network, measures: Sequence[str], seed: int, until:
 
 
 class Explanation:
-    """Why a run takes so long, and what would make it faster. print() shows it as `placedpar explain` does."""
+    """Explains why a run takes so long, and what would make it faster. print() shows it as `placedpar explain` does."""
 
     def __init__(self, report: str, text: str) -> None:
         self.report: dict[str, Any] = json.loads(report)  #: all figures; times are in picoseconds
@@ -80,7 +84,7 @@ class Explanation:
 
     @property
     def what_if(self) -> Any:
-        """A table of the changes that were tried, the best first: see the keys of report["what_if"]."""
+        """A table of the changes that were tried, the best first. Its columns are the keys of report["what_if"]."""
         return table(self.report["what_if"])
 
     @property
@@ -94,7 +98,11 @@ class Explanation:
 
 def explain(network: Network, seed: int = 1, until: Optional[Time] = None,
             progress: ProgressOption = None) -> Explanation:
-    """Runs a network, tries out changes of it, and returns an Explanation. progress: as in `sweep`, for the changed
-    runs. Raises errors as `Network.run`, and Error if the network has processes in Python."""
+    """Runs a network, tries out changes of it, and returns an Explanation.
+
+    progress: as in sweep(), for the runs with changes.
+
+    Raises the errors of Network.run(), and Error if the network has processes in Python.
+    """
     with progress_of(progress, "{} of {} changes") as tell:
         return Explanation(*_core.explain(network._core, seed_of(seed), limit(until), is_main_thread(), tell))

@@ -26,7 +26,7 @@ def table_of_columns(**columns: Sequence[Any]) -> Any:
 
 
 def table_of_csv(text: str) -> Any:
-    """Returns a table of comma-separated values: numbers where all of a column are numbers, None for empty cells."""
+    """Returns a table of comma-separated values. A column is numeric if all its cells are numbers; empty cells are None."""
     if pandas is not None:
         return pandas.read_csv(io.StringIO(text))
     return [{key: number_in(value) if value else None for key, value in row.items()}
@@ -34,7 +34,7 @@ def table_of_csv(text: str) -> Any:
 
 
 def number_in(value: Any) -> Any:
-    """Returns a text as the number that it is; other texts and objects stay what they are."""
+    """Returns the number that a text spells; returns any other text or object unchanged."""
     for number in (int, float) if isinstance(value, str) else ():
         try:
             return number(value)

@@ -35,7 +35,7 @@ void Core::enable_channel() {
     registers_.b = registers_.c;
     if (registers_.a == 0)
         return;
-    tell(registers_.workspace, Turn::enables, channel);
+    tell(registers_.workspace, ProcessChange::enables_channel, channel);
     if (is_ready(channel))
         store(registers_.workspace - below::state, alternative::ready);
     else
@@ -96,14 +96,14 @@ void Core::wait_for_alternative(bool timer) {
         store(workspace - below::state, alternative::ready);
         if (timer)
             store(workspace - below::time, clock(priority_));
-        tell(workspace, Turn::selects);
+        tell(workspace, ProcessChange::needs_no_wait);
         return;
     }
     store(workspace - below::state, alternative::waiting);
     if (timer && load(workspace - below::timer_link) == alternative::time_set)
         join_timers(load(workspace - below::time));
     leave_processor();
-    tell(workspace, timer ? Turn::times : Turn::alternates);
+    tell(workspace, timer ? ProcessChange::waits_for_time : ProcessChange::waits_in_alt);
 }
 
 // Clocks
@@ -142,7 +142,7 @@ void Core::wait_for_time() {
     }
     join_timers(time);
     leave_processor();
-    tell(registers_.workspace, Turn::times);
+    tell(registers_.workspace, ProcessChange::waits_for_time);
 }
 
 /// Puts the running process into the timer queue of its priority, after processes with the same time.
@@ -192,7 +192,7 @@ void Core::wake_timers(int priority) {
         store(workspace - below::time, clock(priority));
         if (load(workspace - below::state) == alternative::waiting)
             store(workspace - below::state, alternative::ready);
-        tell(workspace, Turn::ready);
+        tell(workspace, ProcessChange::becomes_ready);
         enqueue(workspace | static_cast<Word>(priority));
     }
 }

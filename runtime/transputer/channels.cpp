@@ -15,7 +15,7 @@ void Core::transfer_ended(int channel) {
     store(address, not_a_process);
     if (process == not_a_process)
         return;
-    tell(process, Turn::ready, address);
+    tell(process, ProcessChange::becomes_ready, address);
     enqueue(process);
 }
 
@@ -27,9 +27,11 @@ void Core::begin_communication(Operation operation) {
         return communicate_by_link(link, asked);
     running_ = communicate(operation != Operation::in, asked, registers_) && stopped_ == Stopped::nothing;
     if (running_)
-        tell(asked.partner, Turn::met, asked.channel);
+        tell(asked.partner, ProcessChange::communicated, asked.channel);
     else if (stopped_ == Stopped::nothing)
-        tell(registers_.workspace, operation == Operation::in ? Turn::inputs : Turn::outputs, asked.channel);
+        tell(registers_.workspace,
+             operation == Operation::in ? ProcessChange::waits_for_input : ProcessChange::waits_for_output,
+             asked.channel);
 }
 
 void Core::communicate_by_link(int link, const Communication& asked) {
@@ -39,13 +41,14 @@ void Core::communicate_by_link(int link, const Communication& asked) {
         return fault(Stopped::by_bad_address, asked.address);
     store(asked.channel, descriptor());
     leave_processor();
-    tell(registers_.workspace, link < 4 ? Turn::outputs : Turn::inputs, asked.channel);
+    tell(registers_.workspace, link < 4 ? ProcessChange::waits_for_output : ProcessChange::waits_for_input,
+         asked.channel);
     links_.begin_transfer(link, asked.address, asked.bytes);
 }
 
 /// Notifies a process in an ALT that one of its channels is ready. `woken` says whether another process or a link made
 /// it ready.
-void Core::wake_alternative(Word partner, Time now, Turn woken) {
+void Core::wake_alternative(Word partner, Time now, ProcessChange woken) {
     const Word workspace = partner & ~Word{3};
     const Word state = load(workspace - below::state);
     store(workspace - below::state, alternative::ready);
@@ -58,7 +61,7 @@ void Core::wake_alternative(Word partner, Time now, Turn woken) {
 
 void Core::byte_has_come(int channel, Time now) {
     if (const Word waiting = load(most_negative + 4 * static_cast<Word>(channel)); waiting != not_a_process)
-        wake_alternative(waiting, now, Turn::ready);
+        wake_alternative(waiting, now, ProcessChange::becomes_ready);
 }
 
 void Core::reset_channel() {
@@ -125,13 +128,13 @@ void Core::perform_on_processes(Operation operation) {
     switch (operation) {
     case Operation::startp:
         store(r.a - below::instruction, r.instruction + r.b);
-        tell(r.a, Turn::ready);
+        tell(r.a, ProcessChange::becomes_ready);
         enqueue((r.a & ~Word{3}) | static_cast<Word>(priority_));
         r.a = r.b = r.c;
         break;
     case Operation::endp: end_process(); break;
     case Operation::runp:
-        tell(r.a, Turn::ready);
+        tell(r.a, ProcessChange::becomes_ready);
         enqueue(r.a);
         pop();
         break;

@@ -90,7 +90,7 @@ PLACEDPAR_EXPANDED bool Core::communicate(bool is_output, const Communication& a
         return true;
     }
     if (asked.partner != not_a_process)
-        wake_alternative(asked.partner, local_time(), Turn::met);
+        wake_alternative(asked.partner, local_time(), ProcessChange::communicated);
     store(asked.channel, descriptor(r));
     store(r.workspace - below::pointer, asked.address);
     store_instruction(r);

@@ -202,26 +202,26 @@ public:
     /// Executes one instruction at a time from now on, with the same results. REQUIRES: `watcher` outlives the run.
     void watch(Watcher* watcher) { watcher_ = watcher; }
 
-    /// The new activity of a process.
-    enum class Turn : std::uint8_t {
-        runs,       ///< it has the processor
-        ready,      ///< it is in a queue, or interrupted
-        met,        ///< as `ready`, because the running process has communicated with it by the channel
-        enables,    ///< the running process waits for this channel, too, if its ALT waits
-        selects,    ///< the ALT of the running process need not wait
-        alternates, ///< it waits in an ALT for the channels that it has enabled
-        times,      ///< as `alternates`, with a time; or it waits only for the time, if it has enabled no channel
-        inputs,     ///< it waits for input by the channel
-        outputs,
-        stops, ///< it has left the processor, and waits for nothing; or the core has stopped
+    /// A change of a process's activity.
+    enum class ProcessChange : std::uint8_t {
+        gets_processor,
+        becomes_ready,   ///< the process is in a queue, or interrupted
+        communicated,    ///< as `becomes_ready`, after a communication with the running process
+        enables_channel, ///< the running process enables the channel in an ALT
+        needs_no_wait,   ///< a guard of the running process's ALT is ready
+        waits_in_alt,    ///< the process waits for the channels that it has enabled
+        waits_for_time,  ///< the process waits for a time, and for the channels that it has enabled, if any
+        waits_for_input,
+        waits_for_output,
+        stops, ///< the process has left the processor and waits for nothing, or the core has stopped
         ends
     };
     /// Watches processes, for traces. REQUIRES: it only reads the core.
     class ProcessWatcher {
     public:
-        /// The process of this workspace changes its activity, at the local time. A process that calls procedures waits
-        /// at other workspaces than those at which it runs.
-        virtual void turns(Word workspace, Turn, Word channel) = 0;
+        /// Called when a process changes its activity, at the local time. `workspace` is the process's present
+        /// workspace, which differs from its first workspace within a procedure.
+        virtual void changes(Word workspace, ProcessChange, Word channel) = 0;
 
     protected:
         ~ProcessWatcher() = default;
@@ -299,7 +299,7 @@ private:
     bool communicate(bool is_output, const Communication&, const Registers&);
     void copy_message(Word from, Word to, Word bytes);
     void communicate_by_link(int link, const Communication&);
-    void wake_alternative(Word partner, Time, Turn woken);
+    void wake_alternative(Word partner, Time, ProcessChange woken);
     void reset_channel();
     HalfCycles cost_of(Operation);
     void perform(Operation);
@@ -337,9 +337,9 @@ private:
         return NodeMemory::offset_of(address) < traits_.bytes_on_chip ? 0 : words_touched(address, bytes) * penalty_;
     }
     void fault(Stopped, Word address);
-    void tell(Word workspace, Turn turn, Word channel = not_a_process) {
+    void tell(Word workspace, ProcessChange change, Word channel = not_a_process) {
         if (process_watcher_ && stopped_ == Stopped::nothing) [[unlikely]]
-            process_watcher_->turns(workspace & ~Word{3}, turn, channel);
+            process_watcher_->changes(workspace & ~Word{3}, change, channel);
     }
 
     // alternation.cpp: ALT, clocks and timers

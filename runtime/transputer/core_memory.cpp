@@ -128,7 +128,7 @@ void Core::fault(Stopped why, Word address) {
     if (stopped_ != Stopped::nothing)
         return;
     if (running_)
-        tell(registers_.workspace, Turn::stops);
+        tell(registers_.workspace, ProcessChange::stops);
     stopped_ = why;
     stopped_at_ = address;
     was_running_ = std::exchange(running_, false);

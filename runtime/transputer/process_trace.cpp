@@ -12,28 +12,29 @@ ProcessTrace::ProcessTrace(Kernel& kernel, const Core& core, const std::string& 
     : kernel_(kernel), core_(core), place_(place), name_of_process_(std::move(process)),
       name_of_channel_(std::move(channel)) {}
 
-void ProcessTrace::turns(Word workspace, Core::Turn turn, Word channel) {
-    using Turn = Core::Turn;
+void ProcessTrace::changes(Word workspace, Core::ProcessChange change, Word channel) {
+    using ProcessChange = Core::ProcessChange;
     const std::string process = name_of_process_(workspace);
     const Time now = core_.local_time();
-    switch (turn) {
-    case Turn::runs: running_ = process; return add({now, process, Activity::computing});
-    case Turn::ready:
+    switch (change) {
+    case ProcessChange::gets_processor: running_ = process; return add({now, process, Activity::computing});
+    case ProcessChange::becomes_ready:
         if (core_.is_running() && workspace == core_.registers().workspace)
             leave(process); // it is interrupted
         return add({now, process, Activity::ready});
-    case Turn::met: return add({.at = now, .process = process, .activity = Activity::ready, .partner = running_});
-    case Turn::enables: return void(enabled_[workspace].insert(channel));
-    case Turn::selects: return void(enabled_.erase(workspace));
-    case Turn::alternates: return wait(workspace, Activity::alternating, enabled_by(workspace), false);
-    case Turn::times: {
+    case ProcessChange::communicated:
+        return add({.at = now, .process = process, .activity = Activity::ready, .partner = running_});
+    case ProcessChange::enables_channel: return void(enabled_[workspace].insert(channel));
+    case ProcessChange::needs_no_wait: return void(enabled_.erase(workspace));
+    case ProcessChange::waits_in_alt: return wait(workspace, Activity::alternating, enabled_by(workspace), false);
+    case ProcessChange::waits_for_time: {
         const std::vector<Word> channels = enabled_by(workspace);
         return wait(workspace, channels.empty() ? Activity::delayed : Activity::alternating, channels, true);
     }
-    case Turn::inputs: return wait(workspace, Activity::inputting, {channel}, false);
-    case Turn::outputs: return wait(workspace, Activity::outputting, {channel}, false);
-    case Turn::stops: return wait(workspace, Activity::stopped, {}, false);
-    case Turn::ends: leave(process); return add({now, process, Activity::ended});
+    case ProcessChange::waits_for_input: return wait(workspace, Activity::inputting, {channel}, false);
+    case ProcessChange::waits_for_output: return wait(workspace, Activity::outputting, {channel}, false);
+    case ProcessChange::stops: return wait(workspace, Activity::stopped, {}, false);
+    case ProcessChange::ends: leave(process); return add({now, process, Activity::ended});
     }
 }
 

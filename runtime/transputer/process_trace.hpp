@@ -39,7 +39,7 @@ private:
         std::string partner = "";
     };
 
-    void turns(Word workspace, Core::Turn, Word channel) override;
+    void changes(Word workspace, Core::ProcessChange, Word channel) override;
     void happen() noexcept override;
     void wait(Word workspace, Activity, const std::vector<Word>& channels, bool awaits_timer);
     void leave(const std::string& process);

@@ -329,7 +329,7 @@ void Core::run_front(int priority) {
     take_front(static_cast<std::size_t>(priority), registers_);
     set_priority(priority);
     running_ = true;
-    tell(registers_.workspace, Turn::runs);
+    tell(registers_.workspace, ProcessChange::gets_processor);
 }
 
 /// Each priority has its own Error flag.
@@ -352,7 +352,7 @@ void Core::interrupt() {
     interrupted_fpu_ = fpu_;
     interrupted_pending_ = std::exchange(pending_, std::nullopt);
     interrupted_slices_ = slices_seen_;
-    tell(registers_.workspace, Turn::ready);
+    tell(registers_.workspace, ProcessChange::becomes_ready);
     local_ += 2 * interrupt_cycles;
     running_ = false;
 }
@@ -371,7 +371,7 @@ void Core::resume_interrupted() {
     slices_seen_ = interrupted_slices_;
     local_ += 2 * return_cycles;
     running_ = true;
-    tell(registers_.workspace, Turn::runs);
+    tell(registers_.workspace, ProcessChange::gets_processor);
 }
 
 void Core::leave_processor() {
@@ -381,7 +381,7 @@ void Core::leave_processor() {
 
 void Core::stop_process() {
     leave_processor();
-    tell(registers_.workspace, Turn::stops);
+    tell(registers_.workspace, ProcessChange::stops);
 }
 
 void Core::stop_by_error(const ErrorNote& error) {
@@ -393,7 +393,7 @@ void Core::stop_by_error(const ErrorNote& error) {
 }
 
 void Core::give_way() {
-    tell(registers_.workspace, Turn::ready);
+    tell(registers_.workspace, ProcessChange::becomes_ready);
     leave_processor();
     enqueue(descriptor());
 }
@@ -406,7 +406,7 @@ void Core::boot(Word code_bytes, int input_channel) {
     set_priority(1);
     running_ = true;
     slices_seen_ = 0;
-    tell(registers_.workspace, Turn::runs);
+    tell(registers_.workspace, ProcessChange::gets_processor);
 }
 
 void Core::reset_after_analyse() {
@@ -424,14 +424,14 @@ void Core::reset_after_analyse() {
 void Core::end_process() {
     const Word count = load(registers_.a + 4);
     store(registers_.a + 4, count - 1);
-    tell(registers_.workspace, Turn::ends);
+    tell(registers_.workspace, ProcessChange::ends);
     running_ = false;
     if (count != 1)
         return;
     registers_.workspace = registers_.a & ~Word{3};
     registers_.instruction = load(registers_.workspace);
     running_ = true;
-    tell(registers_.workspace, Turn::runs);
+    tell(registers_.workspace, ProcessChange::gets_processor);
 }
 
 } // namespace placedpar::transputer

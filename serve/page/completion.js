@@ -1,4 +1,4 @@
-// What may follow at the cursor, by the program's catalogue of kinds and devices and by the text itself.
+// Completions at the cursor, from the program's catalogue of kinds and devices and from the text itself.
 "use strict";
 
 let catalogue = { processes: [], devices: [] };
@@ -35,7 +35,7 @@ function netlistEntries(line, text) {
 
 const namesIn = text => [...new Set(text.match(/[A-Za-z][\w.]{2,}/g) || [])].map(name => entry(name));
 
-/** Completes at the cursor of an editor, as show-hint.js asks. */
+/** Returns the completions at the cursor of an editor, in the form that show-hint.js requires. */
 function completeAt(editor) {
   const cursor = editor.getCursor();
   const before = editor.getLine(cursor.line).slice(0, cursor.ch);

@@ -67,7 +67,7 @@ byId("occam-files").addEventListener("change", event => {
   putOccam(event.target.value, { ...Object.fromEntries(stored), [names.occam]: editors.occam.getValue() });
 });
 
-/** Returns the position of a column in bytes as CodeMirror counts, in units of UTF-16. */
+/** Converts a column in bytes to CodeMirror's position, which counts units of UTF-16. */
 function position(text, column) {
   const bytes = new TextEncoder().encode(text).slice(0, column - 1);
   return new TextDecoder().decode(bytes).length;

@@ -4,7 +4,7 @@
 const nameOfPage = crypto.getRandomValues(new Uint32Array(3)).join("-");
 let jobs = 0;
 
-/** Returns the server's answer. Says on the way which place the job has in the queue. */
+/** Returns the server's answer. Shows the job's place in the queue until the answer arrives. */
 async function answerOf(job, signal, says = () => {}) {
   const name = `${nameOfPage}-${++jobs}`;
   let ended = false;
@@ -44,7 +44,7 @@ async function checkNow() {
   const files = filesOfPage(), main = mainFile(), { signal } = checking;
   if (!files[main])
     return showFaults([]);
-  // Files in occam that the netlist does not use are checked for themselves.
+  // Files in occam that the netlist does not use are checked alone.
   const alone = Object.keys(files).filter(name => name !== main && name.endsWith(".occ"));
   try {
     const answers = await Promise.all([main, ...alone].map(name => answerOf({ do: "check", main: name, files }, signal)));

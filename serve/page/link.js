@@ -13,7 +13,7 @@ async function fragmentOf(state) {
   return "#" + btoa(text).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
 }
 
-/** Throws if the fragment is not that of a link. */
+/** Throws if the fragment does not hold programs. */
 async function stateOf(fragment) {
   const text = atob(fragment.slice(1).replaceAll("-", "+").replaceAll("_", "/"));
   const bytes = Uint8Array.from(text, letter => letter.charCodeAt(0));

@@ -7,7 +7,7 @@ let examples = {}, exercises = [], exercise = null, running = null;
 const says = text => { byId("status").textContent = text; };
 const folderOf = name => name.slice(0, name.lastIndexOf("/") + 1);
 
-/** Ends the job that is being done; its answer would appear under another program. */
+/** Ends the current job, because its answer would appear under another program. */
 function abandon() {
   running?.abort();
   running = null;
@@ -119,7 +119,7 @@ document.addEventListener("keydown", event => {
     (exercise ? byId("check") : byId("run")).click();
 });
 
-/** Shows the program in the address. If it is damaged, does something else and says so. */
+/** Shows the program in the address. If it is damaged, calls `otherwise` and shows an error. */
 async function showLink(otherwise = () => {}) {
   try {
     show(await stateOf(location.hash));

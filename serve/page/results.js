@@ -21,7 +21,7 @@ function panelFor(kind, content, title) {
   return frame;
 }
 
-/** Shows one tab. A page is loaded only now, since what is hidden has no size. */
+/** Shows one tab. A page is loaded only now, since a hidden page has no size. */
 function choose(tab, answer) {
   for (const each of byId("tabs").children) {
     const chosen = each === tab;
@@ -61,7 +61,7 @@ function tabFor(kind, title, answer) {
   return tab;
 }
 
-/** Shows an answer. The first tab is what was asked for, or what went wrong. */
+/** Shows an answer. The first tab has the requested result, or the error. */
 function showAnswer(answer, asked) {
   byId("panels").replaceChildren();
   const shown = tabsOf.filter(([kind]) => answer[kind]);

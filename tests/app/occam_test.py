@@ -50,6 +50,16 @@ class Programs(unittest.TestCase):
             self.assertRegex(done.stdout, r"ring\.btl: \d+ bytes for a T800; the source lines of its code are in .*ring\.lines\n")
             self.assertEqual(self.run_program(file), self.run_program(program))
 
+    def test_standard_input_is_compiled_and_warned_of_once(self):
+        text = "PROC main (CHAN BYTE keyboard?, screen!, error!)\n  INT x:\n  SEQ\n    screen ! 'h'\n    screen ! '*n'\n:\n"
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "h.btl"
+            done = placedpar("compile", "-", "-o", file, typed=text)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(done.stderr.count('<standard input>:2:7: warning: the variable "x" is never used'), 1, done.stderr)
+            self.assertIn(" <standard input>\n", (pathlib.Path(folder) / "h.lines").read_text(encoding="ascii"))
+            self.assertEqual(self.run_program(file), "h\n")
+
     def run_text(self, text, *options, command="run"):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "test.occ"

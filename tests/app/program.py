@@ -10,10 +10,10 @@ CLUSTER = EXAMPLES / "thesis/table-e1" / "cluster.cfs"
 FIGURE_E2 = EXAMPLES / "thesis/figure-e2" / "figure-e2.cfs"
 
 
-def placedpar(*arguments, environment=None, folder=None):
-    """Returns the finished process: returncode, stdout, stderr."""
+def placedpar(*arguments, environment=None, folder=None, typed=None):
+    """Returns the finished process, which reads the text `typed` as standard input: returncode, stdout, stderr."""
     return subprocess.run([PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                          env={**os.environ, **(environment or {})}, timeout=120, check=False, cwd=folder)
+                          env={**os.environ, **(environment or {})}, timeout=120, check=False, cwd=folder, input=typed)
 
 
 def fingerprint(output):

@@ -186,7 +186,7 @@ std::span<const Reader> readers() {
         {"netlist", read_netlist},  {"options", read_options},     {"record", read_record},
         {"machine", read_machine},  {"texts", show_texts},         {"requests", serve_requests},
         {"code", disassemble_file}, {"program", assemble_program}, {"boot", boot_transputers},
-        {"lines", read_lines},      {"occam", compile_occam}};
+        {"lines", read_lines},      {"occam", compile_occam},      {"configuration", configure_occam}};
     return all;
 }
 

@@ -1,8 +1,11 @@
-// Compiles damaged programs of occam, and runs what the compiler accepts.
+// Compiles damaged programs of occam, and runs what the compiler accepts. Reads damaged configurations.
 
+#include "netlist/read.hpp"
 #include "occam/check/check.hpp"
 #include "occam/code/compile.hpp"
+#include "occam/configuration/configuration.hpp"
 #include "occam/library/library.hpp"
+#include "occam/network/file_kinds.hpp"
 #include "tests/fuzz/reader.hpp"
 #include "tests/occam/code/executed.hpp"
 #include "tests/occam/language/print.hpp"
@@ -12,6 +15,7 @@
 #include <array>
 #include <cctype>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -57,6 +61,12 @@ std::string damaged(std::string text, std::string_view changes) {
     return text;
 }
 
+/// Returns a text with the changes that follow it behind a zero.
+std::string changed_text(std::string_view input) {
+    const std::size_t end = std::min(input.find('\0'), input.size());
+    return damaged(std::string(input.substr(0, end)), input.substr(std::min(end + 1, input.size())));
+}
+
 /// Returns whether a program can change memory in ways that nothing checks.
 bool is_unsafe(const std::string& text) {
     static constexpr std::array<std::string_view, 9> words = {"ANY",    "RETYPES", "RESHAPES", "PLACE", "MOVE2D",
@@ -82,9 +92,7 @@ void compile_occam(const std::string& input) {
     if (input.empty())
         return;
     const auto how = static_cast<unsigned char>(input[0]);
-    const std::size_t end = std::min(input.find('\0', 1), input.size());
-    const std::string text =
-        damaged(input.substr(1, end - 1), std::string_view(input).substr(std::min(end + 1, input.size())));
+    const std::string text = changed_text(std::string_view(input).substr(1));
     LoadedSource source = check_source("text.occ", text);
     if (!source.problems.empty())
         return;
@@ -110,6 +118,25 @@ void compile_occam(const std::string& input) {
     };
     run(occam::compile(*parsed.program, *main, options), options,
         options.range_checks && options.run_time_checks && !is_unsafe(text));
+}
+
+/// The input is a configuration, and behind a zero the changes to it. It is read as it is, and with a VAL set.
+void configure_occam(const std::string& input) {
+    const std::string text = changed_text(input);
+    ReadOptions options;
+    options.make_netlist = occam::netlist_of_configuration;
+    for (const char* folder : {"examples/occam/sixteen", "tests/occam/configuration/forms"})
+        options.include_folders.push_back(std::filesystem::path(PLACEDPAR_SOURCE_DIR) / folder);
+    Catalogue kinds;
+    kinds.make_from_files(occam::make_file_kinds());
+    for (const Overrides& set : {Overrides{}, Overrides{{"workers", "3"}}}) {
+        const ReadResult result = read_netlist_text(text, kinds, set, "text.pgm", options);
+        render(result);
+        require(result.network.has_value() != has_errors(result.diagnostics),
+                "what is refused is refused with an error");
+        for (const Diagnostic& each : result.diagnostics)
+            require(each.location.file != nullptr, "an error has its file");
+    }
 }
 
 } // namespace placedpar::fuzz

@@ -13,7 +13,7 @@ struct Reader {
     std::function<void(const std::string&)> read;
 };
 
-/// Returns the readers of the program that this is linked into: lower_rooms.cpp or upper_rooms.cpp.
+/// Returns the readers that this program is linked with: those of lower_rooms.cpp or those of upper_rooms.cpp.
 std::span<const Reader> readers();
 
 /// Boots transputers with these bytes (booted.cpp).
@@ -21,6 +21,9 @@ void boot_transputers(const std::string& bytes);
 
 /// Compiles a program of occam and runs it (occam.cpp).
 void compile_occam(const std::string& input);
+
+/// Reads a configuration in occam as a network (occam.cpp).
+void configure_occam(const std::string& input);
 
 /// Throws std::logic_error if the claim about the read data does not hold.
 void require(bool holds, const char* claim);

@@ -98,6 +98,8 @@ SEEDS = {
                       for text in files("tests/occam/**/*.occ", "examples/occam/**/*.occ", "docs/occam-course/answers/*.occ")
                       + matches(r"^== accepted: [^\n]*\n(.*?)(?=^== |\Z)", "tests/occam/check/verdicts/*.txt")
                       for how in (0, 1, 3, 30)],
+    "configuration": lambda: [text + b"\0" + bytes(range(7 * how, 7 * how + 15))
+                              for text in files("examples/occam/**/*.pgm", "tests/occam/**/*.pgm") for how in (0, 1, 3, 30)],
     "boot": lambda: [booted((link, packet(program) + bytes(range(40))), machine=bytes([model, 2 + 3 * (model % 2), model, model, 25]))
                      for program in PROGRAMS for model in range(5) for link in (0, 3)]
                     + [booted((0, PEEK + POKE + packet(program)), (1, bytes(60)), (2, packet(program)), (3, packet(program)), (4, PEEK),

@@ -14,9 +14,9 @@
 
 namespace placedpar::test {
 
-/// A netlist of island[0], island[1], ... for the line problem or another. Each island has a workstation of its own,
-/// wired as the islands are connected; or the islands share four transputers, each wired to every other; or they share
-/// one transputer.
+/// A netlist of island[0], island[1], ... for the line problem or another problem. Each island has a workstation of its
+/// own, wired as the islands are connected; or the islands share four transputers, each wired to every other; or they
+/// share one transputer.
 struct IslandNetlist {
     IslandsSettings settings;
     enum class On { one_transputer, four_transputers, workstations } on = On::one_transputer;

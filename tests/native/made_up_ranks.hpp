@@ -35,11 +35,11 @@ struct MadeUpWorld {
     };
     std::mutex mutex;
     std::vector<std::deque<Letter>> letters;
-    std::vector<std::deque<RankParcel>> parcels; ///< by the receiving rank
+    std::vector<std::deque<RankParcel>> parcels; ///< at the index of the receiving rank
     std::vector<std::deque<Ranks::Message>> texts;
     std::size_t parcels_sent = 0;
     NativeTrace* trace = nullptr;                                                               ///< records the run
-    std::function<void(std::vector<std::uint8_t>&)> damage = [](std::vector<std::uint8_t>&) {}; ///< of each letter
+    std::function<void(std::vector<std::uint8_t>&)> damage = [](std::vector<std::uint8_t>&) {}; ///< damages a letter
 
     explicit MadeUpWorld(int ranks)
         : letters(static_cast<std::size_t>(ranks)), parcels(letters.size()), texts(letters.size()) {}
@@ -82,13 +82,13 @@ public:
     bool has_all_parcels() const override { return expected_.empty(); }
 
 private:
-    /// A parcel that comes at a later look.
+    /// The state of a parcel that arrives only after some checks.
     struct Arriving {
-        int looks = 0;         ///< how many are in vain
+        int looks = 0;         ///< number of checks before the parcel arrives
         bool is_taken = false; ///< the bytes have been matched
     };
-    /// Matches parcels in the order in which they were sent, as MPI does. Every second one is complete long before the
-    /// one before it.
+    /// Matches parcels in the order in which they were sent, as MPI does. Every second parcel is complete long before
+    /// the parcel that was sent before it.
     bool has_come(RankParcel& expected, Arriving& arriving) {
         auto& mine = world_.parcels[static_cast<std::size_t>(own_)];
         const auto sent = std::ranges::find_if(
@@ -156,7 +156,8 @@ enum class Interrupted { none, last, all };
 struct RankCase {
     Interrupted interrupted = Interrupted::none;
     bool sends_notes = false;     ///< each rank above 0 sends two notes
-    bool balances = false;        ///< places by loads, as an interrupted simulation gives them: each rank has others
+    bool balances = false;        ///< whether processes are placed by loads, which differ from rank to rank as after an
+                                  ///< interrupted simulation
     NativeTrace* trace = nullptr; ///< records the run
     std::function<void(std::vector<std::uint8_t>&)> damage = [](std::vector<std::uint8_t>&) {};
 };

@@ -50,7 +50,7 @@ public:
     const std::string& trace() const { return trace_; }
 
 private:
-    /// The halves of a channel, which are one if both processes are on one thread.
+    /// The ends of a channel. `input` is null if both processes are on one thread and share `output`.
     struct Halves {
         std::unique_ptr<Channel<int>> output, input;
     };
@@ -89,7 +89,8 @@ private:
         const std::size_t chosen = select(guards);
         note(chosen, input_of(chosen).in().input());
     }
-    /// Records that message `number` has passed. The first partner to continue does so, before it does anything else.
+    /// Records that message `number` has passed. The first of the two partners to continue calls this function, before
+    /// it does anything else.
     void note(std::size_t channel, int number) {
         const std::lock_guard lock(mutex_);
         if (passed_[channel].noted == number)

@@ -31,7 +31,7 @@ struct SimulatedMessages final : TraceSink {
     PassedMessages passed;
 };
 
-/// Notes what the trace of a native run tells.
+/// Notes what a native run reports to its trace.
 struct ToldTrace final : TraceSink {
     struct End {
         std::string process;
@@ -106,8 +106,8 @@ struct ToldTrace final : TraceSink {
     }
 
     std::map<std::string, Doing> lanes;
-    std::map<std::uint64_t, Message> messages; ///< those of a channel are in order
-    std::map<std::string, int> is_computing;   ///< how often a process of each place computed
+    std::map<std::uint64_t, Message> messages; ///< the messages of each channel are in order
+    std::map<std::string, int> is_computing;   ///< for each place, the number of computations of its processes
     std::size_t turns_told = 0;
     Time last{};
     std::optional<Time> end;

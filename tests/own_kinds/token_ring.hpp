@@ -24,7 +24,7 @@ public:
     static constexpr std::int64_t most_bytes = 4096, header_bytes = 21;
     struct Station {
         std::string name;
-        std::uint64_t frames = 0, bytes = 0; ///< sent
+        std::uint64_t frames = 0, bytes = 0; ///< numbers of frames and bytes sent
         Time waited{};                       ///< wait for the token
     };
 

@@ -75,7 +75,7 @@ std::vector<Comparison> computation_comparisons(const ReplayContext& context) {
                             .windows = {window}};
         search.plant.per_sample = per_sample;
         add_sample(samples, search, window * per_sample == 10);
-        auto runs = run_seeds(context, search.name, [=](std::uint64_t seed) {
+        auto runs = run_seeds(context, search.name, [=, window = window](std::uint64_t seed) {
             double generations = answers_to_pole(search_plant(search, seed).islands[0]);
             return Figures{100 * generations * operations_of_fitness(window).all() /
                            (samples_of_recursion(seed) * LinearPlant::delays *

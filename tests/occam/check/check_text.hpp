@@ -6,12 +6,12 @@
 
 namespace placedpar::test {
 
-/// What reading and checking a text gives.
+/// The result of reading and checking a text.
 struct CheckedText {
     occam::Parsed parsed;
     std::string messages; ///< as printed
     bool failed = false;
-    std::size_t errors = 0; ///< that are printed
+    std::size_t errors = 0; ///< number of printed errors
 };
 CheckedText check_text(const std::string& text, const std::string& shown_path = "text.occ");
 

@@ -18,7 +18,7 @@ namespace placedpar::test {
 
 __extension__ using WideInteger = __int128;
 
-/// A value of any type: integers and BOOLs in `integer`, which has more bits than any of them.
+/// A value of any type. Integers and BOOLs are in `integer`, which has more bits than any type of occam.
 struct ProgramValue {
     WideInteger integer = 0;
     double real = 0;
@@ -30,21 +30,21 @@ struct ProgramError {};
 /// The interpreter's memory. No procedure calls itself, so each declaration has one place.
 struct ProgramMemory {
     std::vector<std::vector<ProgramValue>> own;                            ///< the variables, by number
-    std::vector<std::span<ProgramValue>> named;                            ///< what each name stands for
-    std::map<std::size_t, std::deque<std::vector<ProgramValue>>> messages; ///< of each channel, in order
+    std::vector<std::span<ProgramValue>> named;                            ///< the variables that each name stands for
+    std::map<std::size_t, std::deque<std::vector<ProgramValue>>> messages; ///< messages of each channel, in order
     std::vector<std::int32_t> log;                                         ///< words that the program has noted
 };
 inline constexpr std::size_t most_logged = 900;
 
-/// An expression: its text in occam, and what it gives.
+/// An expression: its text in occam, and a function that computes its value.
 struct ProgramTerm {
     std::string text;
     std::function<ProgramValue(ProgramMemory&)> value;
     bool is_constant = false;
-    std::set<std::size_t> reads = {}; ///< names
+    std::set<std::size_t> reads = {}; ///< names that the expression reads
 };
 
-/// A variable or an element of an array; also an array, if it is one of the program's names.
+/// A variable, an element of an array, or a whole array that is one of the program's names.
 struct ProgramSpot {
     std::string text;
     std::function<std::span<ProgramValue>(ProgramMemory&)> cells;
@@ -52,9 +52,9 @@ struct ProgramSpot {
     std::set<std::size_t> reads = {}; ///< names in subscripts
 };
 
-/// A process.
+/// A process: its text in occam, and a function with the same effect.
 struct ProgramStep {
-    std::string text; ///< lines
+    std::string text; ///< lines of the process
     std::function<void(ProgramMemory&)> act;
 };
 
@@ -62,7 +62,8 @@ struct ProgramStep {
 ProgramStep in_sequence(const std::vector<ProgramStep>&);
 
 /// A random program with an interpreter for it, which shares nothing with the compiler. `body` and `declarations` are
-/// for execute(). It notes values in `memory`: their number in the last word but one, and 1 in the last at its end.
+/// for execute(). The program notes values in `memory`. The last word but one is the number of values, and the program
+/// sets the last word to 1 at its end.
 class RandomProgram {
 public:
     RandomProgram(std::uint64_t seed, bool has_reals);
@@ -79,7 +80,7 @@ private:
     struct Name {
         std::string text;
         Basic type{};
-        std::vector<std::uint32_t> sizes; ///< none: a scalar
+        std::vector<std::uint32_t> sizes; ///< empty for a scalar
         std::size_t number = 0;
         bool is_writable = true;
         std::size_t cells() const;
@@ -87,7 +88,7 @@ private:
     struct FunctionName {
         std::string text;
         Basic type;
-        Name first, second; ///< parameters: of its type, and INT
+        Name first, second; ///< parameters: `first` has the function's type, `second` is an INT
         std::function<ProgramValue(ProgramMemory&)> body;
     };
     struct ProcedureName {
@@ -163,19 +164,20 @@ private:
     std::string fresh(std::string_view stem) { return std::string(stem) + std::to_string(names_count_++); }
 
     RandomStream random_;
-    std::vector<Name> names_; ///< that are visible
+    std::vector<Name> names_; ///< names that are visible
     std::vector<FunctionName> functions_;
     std::vector<ProcedureName> procedures_;
     std::vector<Name> unchanged_;                  ///< a variable of each type, which nothing changes
-    std::vector<std::size_t> cells_;               ///< of each name
-    std::size_t names_count_ = 0, subscripts_ = 0; ///< subscripts: around the present expression
+    std::vector<std::size_t> cells_;               ///< number of cells of each name
+    std::size_t names_count_ = 0, subscripts_ = 0; ///< `subscripts_` is the number of subscripts around the present
+                                                   ///< expression
     bool has_reals_, may_log_ = true, has_logged_ = false, is_in_function_ = false;
     std::function<void(ProgramMemory&)> act_;
 };
 
 int bits_of_type(occam::Basic);
 bool is_real_type(occam::Basic);
-/// Returns the value if the type has it. Throws ProgramError if not.
+/// Returns the value. Throws ProgramError if the type does not have it.
 ProgramValue fitted(WideInteger, occam::Basic);
 ProgramValue fitted_real(double, occam::Basic);
 /// Returns the lowest bits of a number as a value of the type.

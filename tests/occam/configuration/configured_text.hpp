@@ -6,7 +6,7 @@
 
 namespace placedpar::test {
 
-/// Options with which configurations are read as netlists.
+/// Returns options with which configurations are read as netlists.
 ReadOptions configuration_options();
 
 /// A netlist that was made of a configuration, or the messages that refuse it.

@@ -20,7 +20,7 @@ public:
     std::string take() { return std::move(text_); }
 
 private:
-    /// Marks around the lines of a value process within a line.
+    /// Characters that enclose the lines of a value process within a line.
     static constexpr char lines_begin = '\x01', lines_end = '\x02';
 
     // Expressions (print_expression.cpp)

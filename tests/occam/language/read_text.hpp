@@ -17,13 +17,14 @@ std::vector<std::filesystem::path> occam_files(const std::filesystem::path& fold
 std::vector<std::filesystem::path> occam_programs();
 std::string whole_file(const std::filesystem::path&);
 
-/// What reading a text gives.
+/// The result of reading a text.
 struct ReadText {
     occam::Parsed parsed;
     std::string messages; ///< as printed
     bool failed = false;
 };
-/// Reads a text. Files whose names begin with "known" or "hostio", or all that are not found, are empty ones of ours.
+/// Reads a text. Files whose names begin with "known" or "hostio" are empty; with `all_are_known`, so is every file
+/// that is not found.
 ReadText read_text(const std::string& text, const std::string& shown_path = "text.occ",
                    const std::vector<std::string>& defined = {}, bool all_are_known = false);
 

@@ -31,7 +31,7 @@ private:
 /// Returns a catalogue with the csp kinds and with kinds of files in occam.
 Catalogue occam_catalogue();
 
-/// What a network printed, and how its run ended.
+/// The text that a network printed, and the report of its run.
 struct RunOfNetwork {
     std::string screen;
     RunReport report;

@@ -21,8 +21,8 @@ struct Lane {
     Lane(const std::string& name, bool can_be_given_up_)
         : channel(name), output_fails(name + " output fails"), input_fails(name + " input fails"),
           can_be_given_up(can_be_given_up_) {}
-    /// Returns whether all sent letters arrived once and in order. The last may be missing if its receiver may not have
-    /// looked at it.
+    /// Returns whether all sent letters arrived once and in order. The last letter may be missing, since its receiver
+    /// may not have looked for it.
     bool is_whole() const;
 
     Channel<Letter> channel;

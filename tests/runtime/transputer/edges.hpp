@@ -5,7 +5,7 @@
 
 namespace placedpar::test {
 
-/// Returns operands at which instructions may change what they do, and some others.
+/// Returns operands at which the behaviour of instructions may change, and some other operands.
 inline std::vector<std::uint32_t> edges() {
     std::vector<std::uint32_t> values{0,          0x7FFFFFFF, 0x80000000, 0x80000001,
                                       0xFFFFFFFE, 0xFFFFFFFF, 0x12345678, 0xDEADBEEF};

@@ -8,7 +8,7 @@ namespace placedpar::test {
 
 /// Exact arithmetic by MPFR, rounded to a length with its range of exponents and denormals.
 struct ExactReal {
-    transputer::Real real; ///< of a NaN, some NaN
+    transputer::Real real; ///< if the result is a NaN, this may be any NaN
     bool overflow = false;
 };
 
@@ -18,16 +18,16 @@ enum class ExactOperation : std::uint8_t {
     multiply,
     divide,
     remainder,
-    root,     ///< of left; these do not use the right operand
+    root,     ///< root of left; this operation and the next two do not use the right operand
     integer,  ///< left rounded to an integer
     converted ///< left in another length
 };
 
-/// Returns left op right, rounded to a length.
+/// Returns the result of `left op right`, rounded to a length.
 ExactReal exact(ExactOperation, transputer::Rounding, transputer::Length, transputer::Real left,
                 transputer::Real right);
 
-/// Returns left * 2^exponent in its length.
+/// Returns left * 2^exponent in the length of `left`.
 ExactReal exactly_scaled(transputer::Rounding, transputer::Real left, int exponent);
 
 /// Returns an integer as a real.

@@ -21,11 +21,11 @@ namespace placedpar::test {
 /// Returns the address of the byte at this offset from the beginning of a transputer's memory.
 constexpr std::uint32_t from_start(std::uint32_t offset) { return transputer::most_negative + offset; }
 
-/// The far end of a link: gives bytes at a moment of virtual time, and takes each byte that comes.
+/// The far end of a link. It gives bytes at set times, and takes each byte that arrives.
 class ScriptedEnd final : public transputer::ByteEnd, private Event {
 public:
     explicit ScriptedEnd(Kernel& kernel) : kernel_(kernel) {}
-    /// Gives bytes at `at`, or when the bytes before them have been acknowledged.
+    /// Gives these bytes at the time `at`, or later, when all earlier bytes have been acknowledged.
     void will_give(Time at, std::vector<std::uint8_t> bytes);
 
     const std::vector<std::uint8_t>& received() const { return received_; }
@@ -54,8 +54,8 @@ private:
     std::vector<Time> received_at_, given_at_;
 };
 
-/// Emulated transputers and their links. Code is put into the memories before the run; each node is then booted by a
-/// few bytes from a host at its link 0, which go to the code.
+/// Emulated transputers and their links. Code is put into the memories before the run. A host at link 0 of each node
+/// then boots the node by a few bytes, which jump to the code.
 class NodeWorld {
 public:
     struct Options {
@@ -73,7 +73,7 @@ public:
 
     /// Puts a program into the memory.
     static void put(transputer::Node&, const transputer::Assembly&);
-    /// Lets the host boot the node at a time: it then goes to the code, with this workspace, at low priority.
+    /// Lets the host boot the node at this time. The node then jumps to the code, at low priority.
     void boot(ScriptedEnd& host, std::uint32_t code, std::uint32_t workspace, Time at = Time{0});
     /// Puts a program into the memory, at `origin`, and boots a node with a host of its own.
     void run_at_boot(transputer::Node&, std::string_view source, std::uint32_t workspace = from_start(0x800),

@@ -22,9 +22,9 @@ struct PlainSettings {
 
 struct PlainOperation;
 
-/// A second implementation of the transputer, to judge the first one. It executes one instruction at a time from tables
-/// (`plain_operations.cpp`, `plain_scheduling.cpp`, `plain_floating_point.cpp`), with the effects and cycles of
-/// `docs/reference/transputer.md`. It shares no code with the implementation that it judges.
+/// A second implementation of the transputer, against which the first one is tested. It executes one instruction at a
+/// time from tables (`plain_operations.cpp`, `plain_scheduling.cpp`, `plain_floating_point.cpp`), with the effects and
+/// cycles of `docs/reference/transputer.md`. The two implementations share no code.
 ///
 /// Where the reference leaves a choice, this implementation decides:
 /// 1. Word accesses ignore the two lowest bits of an address.
@@ -34,16 +34,17 @@ struct PlainOperation;
 /// 3. A word of code is fetched if it differs from the word of the previous byte of code.
 /// 4. Operations on processes, channels and clocks do not pay for words outside the chip, except those of messages.
 /// 5. Clocks start with their value when sttimer ends. Timeslice periods count from time 0.
-/// 6. A message counts the words that it touches in the memory of the process that comes second; a move those of its
-///    source; a two-dimensional move those of its first row.
+/// 6. The cost of a message depends on the words that it touches in the memory of the process that comes second. The
+///    cost of a move depends on the words of its source, and the cost of a two-dimensional move on the words of its
+///    first row.
 /// 7. Processes in the timer queue with equal times wake in the order in which they came.
 /// 8. A process that becomes ready passes through its queue, even if it runs at once.
-/// 9. dist compares with the time that the process was woken at, or found at taltwt. This is the word W-5.
-/// 10. A process gives way if the periods had passed when its instruction began. Processes that were woken meanwhile
-///     come before it in the queue. While it is interrupted, no periods are counted.
+/// 9. dist compares with word W-5: the time at which the process was woken, or the time that taltwt found.
+/// 10. A process gives way if its timeslice periods had passed when its instruction began. Processes that were woken
+///     meanwhile come before it in the queue. While a process is interrupted, no periods are counted.
 /// 11. Timers that are due when an operation of the first kind ends wake before its effect.
-/// 12. An address outside of the memory wraps to the memory outside of the chip. There the first bytes, which the
-///     memory on the chip hides, stand behind `settings.memory`.
+/// 12. An address outside of the memory wraps to the memory outside of the chip. The bytes at its beginning, which the
+///     memory on the chip hides, are stored behind `settings.memory`.
 /// 13. FPError belongs to the registers of the unit, which an interrupt saves. A load from outside the chip delays the
 ///     integer unit alone.
 ///
@@ -63,8 +64,8 @@ struct PlainTransputer {
 
     explicit PlainTransputer(const PlainSettings&);
 
-    /// Executes one instruction with its prefixes and what follows it: wake-ups, interrupts, the switch to the next
-    /// process. An idle processor waits for its next timer. Returns the half cycles that passed.
+    /// Executes one instruction with its prefixes, and then the wake-ups, interrupts and switches of processes that
+    /// follow it. An idle processor waits for its next timer. Returns the half cycles that passed.
     std::uint64_t step();
     /// Steps until the processor stops, or the next instruction is at the address. Returns the half cycles that passed.
     std::uint64_t run(Word until, int steps = 1000000);
@@ -93,8 +94,8 @@ struct PlainTransputer {
     bool halt_on_error = false, analysed = false, j0_break = false;
     std::array<Word, 2> front{not_process, not_process}, back{not_process, not_process};
     bool clocks_run = false;
-    Word clock_value = 0;           ///< both clocks when they were started
-    std::uint64_t clocks_since = 0; ///< when they were started
+    Word clock_value = 0;           ///< value of both clocks when they were started
+    std::uint64_t clocks_since = 0; ///< time at which the clocks were started
     std::array<bool, 2> timer_enabled{true, true};
     std::uint64_t slice_began = 0;   ///< the timeslice period in which the process was dispatched
     std::uint64_t slices_before = 0; ///< periods that an interrupted process has seen
@@ -111,7 +112,7 @@ struct PlainTransputer {
         int rounding = 0; ///< 0 nearest, 1 up, 2 down, 3 to zero
     };
     Unit unit, interrupted_unit;
-    std::uint64_t fpu_free = 0; ///< when its operation ends
+    std::uint64_t fpu_free = 0; ///< time at which the present operation of the unit ends
 
     // The rest is for the tables. Instructions add to `cycles`, and memory to `extra`, in half cycles.
     Word operand = 0, begun_at = 0, fetched = 0;
@@ -133,9 +134,9 @@ struct PlainTransputer {
     Word local(int number) { return load(wptr + 4 * static_cast<Word>(number)); }
     void store_local(int number, Word value) { store(wptr + 4 * static_cast<Word>(number), value); }
     void copy(Word target, Word source, Word count);
-    /// Returns where in `memory` an offset from MostNeg is.
+    /// Returns the index in `memory` for an offset from MostNeg.
     Word wrapped(Word place) const;
-    /// Adds what a copy costs. The words at the first address count.
+    /// Adds the cost of a copy, which depends on the words at the first address.
     void pay_for_copy(Word first, Word second, Word count);
 
     Word descriptor() const { return wptr | priority; }
@@ -146,10 +147,10 @@ struct PlainTransputer {
     void remove_timer(Word descriptor);
     bool selects(bool is_ready);
     void refuse_link(Word channel) const;
-    /// Returns whether a process that inputs or outputs finds its partner, and so pays for the words. One that outputs
-    /// to an alternation comes first.
+    /// Returns whether a process that inputs or outputs comes second, so that the message is copied and the process
+    /// pays for its words. A process that outputs to an alternation always comes first.
     bool comes_second(Word channel, bool output);
-    /// Returns what a process that waits at a channel tells: its pointer, or the state of its ALT.
+    /// Returns the word that a process waiting at a channel has stored: its pointer, or the state of its ALT.
     Word told_by(Word process);
     void transfer(bool output, Word channel, Word pointer, Word count);
 

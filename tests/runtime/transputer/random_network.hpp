@@ -15,10 +15,11 @@
 
 namespace placedpar::test {
 
-/// A network of emulated transputers with programs, which a seed decides. The programs compute, communicate by soft
-/// channels and links, alternate, and wait for clocks, at both priorities. They read clocks often and store what
-/// depends on them, so that a difference in time leads to one in memory. They never read what a link is about to write,
-/// nor write what a link reads. In some networks links have faults, and a transputer halts or is analysed.
+/// A network of emulated transputers with programs, determined by a seed. The programs compute, communicate by soft
+/// channels and links, alternate, and wait for clocks, at both priorities. They read clocks often and store values that
+/// depend on the readings, so that a difference in time leads to a difference in memory. They never read memory that a
+/// link is about to write, nor write memory that a link reads. In some networks links have faults, and a transputer
+/// halts or is analysed.
 struct RandomNetwork {
     struct Booted {
         NodeWorld::Options options;
@@ -40,21 +41,21 @@ struct RandomNetwork {
     std::vector<Wire> wires;
 };
 
-/// `scale`: about how long the programs are.
+/// The length of the programs grows with `scale`.
 RandomNetwork random_network(std::uint64_t seed, unsigned scale = 1);
 
-/// How a network is run; this must not matter.
+/// The way in which a network is run. Only `until` may affect the outcome.
 struct WayToRun {
-    std::uint64_t order = 0; ///< decides the order in which nodes, links and hosts are made; 0: the usual one
+    std::uint64_t order = 0; ///< determines the order in which nodes, links and hosts are made; 0: the usual order
     bool instruction_by_instruction = false;
     bool every_byte = false; ///< LinkDirection::simulate_every_byte
     TraceSink* trace = nullptr;
     std::function<void(transputer::Node&)> at_end = [](transputer::Node&) {};
     std::optional<Time> ahead_by = std::nullopt; ///< Node::run_ahead_by
-    Time until = std::chrono::seconds{1};        ///< unlike the others, this matters
+    Time until = std::chrono::seconds{1};
 };
 
-/// What has become of a node.
+/// The state of a node after a run.
 struct NodeOutcome {
     transputer::Registers registers;
     std::vector<std::uint8_t> memory, host_received;

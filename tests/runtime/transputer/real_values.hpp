@@ -37,7 +37,7 @@ public:
 
     /// Returns a finite number.
     transputer::Real finite();
-    /// Returns a finite number whose sum, product or quotient with another is often at a limit.
+    /// Returns a finite number whose sum, product or quotient with `other` is often at a limit.
     transputer::Real finite_beside(transputer::Real other);
 
 private:
