@@ -115,7 +115,8 @@ ProcessKind philosopher_kind() {
     };
     return {.name = "csp.philosopher",
             .about = "Thinks, picks up the fork on the left, then the one on the right, eats, puts them down.",
-            .ports = {signals("left", "picks up and puts down"), signals("right", "picks up and puts down"),
+            .ports = {signals("left", "picks up and puts down the fork on the left"),
+                      signals("right", "picks up and puts down the fork on the right"),
                       optional(signals("butler", "sits down and gets up"))},
             .parameters = {meals("meals before the philosopher leaves"),
                            work("thinking", "workload: thinking before each meal"),

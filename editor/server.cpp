@@ -377,7 +377,8 @@ struct LanguageServer::State {
         try {
             const bool has_params = params && !params->is_null();
             if (!method || !method->is_string())
-                throw RequestError(ErrorCode::invalid_request, "a message must have a \"method\", which is a text");
+                throw RequestError(ErrorCode::invalid_request,
+                                   "a message must have a \"method\", which must be a string");
             if (has_params && !params->is_object())
                 throw RequestError(ErrorCode::invalid_params, "\"params\" must be an object");
             json::value result =

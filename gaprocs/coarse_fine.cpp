@@ -11,7 +11,7 @@ namespace {
 const CoarseFineSettings& validated(const CoarseFineSettings& settings) {
     const WindowSettings &coarse = settings.coarse.window, &fine = settings.fine.window;
     if (coarse.length != fine.length || coarse.first != fine.first || coarse.bias != fine.bias)
-        throw std::invalid_argument("a coarse and a fine search with different windows");
+        throw std::invalid_argument("a coarse and a fine search must have equal windows");
     settings.coarse_reading.validate();
     return settings;
 }

@@ -107,9 +107,9 @@ FrontResult search_front(const SearchProblem& problem, std::size_t generations, 
     if (!problem.objective())
         throw UserError("a problem with a record has no front: expected a problem with objectives");
     if (generations == 0)
-        throw UserError("0 generations, expected at least 1");
+        throw UserError("the number of generations is 0, expected at least 1");
     if (settings.elite == 0 || settings.elite != settings.population / 2)
-        throw UserError(fmt::format("an elite of {} in a population of {}, expected {}: the better half survives",
+        throw UserError(fmt::format("the elite is {} of a population of {}, expected {}: the better half survives",
                                     settings.elite, settings.population, settings.population / 2));
     Search search(problem.representation(), settings, std::move(random));
     SearchProgress progress(search, "front", checkpoints);

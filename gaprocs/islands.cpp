@@ -115,7 +115,8 @@ Islands::Islands(const SearchProblem& problem, IslandsSettings settings, std::ve
     : problem_(problem), settings_(settings_for(problem, std::move(settings))) {
     validate_islands(settings_);
     if (streams.size() != settings_.islands.size())
-        throw std::invalid_argument(fmt::format("{} of random numbers for {}", counted(streams.size(), "stream"),
+        throw std::invalid_argument(fmt::format("{} of random numbers for {}, expected one for each island",
+                                                counted(streams.size(), "stream"),
                                                 counted(settings_.islands.size(), "island")));
     neighbours_ = settings_.topology.neighbours(streams.size());
     in_step_ = islands_in_step(settings_.schedule, neighbours_);

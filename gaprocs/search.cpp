@@ -48,7 +48,7 @@ Search::Search(std::vector<Genome> population, const SearchSettings& settings, R
     settings.validate();
     require_fitting_operators(representation_, settings);
     if (population_.size() != settings.population)
-        throw std::invalid_argument(fmt::format("a population of {} is given, expected {}",
+        throw std::invalid_argument(fmt::format("the given population has {}, expected {}",
                                                 counted(population_.size(), "string"), settings.population));
     for (const Genome& genome : population_)
         if (genome.size() != representation_.bits())

@@ -36,7 +36,7 @@ void WindowSettings::validate() const {
     if (first == 0)
         throw UserError("the first generation waits for 0 samples, expected at least 1");
     if (trials == 0)
-        throw UserError("0 generations per sample, expected at least 1");
+        throw UserError("the number of generations per sample is 0, expected at least 1");
     if (!(bias > 0 && bias <= fitness_term_limit))
         throw UserError(
             fmt::format("the fitness bias is {}, expected above 0 and at most {}", bias, fitness_term_limit));
@@ -56,9 +56,9 @@ void SearchSettings::validate() const {
     if (population > largest_population)
         throw UserError(fmt::format("the population is {}, expected at most {}", population, largest_population));
     if (elite > population - 2)
-        throw UserError(fmt::format("an elite of {} in a population of {}, expected at most {}: crossover "
-                                    "needs two parents",
-                                    elite, population, population - 2));
+        throw UserError(
+            fmt::format("the elite is {} of a population of {}, expected at most {}: crossover needs two parents",
+                        elite, population, population - 2));
     if (initial.size() > population)
         throw UserError(
             fmt::format("{} initial individuals are given for a population of {}", initial.size(), population));

@@ -49,7 +49,7 @@ void require_channels(const SearchProblem& problem, std::span<const Sample> reco
 
 std::vector<Sample> empty_record(std::size_t generations) {
     if (generations == 0)
-        throw UserError("0 generations, expected at least 1");
+        throw UserError("the number of generations is 0, expected at least 1");
     return std::vector<Sample>(generations);
 }
 

@@ -106,7 +106,7 @@ bool BoardSession::send(std::string_view bytes, std::string_view what) {
             return false;
         if (wait == Wait::too_long)
             fail(fmt::format(
-                "the board has taken {} of {} bytes of {}, and no more for {} s; it may not have been reset", sent,
+                "the board has taken {} of {} bytes of {}, and then none for {} s; the board may need a reset", sent,
                 bytes.size(), what, std::chrono::duration<double>(patience_).count()));
         const ssize_t count = ::write(board_, bytes.data() + sent, bytes.size() - sent);
         if (count < 0 && errno != EAGAIN && errno != EINTR)

@@ -43,7 +43,7 @@ namespace {
 
 void require_fit(std::string_view what, const std::string& text) {
     if (text.size() > longest_reply_text)
-        throw UserError(fmt::format("{} has {} bytes; a reply of the host's server holds {}", what, text.size(),
+        throw UserError(fmt::format("{} has {} bytes; a reply of the host's server can hold {}", what, text.size(),
                                     longest_reply_text));
 }
 

@@ -101,7 +101,7 @@ Time RankMember::now() const { return std::chrono::duration_cast<Time>(std::chro
 
 /// Ends the program, and with it all ranks, because without this letter the run cannot end properly.
 [[noreturn]] void RankMember::refuse_damaged(const RankLetter& letter, const NoMessage& what) const {
-    fmt::print(stderr, "placedpar: rank {} received a damaged letter of {} bytes from rank {}: {}\n", mail_.own(),
+    fmt::print(stderr, "placedpar: rank {} received a damaged message of {} bytes from rank {}: {}\n", mail_.own(),
                letter.bytes.size(), letter.from, what.what());
     std::abort();
 }
@@ -129,7 +129,7 @@ bool RankMember::handle_at_once(const RankLetter& letter) {
         return true;
     case Kind::note: mail_.expect_parcel(letter.from, note_parcel, PackedForm<std::uint64_t>::read(from)); return true;
     }
-    throw NoMessage("letters of this kind do not exist");
+    throw NoMessage("messages of this kind do not exist");
 }
 
 /// Passes a letter to the end of its channel.

@@ -30,7 +30,7 @@ void require_can_be_given_up(const Carrier* carrier, const AnyChannel& channel) 
 
 void require_unused(const void* end, const AnyChannel& channel) {
     if (end)
-        throw std::logic_error("channel " + channel.name() + " cannot be reset while a process is in it");
+        throw std::logic_error("channel " + channel.name() + " cannot be reset while a process communicates on it");
 }
 
 } // namespace
@@ -48,7 +48,7 @@ std::uint64_t AnyChannel::new_identity(const std::string& name) {
 
 void AnyChannel::put_on(Carrier& carrier) {
     if (message_ || slot_ || listener_)
-        throw std::logic_error("channel " + name_ + " cannot be put on a link while a process is in it");
+        throw std::logic_error("channel " + name_ + " cannot be put on a link while a process communicates on it");
     carrier_ = &carrier;
     note_particulars();
 }
@@ -63,7 +63,7 @@ void AnyChannel::expect_inputter(const Process& process) { own_input(process); }
     const bool inside = &end == &outputter_ ? outputter_inside_ : inputter_inside_;
     if (end.process && (inside || !may_follow(end, process)))
         throw std::logic_error(fmt::format(
-            "process {} {} channel {}, as {} does: a channel joins two processes only", process.path(), verb, name_,
+            "process {} {} channel {}, and so does {}: a channel joins only two processes", process.path(), verb, name_,
             end.outermost == &process.outermost() ? "another component of a PAR" : "process " + end.outermost->path()));
     end = user(process);
 }

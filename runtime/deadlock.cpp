@@ -148,10 +148,10 @@ std::vector<std::string> describe_unreset(const Processes& stuck, const Processe
             if ((!input && !channel->output_must_be_reset()) || !known.insert(channel).second)
                 continue;
             const auto &left = channel->last_outputter(), &waits = channel->last_inputter();
-            texts.push_back(fmt::format(
-                "{}: waits until {} gives up its message and resets its end, too, because {} gave it up in the middle",
-                channel->name(), path_of(*channel, input ? waits : left, living),
-                path_of(*channel, input ? left : waits, living)));
+            texts.push_back(fmt::format("{}: waits until {}, too, gives up its message and resets its end, because {} "
+                                        "gave up the message in the middle",
+                                        channel->name(), path_of(*channel, input ? waits : left, living),
+                                        path_of(*channel, input ? left : waits, living)));
         }
     return texts;
 }
@@ -329,10 +329,10 @@ std::string print_ended(const std::vector<StuckChannel>& rows) {
         const bool inputs = row.waiting == "inputter";
         std::string_view partner = inputs ? row.outputter : row.inputter;
         if (partner.ends_with(ended))
-            out +=
-                fmt::format("no wait cycle: {} {} for ever, but {} has ended; do both expect equally many messages?\n",
-                            inputs ? row.inputter : row.outputter, inputs ? "inputs" : "outputs",
-                            partner.substr(0, partner.size() - ended.size()));
+            out += fmt::format(
+                "no wait cycle: {} {} for ever, but {} has ended; do both expect the same number of messages?\n",
+                inputs ? row.inputter : row.outputter, inputs ? "inputs" : "outputs",
+                partner.substr(0, partner.size() - ended.size()));
     }
     return out;
 }

@@ -80,7 +80,7 @@ bool allow_calls() {
 void limit(__rlimit_resource resource, std::uint64_t most) {
     const rlimit both{most, most};
     if (::setrlimit(resource, &both) != 0)
-        throw UserError("this computer cannot limit what a run uses: setrlimit fails");
+        throw UserError("this computer refuses to limit the memory and time of a run: setrlimit failed");
 }
 
 } // namespace
@@ -92,7 +92,7 @@ void confine(const RunLimits& limits) {
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_NOFILE, 3);
     if (!allow_calls())
-        throw UserError("this computer cannot confine runs: its kernel has no seccomp filters");
+        throw UserError("runs cannot be confined on this computer: the kernel needs CONFIG_SECCOMP_FILTER");
 }
 
 } // namespace placedpar::serve

@@ -150,10 +150,9 @@ std::string listings_of(const RunReport& report) {
 void add_page(json::object& answer, RunPage& page, const PageContent& content, std::span<const PathPart> path) {
     std::string html = page.html(content, path);
     if (html.size() > largest_page_bytes)
-        answer["page_missing"] =
-            fmt::format("the page of this run has {} Mbyte, at most {} are shown here; \"placedpar "
-                        "run --page\" writes larger ones",
-                        html.size() >> 20, largest_page_bytes >> 20);
+        answer["page_missing"] = fmt::format("the page of this run has {} Mbyte, but at most {} Mbyte can be shown "
+                                             "here; \"placedpar run --page\" writes larger pages",
+                                             html.size() >> 20, largest_page_bytes >> 20);
     else
         answer["page"] = std::move(html);
 }
@@ -242,7 +241,7 @@ std::string answer_of(const std::string& job, const RunLimits& limits) {
     } catch (const std::bad_alloc&) {
         return json::serialize(json::object{
             {"ended", "refused"},
-            {"refused", fmt::format("the run needs more memory than the {} Mbyte it may have", limits.megabytes)}});
+            {"refused", fmt::format("the run needs more memory than its limit of {} Mbyte", limits.megabytes)}});
     } catch (const std::exception& failed) { // such as a process that fails
         return json::serialize(json::object{{"ended", "failed"}, {"refused", unpainted(failed.what())}});
     }

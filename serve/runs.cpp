@@ -68,14 +68,14 @@ std::string refused(const char* ended, const std::string& why) {
 /// Returns the answer for a process that ended without an answer. A killed process has exceeded a limit.
 std::string why_no_answer(int status, const RunLimits& limits) {
     if (!WIFSIGNALED(status) || (WTERMSIG(status) != SIGKILL && WTERMSIG(status) != SIGXCPU))
-        return refused("failed",
-                       fmt::format("the run has crashed; this is a defect of PlacedPar, unless the run needed more "
-                                   "memory than the {} Mbyte it may have",
-                                   limits.megabytes));
-    return refused("killed",
-                   fmt::format("the run was killed because it exceeded a limit: {} s, {} Mbyte of memory, and its "
-                               "answer may have {} Mbyte",
-                               limits.seconds, limits.megabytes, largest_answer_bytes >> 20));
+        return refused("failed", fmt::format("the run has crashed; this is a defect of PlacedPar, unless the run "
+                                             "needed more memory than its limit of {} Mbyte",
+                                             limits.megabytes));
+    return refused(
+        "killed",
+        fmt::format(
+            "the run was killed because it exceeded a limit: {} s of time, {} Mbyte of memory, or {} Mbyte of answer",
+            limits.seconds, limits.megabytes, largest_answer_bytes >> 20));
 }
 
 } // namespace

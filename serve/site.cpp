@@ -49,7 +49,7 @@ std::string catalogue_json() {
 /// Throws std::invalid_argument if the job has the member and it is not a text.
 void require_text(const json::object& job, const char* name) {
     if (const json::value* found = job.if_contains(name); found && !found->is_string())
-        throw std::invalid_argument(fmt::format("\"{}\" is not a text", name));
+        throw std::invalid_argument(fmt::format("\"{}\" is not a string", name));
 }
 
 void require_task(const json::object& job) {
@@ -60,16 +60,16 @@ void require_task(const json::object& job) {
 
 void require_files(const json::object& job) {
     if (!job.at("files").is_object())
-        throw std::invalid_argument("\"files\" is not an object of texts");
+        throw std::invalid_argument("\"files\" is not an object");
     const json::object& files = job.at("files").as_object();
     if (!files.contains(job.at("main").as_string()))
-        throw std::invalid_argument("\"main\" is not among the files");
+        throw std::invalid_argument("\"main\" is not the name of one of the files");
     if (files.size() > most_files)
-        throw std::invalid_argument(fmt::format("more than {} files", most_files));
+        throw std::invalid_argument(fmt::format("the job has more than {} files", most_files));
     for (const auto& [name, text] : files)
         if (!text.is_string() || name.empty() || name.front() == '/' || name.find("..") != name.npos)
             throw std::invalid_argument(
-                "a file needs a text, and a name without \"..\" that does not begin with \"/\"");
+                "each file needs a string, and a name without \"..\" that does not begin with \"/\"");
 }
 
 void require_seed(const json::object& job) {
@@ -96,7 +96,7 @@ void require_job(const json::object& job) {
 std::string task_of(const std::string& text) {
     const json::value value = json::parse(text);
     if (!value.is_object())
-        throw std::invalid_argument("not an object");
+        throw std::invalid_argument("it is not a JSON object");
     require_job(value.as_object());
     return std::string(value.at("do").as_string());
 }
@@ -118,7 +118,7 @@ web::Withdraw Site::answer(const web::Request& request, const web::Reply& reply)
     else if (request.posts && request.path == "/job")
         return begin(request, reply);
     else if (request.posts)
-        reply({405, plain, "only jobs are posted, to /job\n"});
+        reply({405, plain, "POST is allowed only to /job\n"});
     else
         reply(data(request));
     return {};
@@ -154,7 +154,7 @@ web::Withdraw Site::begin(const web::Request& request, const web::Reply& reply) 
     try {
         task = task_of(request.body);
     } catch (const std::exception& wrong) {
-        reply({400, plain, fmt::format("not a job: {}\n", wrong.what())});
+        reply({400, plain, fmt::format("the request is not a job: {}\n", wrong.what())});
         return {};
     }
     const bool is_check = task == "check";

@@ -54,7 +54,7 @@ std::size_t Positions::offset(Position position) const {
     if (position.line == lines())
         return text_.size();
     if (position.line > lines())
-        throw std::out_of_range("the line is behind the end of the text");
+        throw std::out_of_range("the line is after the end of the text");
     std::size_t at = starts_[position.line];
     for (std::size_t units = 0; at < text_.size() && text_[at] != '\n' && text_[at] != '\r';) {
         const CharacterSize size = size_of(text_.substr(at));

@@ -144,7 +144,7 @@ private:
         const auto& request = parser_->get();
         const bool takes_posts = server_->settings_.most_body_bytes > 0;
         if (takes_posts && posts() && !request[http::field::content_type].starts_with("application/json"))
-            return Answer{415, plain, "a POST must carry application/json\n"};
+            return Answer{415, plain, "a POST must have the content type application/json\n"};
         if (request.method() == http::verb::get || request.method() == http::verb::head || (takes_posts && posts()))
             return std::nullopt;
         return Answer{405, plain,

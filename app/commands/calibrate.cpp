@@ -75,9 +75,9 @@ ExitCode measure_and_write(const CalibrateOptions& options, const std::vector<st
 std::unique_ptr<Ranks> two_ranks() {
     std::unique_ptr<Ranks> ranks = ranks_of_mpirun();
     if (ranks && ranks->count() > 2 && ranks->own() == 0)
-        throw UserError(fmt::format("mpirun started {} ranks, but messages are measured between two: mpirun -n 2 "
-                                    "placedpar calibrate",
-                                    ranks->count()));
+        throw UserError(fmt::format(
+            "mpirun started {} ranks, but messages are measured between two ranks: use mpirun -n 2 placedpar calibrate",
+            ranks->count()));
     return ranks && ranks->count() > 1 ? std::move(ranks) : nullptr;
 }
 

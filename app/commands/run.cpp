@@ -255,7 +255,7 @@ bool offer_link(Network& network, const RunOptions& options, const Interruption&
     if (options.offer.empty())
         return true;
     if (!has_bootable_file(network))
-        throw UserError("--offer: the netlist boots no transputer, so it has no host's link");
+        throw UserError("--offer: the netlist boots no transputer, so it has no link to a host");
     std::signal(SIGPIPE, SIG_IGN); // a program that closes the link ends the run
     board.emplace(options.offer, [&interruption] { return interruption.requested(); });
     network.host.board = &*board;

@@ -39,7 +39,7 @@ double in_seconds(std::chrono::duration<double> time) { return time.count(); }
 std::string print_end(const iserver::BoardRun& run) {
     switch (run.state) {
     case iserver::ServerState::running: return "was interrupted";
-    case iserver::ServerState::waits_for_input: return "waits for input, and none will come";
+    case iserver::ServerState::waits_for_input: return "waits for input, but the input has ended";
     case iserver::ServerState::exited: break;
     }
     return run.exit == 0 ? "exited with success" : fmt::format("exited with status {}", run.exit);

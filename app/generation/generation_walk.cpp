@@ -31,7 +31,7 @@ const WalkFunction& walk_function(const std::string& name) {
     auto found = std::ranges::find_if(walk_function_table, [&](const WalkFunction& each) { return each.name == name; });
     if (found == std::end(walk_function_table))
         throw UserError(unknown_name("function", name, walk_functions(),
-                                     fmt::format("there are: {}", fmt::join(walk_functions(), ", "))));
+                                     fmt::format("the functions are {}", fmt::join(walk_functions(), ", "))));
     return *found;
 }
 

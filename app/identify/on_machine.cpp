@@ -138,7 +138,7 @@ AnswerInTime answer_in_time(const ProcessSearch& search, const ComplianceSearch&
     const RunReport report = run_netlist(search.network, search.problems, {.seed = seed, .observer = &answers});
     const std::vector<SampleAnswers> rows = by_sample(search, answers, prepared.samples);
     if (report.result.ending != Ending::completed || rows.empty())
-        throw UserError(fmt::format("{}: the processes answer nothing: {} at {:.3f} s", search.network.source_path,
+        throw UserError(fmt::format("{}: the processes give no answer: {} at {:.3f} s", search.network.source_path,
                                     name_of(report.result.ending), seconds(report.result.time)));
     const std::size_t last = rows.back().generation, best = answers.fittest(last);
     AnswerInTime found{answers.of(best, last).values, answers.searches()[best]};

@@ -152,7 +152,8 @@ std::string print_trend(const Trend& trend) {
     for (Link link : links_of(trend.links()))
         text += print_changes(trend, link);
     if (is_short(trend))
-        text += fmt::format("with fewer than {} records the standard errors alone decide\n", fewest_for_scatter);
+        text += fmt::format("with fewer than {} records only the standard errors decide whether a change is reported\n",
+                            fewest_for_scatter);
     return text + fmt::format("{}the test reports a change for {:.0f} % of the links that do not change\n",
                               trend.dated() ? ""
                                             : "not every record has a date, so they are in the order of the "

@@ -34,7 +34,8 @@ std::string not_a_size(const std::string& text) {
         return fmt::format("\"{}\" is not a size such as 32K or 2M", text);
     const std::uint64_t bytes = *size;
     if (bytes < 2048 || bytes > 0xffff'ff00 || bytes % 256 != 0)
-        return fmt::format("{}: code can be executed with 2K to just below 4G of memory, in steps of 256 bytes", text);
+        return fmt::format(
+            "{}: a processor that executes code needs 2K to just below 4G of memory, in steps of 256 bytes", text);
     return "";
 }
 
@@ -64,7 +65,7 @@ std::string keys_of(const std::string& typed) {
         }
         const std::optional<char> meant = i + 1 < typed.size() ? escaped(typed[++i]) : std::nullopt;
         if (!meant)
-            throw UserError("--keys: after \\ comes r (the return key), n, t, e (the escape key) or \\");
+            throw UserError("--keys: \\ must be followed by r (the return key), n, t, e (the escape key) or \\");
         keys += *meant;
     }
     return keys;
@@ -103,7 +104,7 @@ void refuse_for_netlists(const Options& typed, const NetlistOptions& netlist, co
         refuse_program_argument(options.arguments.front());
     for (const char* option : {"--host-folder", "--keys", "--env", "--host-limit"})
         if (typed.is_given(option))
-            throw UserError(fmt::format("{}: the netlist boots no transputer, so no program uses this", option));
+            throw UserError(fmt::format("{}: the netlist boots no transputer, so this option has no effect", option));
 }
 
 } // namespace
@@ -140,8 +141,13 @@ void add_machine(Options& command, BootedOptions& options, const std::string& he
         .one_of(models)
         .show_default()
         .group(heading);
-    command.add("--memory", options.memory, "its memory").type("SIZE").check(not_a_size).show_default().group(heading);
-    add_count(command, "--memorycycles", options.memory_cycles, "cycles of an access to its external memory")
+    command.add("--memory", options.memory, "memory of this transputer")
+        .type("SIZE")
+        .check(not_a_size)
+        .show_default()
+        .group(heading);
+    add_count(command, "--memorycycles", options.memory_cycles,
+              "cycles of an access to the external memory of this transputer")
         .check(not_memory_cycles)
         .show_default()
         .group(heading);

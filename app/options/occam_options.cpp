@@ -10,7 +10,7 @@ void add_occam(Options& command, OccamOptions& options) {
         .one_of({"halt", "stop", "universal"})
         .show_default()
         .group(heading);
-    command.add("--no-checks", options.no_checks, "checks that an occam program does without: usage, alias, range, all")
+    command.add("--no-checks", options.no_checks, "checks to leave out for an occam program: usage, alias, range, all")
         .type("CHECKS")
         .group(heading);
 }

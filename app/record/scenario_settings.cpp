@@ -93,7 +93,7 @@ const RecordScenario& scenario_called(std::string_view name) {
                                                         : ", ",
                              scenario.name);
     }
-    throw UserError(unknown_name("scenario", name, names_of_scenarios(), "there are " + names));
+    throw UserError(unknown_name("scenario", name, names_of_scenarios(), "the scenarios are " + names));
 }
 
 Parameters scenario_parameters(const RecordScenario& scenario, const Parameters& machine, const std::string& noise,

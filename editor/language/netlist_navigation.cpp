@@ -119,7 +119,7 @@ std::vector<Location> places_to_rename(const NetlistSyntax& syntax, const Catalo
         throw UserError("only a name that the netlist declares can be renamed, and there is none at this place: ports, "
                         "parameters and kinds cannot be renamed");
     if (has_errors(syntax.diagnostics))
-        throw UserError("the netlist has errors; mend them first, so that all places of the name are found");
+        throw UserError("the netlist has errors; correct them first, so that all places of the name are found");
     if (!can_be_a_name(new_name))
         throw UserError(
             fmt::format("\"{}\" cannot be a name: a name has letters, digits and _, and is not a word of the "

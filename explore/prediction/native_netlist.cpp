@@ -49,7 +49,7 @@ public:
     explicit StatedCosts(std::filesystem::path path) : path_(std::move(path)), include_(include_of(path_)) {
         const ReadResult read = read_netlist_text(include_, devices_);
         if (!read.network)
-            refuse("it does not describe a computer", "\n" + render(read));
+            refuse("the file does not describe a computer", "\n" + render(read));
     }
 
     const std::string& include() const { return include_; }
@@ -60,11 +60,12 @@ public:
     /// Throws UserError unless the calibration describes such places.
     void require(PredictedPlaces::Kind kind) const {
         if (!describes(kind) && kind == PredictedPlaces::Kind::ranks)
-            throw UserError(fmt::format("{0}: it does not describe ranks: write it by mpirun -n 2 placedpar calibrate "
-                                        "NETLIST -o {0}",
-                                        path_.string()));
+            throw UserError(
+                fmt::format("{0}: the file does not describe ranks: write it by mpirun -n 2 placedpar calibrate "
+                            "NETLIST -o {0}",
+                            path_.string()));
         if (!describes(kind))
-            refuse("it does not describe a computer");
+            refuse("the file does not describe a computer");
     }
 
     /// Returns the calibrated value of a process's parameter, as an expression of the netlist; nothing if the parameter
@@ -75,7 +76,7 @@ public:
         if (parameter == "cycles_per_individual")
             return of_problem("individual", process);
         if (parameter == "string_bytes" || parameter == "fitness_bytes")
-            return declared("individual_bytes", "it does not state individual_bytes");
+            return declared("individual_bytes", "the file does not state individual_bytes");
         const bool is_cost = parameter.starts_with("cycles") || parameter == "words";
         return is_cost && process.parameters.at(parameter) != Value{0} ? std::optional<std::string>("0") : std::nullopt;
     }
@@ -85,7 +86,8 @@ private:
         const std::string* const problem = problem_of(process);
         if (!problem)
             return "0";
-        return declared(val_of_problem(what, *problem), fmt::format("it has no cost of the problem \"{}\"", *problem));
+        return declared(val_of_problem(what, *problem),
+                        fmt::format("the file has no cost of the problem \"{}\"", *problem));
     }
     /// Returns the name of a val. Refuses a calibration that does not declare it.
     std::string declared(const std::string& val, const std::string& otherwise) const {

@@ -45,7 +45,7 @@ std::uint64_t count_with(std::uint64_t seeds, const StudyProduct& product) {
 
 void require_seeds(std::uint64_t first, std::uint64_t seeds) {
     if (seeds == 0)
-        throw UserError("0 seeds, expected at least 1");
+        throw UserError("the number of seeds is 0, expected at least 1");
     if (first > most - (seeds - 1))
         throw UserError(
             fmt::format("{} from {} on are too many: the greatest seed is {}", counted(seeds, "seed"), first, most));

@@ -68,8 +68,8 @@ std::size_t Emigration::count() const {
 
 void Emigration::validate_for(std::size_t population) const {
     if (count() > population)
-        throw UserError(fmt::format("{} from a population of {}, expected at most {}", counted(count(), "emigrant"),
-                                    population, population));
+        throw UserError(fmt::format("{} cannot leave a population of {}, expected at most {}",
+                                    counted(count(), "emigrant"), population, population));
 }
 
 std::vector<std::size_t> Emigration::operator()(std::span<const double> fitness, RandomStream& random) const {

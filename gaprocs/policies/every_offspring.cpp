@@ -59,7 +59,7 @@ Vertices offspring_by(const DifferenceCrossover&, const Genome& a, const Genome&
 
 template <class Operator>
 Vertices offspring_by(const Operator&, const Genome&, const Genome&) {
-    throw std::invalid_argument("crossover of other strings than binary ones");
+    throw std::invalid_argument("all offspring can be computed only for crossovers of binary strings");
 }
 
 } // namespace

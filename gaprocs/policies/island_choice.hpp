@@ -29,7 +29,7 @@ struct PrintedChoice {
     static constexpr std::string_view
         name = "printed",
         about = "greatest ratio Sw/SA (eq. 5.7) as printed, with squared errors; nearly always chooses the longest "
-                "window, and never prefers the shortest to it if errors do not depend on the window",
+                "window, and never prefers the shortest window to the longest if errors do not depend on the window",
         source = "thesis eq. 5.1 and 5.3 to 5.7";
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };

@@ -114,7 +114,7 @@ private:
         std::vector<std::string> ranges;
         for (const PolicyNumberDescription& number : policy_.numbers)
             ranges.push_back(range_of(number));
-        return fmt::format("{} takes {} number{} at the most: {}", policy_.name, ranges.size(),
+        return fmt::format("{} takes at most {} number{}: {}", policy_.name, ranges.size(),
                            ranges.size() == 1 ? "" : "s", fmt::join(ranges, ", "));
     }
 
@@ -151,7 +151,7 @@ void require_policy_fits(const PolicyDescription& added, std::string_view noun,
     if (added.name.empty() || !std::ranges::all_of(added.name, may_be_in_a_name))
         refuse("a name is made of a to z, 0 to 9, \".\" and \"-\"");
     if (added.name == "usual" || std::ranges::count(known, added.name, &PolicyDescription::name) > 0)
-        refuse(fmt::format("that name is taken: give it another, such as \"own.{}\"",
+        refuse(fmt::format("this name is taken: choose another name, such as \"own.{}\"",
                            added.name.substr(added.name.rfind('.') + 1)));
     try {
         read_policy(added.text(), {added});

@@ -138,7 +138,7 @@ Neighbours CompleteTopology::operator()(std::size_t islands) const {
 
 Neighbours GivenTopology::operator()(std::size_t islands) const {
     if (neighbours.size() != islands)
-        throw UserError(fmt::format("the list has the neighbours of {}, expected those of {}",
+        throw UserError(fmt::format("the list has the neighbours of {}, but the number of islands is {}",
                                     counted(neighbours.size(), "island"), islands));
     for (std::size_t i = 0; i < islands; ++i)
         for (std::size_t other : neighbours[i])
@@ -148,7 +148,7 @@ Neighbours GivenTopology::operator()(std::size_t islands) const {
 
 Neighbours Topology::neighbours(std::size_t islands) const {
     if (islands == 0)
-        throw UserError("0 islands, expected at least 1");
+        throw UserError("the number of islands is 0, expected at least 1");
     Neighbours all = std::visit([&](const auto& way) { return way(islands); }, policy());
     if (exchanges())
         require_neighbours(all);

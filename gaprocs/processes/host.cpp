@@ -192,7 +192,8 @@ std::vector<MeasurementDescription> host_measurements() {
          "time after which the fittest estimate stays accurate; absent if the last estimate is not accurate"},
         {"best_of", "", "the master whose last estimate is the fittest"},
     };
-    for (MeasurementDescription& each : search_description::individual_measurements("that estimate"))
+    for (MeasurementDescription& each :
+         search_description::individual_measurements("the fittest of the last estimates"))
         all.push_back(std::move(each));
     return all;
 }

@@ -108,7 +108,7 @@ private:
             refuse("exchange_every",
                    fmt::format("exchange_every = {}, but the schedule \"{}\" states an interval, too",
                                integer(process_, "exchange_every"), schedule),
-                   "leave out one of them");
+                   "leave out one of the two intervals");
     }
 
     void check_emigrants() {

@@ -55,7 +55,7 @@ public:
             check_window();
         if (integer("elite") > integer("population") - 2)
             refuse("elite",
-                   fmt::format("an elite of {} leaves no pair to be bred in a population of {}", integer("elite"),
+                   fmt::format("an elite of {} in a population of {} leaves no pair to breed", integer("elite"),
                                integer("population")),
                    fmt::format("the elite can have at most {} individuals", integer("population") - 2));
         check_coding();
@@ -181,7 +181,7 @@ private:
                 ignored.emplace_back(parameter);
         if (!ignored.empty())
             warn(ignored.front(),
-                 fmt::format("ignored, since \"{}\" is an objective without measurements: {}", text("problem"),
+                 fmt::format("without effect, since \"{}\" is an objective without measurements: {}", text("problem"),
                              fmt::join(ignored, ", ")),
                  "\"generations\" of ga.host sets the length of the search");
     }

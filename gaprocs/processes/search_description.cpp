@@ -28,9 +28,9 @@ Parameters population_parameters() {
                 "size of this process's population (thesis 4.3: 120 in all)"),
         deciding("window", integer("window", {.unit = "samples", .by_default = 10, .least = 1, .most = 1024},
                                    "samples over which the fitness is summed (eq. 3.9)")),
-        deciding("window",
-                 integer("first_window", {.unit = "samples", .by_default = 5, .least = 1, .most = 1024},
-                         "samples that the first generation waits for; a shorter window only has to be full")),
+        deciding("window", integer("first_window", {.unit = "samples", .by_default = 5, .least = 1, .most = 1024},
+                                   "samples that the first generation waits for; if the window is shorter, the "
+                                   "generation waits until the window is full")),
         deciding("window", integer("trials", {.unit = "generations", .by_default = 5, .least = 1, .most = 1e6},
                                    "generations for each new sample (thesis 4.3)")),
     };
@@ -43,7 +43,7 @@ void check_initial(const std::string& text) {
     try {
         InitialPopulation::named(text);
     } catch (const UserError& no_policy) {
-        throw UserError(fmt::format("it names no file; as a policy {}", no_policy.what()));
+        throw UserError(fmt::format("no file has this name; as a policy {}", no_policy.what()));
     }
 }
 
@@ -140,8 +140,8 @@ Parameters search_parameters() {
 std::vector<MeasurementDescription> search_measurements() {
     std::vector<MeasurementDescription> all{
         {"T_exe", "ms",
-         "mean time of a generation with a full window; this time and the other times are absent if no generation had "
-         "one"},
+         "mean time of a generation with a full window; this time and the other times are absent if the window was "
+         "never full"},
         {"T_sr", "ms", "time from the first send to the last receive of a generation"},
         {"P_time2", "ms", "time of the process's own share of the error evaluations"},
         {"C_time2", "ms", "communication time of a generation with new measurements and nothing to evaluate"},

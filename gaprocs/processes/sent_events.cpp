@@ -54,7 +54,7 @@ Representation next_representation(PackedReader& from) {
     case StringKind::real: return RealVector(std::move(ranges));
     case StringKind::permutation: return Permutation(size);
     }
-    throw NoMessage("a representation of no kind");
+    throw NoMessage("a representation of an unknown kind");
 }
 
 void tell_generation(PackedReader& from, SearchObserver& observer) {

@@ -15,8 +15,8 @@ Genome Genome::from_string(std::string_view text) {
     Genome genome(text.size());
     for (std::size_t i = 0; i < text.size(); ++i) {
         if (text[i] != '0' && text[i] != '1')
-            throw std::invalid_argument(
-                fmt::format("a binary string holds 0 and 1 only: '{}' has '{}' at position {}", text, text[i], i));
+            throw std::invalid_argument(fmt::format(
+                "a binary string has only the characters 0 and 1: '{}' has '{}' at position {}", text, text[i], i));
         genome.set(i, text[i] == '1');
     }
     return genome;

@@ -143,7 +143,7 @@ BitString::BitString(std::size_t bits) : bits_(bits) {
 
 RealVector::RealVector(std::vector<RealRange> ranges) : ranges_(std::move(ranges)) {
     if (ranges_.empty())
-        throw std::invalid_argument("a vector of no number");
+        throw std::invalid_argument("the vector has 0 numbers, expected at least 1");
     for (std::size_t i = 0; i < ranges_.size(); ++i) {
         if (!std::isfinite(ranges_[i].low) || !std::isfinite(ranges_[i].high) || !(ranges_[i].low < ranges_[i].high))
             throw std::invalid_argument(
@@ -173,7 +173,7 @@ std::vector<double> RealVector::decode(const Genome& genome) const {
 
 Permutation::Permutation(std::size_t places) : places_(places) {
     if (places == 0)
-        throw std::invalid_argument("a permutation of no place");
+        throw std::invalid_argument("the permutation has 0 elements, expected at least 1");
 }
 
 std::vector<std::size_t> Permutation::decode(const Genome& genome) const {

@@ -28,13 +28,13 @@ void add_schemata(std::string& begun, std::size_t first, std::size_t order, std:
 
 Schema Schema::from_string(std::string_view text) {
     if (text.empty())
-        throw std::invalid_argument("a schema of no positions");
+        throw std::invalid_argument("the schema has 0 positions, expected at least 1");
     Schema schema;
     schema.fixed_ = schema.values_ = Genome(text.size());
     for (std::size_t i = 0; i < text.size(); ++i) {
         if (text[i] != '0' && text[i] != '1' && text[i] != '*')
-            throw std::invalid_argument(
-                fmt::format("a schema holds 0, 1 and * only: '{}' has '{}' at position {}", text, text[i], i));
+            throw std::invalid_argument(fmt::format(
+                "a schema has only the characters 0, 1 and *: '{}' has '{}' at position {}", text, text[i], i));
         schema.fixed_.set(i, text[i] != '*');
         schema.values_.set(i, text[i] == '1');
     }

@@ -21,7 +21,7 @@ using Pressure = std::array<double, 1>;
 void require_valid(std::span<const ReplaySample> record, const ReplayCircuit& circuit, double step_s) {
     if (!(circuit.inlet_compliance_in3_per_psi > 0 && step_s > 0))
         throw std::invalid_argument(
-            fmt::format("a replay with compliance {} in^3/psi and step {} s, expected both above 0",
+            fmt::format("the compliance of a replay is {} in^3/psi and its step {} s, expected both above 0",
                         circuit.inlet_compliance_in3_per_psi, step_s));
     for (std::size_t i = 1; i < record.size(); ++i)
         if (!(record[i].time_s > record[i - 1].time_s))

@@ -42,8 +42,8 @@ double DriftedVoltageSpool::desired_spool_in(double volts_commanded, double time
 SpoolLag::SpoolLag(double lag_per_s, double period_s, double spool_in)
     : kept_(std::exp(-lag_per_s * period_s)), spool_in_(spool_in) {
     if (!(lag_per_s > 0 && period_s > 0))
-        throw std::invalid_argument(
-            fmt::format("a spool lag of {} per s sampled every {} s, expected both above 0", lag_per_s, period_s));
+        throw std::invalid_argument(fmt::format(
+            "the spool's lag is {} per s and its sampling period {} s, expected both above 0", lag_per_s, period_s));
 }
 
 std::vector<double> spool_from_volts(std::span<const double> volts, double lag_per_s, double period_s,

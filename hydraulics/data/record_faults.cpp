@@ -41,7 +41,7 @@ std::string likely_units(Quantity quantity, double number, const Ordinary& usual
     std::string likely;
     for (const Unit& unit : units_of(quantity))
         if (within(number * unit.factor, usual))
-            likely += (likely.empty() ? "it would be ordinary in " : ", ") + std::string(unit.name);
+            likely += (likely.empty() ? "the value would be usual in " : ", ") + std::string(unit.name);
     return likely;
 }
 
@@ -100,7 +100,8 @@ void drop_repeated_rows(TextTable& table, const std::optional<RowBefore>& before
     for (TextRow& row : table.rows) {
         const TextRow* last = !kept.empty() ? &kept.back() : before ? &before->row : nullptr;
         if (last && same_text(*last, row))
-            faults.push_back(warning_at(row.line, 1, fmt::format("repeats line {}", last->line), "used once"));
+            faults.push_back(
+                warning_at(row.line, 1, fmt::format("the row repeats line {}", last->line), "the row is used once"));
         else
             kept.push_back(std::move(row));
     }

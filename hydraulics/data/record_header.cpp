@@ -296,7 +296,7 @@ void RecordReader::read_header(std::vector<Diagnostic>& faults) {
         faults.push_back(error_at(table_.header.line, 1, "the column \"time\" is missing",
                                   "add the column, usually the first: time [s]; or name it: --column time=NAME"));
     else if (columns_.size() == 1)
-        faults.push_back(error_at(table_.header.line, 1, "no column of a sensor",
+        faults.push_back(error_at(table_.header.line, 1, "the record has no column of a sensor",
                                   "LINK.SENSOR, such as boom.inlet_pressure [psi]; or name it: --column "
                                   "boom.inlet_pressure=NAME"));
     else

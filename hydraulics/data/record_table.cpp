@@ -214,7 +214,7 @@ bool RecordReader::read_table(std::string_view lines, std::vector<Diagnostic>& f
         return false;
     }
     if (table_.rows.empty() && !before_) { // only a header, or a file whose line ends were lost
-        faults.push_back(error_at(0, 0, fmt::format("0 samples, expected at least {}", fewest_samples),
+        faults.push_back(error_at(0, 0, fmt::format("the record has 0 samples, expected at least {}", fewest_samples),
                                   "write a line for each instant below the header; lines end in LF or in CR LF"));
         return false;
     }
@@ -237,8 +237,8 @@ Record RecordReader::read_piece(std::vector<Diagnostic>& faults) {
     if (has_errors(faults))
         return record;
     if (!before_ && record.size() < fewest_samples)
-        faults.push_back(
-            error_at(0, 0, fmt::format("{} samples, expected at least {}", record.size(), fewest_samples), ""));
+        faults.push_back(error_at(
+            0, 0, fmt::format("the record has {} samples, expected at least {}", record.size(), fewest_samples), ""));
     else if (record.size() > 0)
         check(record, faults);
     return record;

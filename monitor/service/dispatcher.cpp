@@ -347,7 +347,7 @@ void Dispatcher::answer(Client& client, const TokenOffer& offer, std::string_vie
 void Dispatcher::answer(Client& client, const Forget& order, std::string_view) {
     client.greeted();
     if (!diagnoses_.knows(order.machine))
-        throw BadMessage("machine", fmt::format("unknown machine \"{}\"", order.machine), "one that is known");
+        throw BadMessage("machine", fmt::format("unknown machine \"{}\"", order.machine), "a known machine");
     if (!is_idle(order.machine))
         throw BadMessage(
             "machine", fmt::format("{} are still connected to \"{}\"", clients_.staying(order.machine), order.machine),

@@ -122,13 +122,13 @@ void reach(Completion& c, std::size_t from) {
 void check_executes(Completion& c, const Node& node, const std::vector<SecondPlace>& reason) {
     if (!transputer::model_named(node.type))
         c.reporter.error(node.declared,
-                         fmt::format("\"{}\" is {}, whose code cannot be executed: T414, T425, T400, T800 and T805 can",
+                         fmt::format("\"{}\" is {}, which cannot execute code; T414, T425, T400, T800 and T805 can",
                                      node.name,
                                      node.kind->name == "processor" ? "a " + node.type : std::string(node.kind->noun)),
                          "", reason);
     else if (const std::int64_t bytes = node.integer("memory"); bytes < 2048 || bytes > 0xffff'ff00 || bytes % 256 != 0)
         c.reporter.error(node.declared,
-                         fmt::format("\"{}\" has {} bytes of memory, but code can be executed with 2K to "
+                         fmt::format("\"{}\" has {} bytes of memory, but a processor that executes code needs 2K to "
                                      "just below 4G, in steps of 256 bytes",
                                      node.name, bytes),
                          "", reason);

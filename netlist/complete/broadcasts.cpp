@@ -90,7 +90,7 @@ void Broadcasts::require_master(const NetworkChannel& channel, const Placed& pla
                        "not a master of this bus",
                        channel.name, node_name(placed.bus()), sender.name, node_name(channel.from.node)),
            masters.empty() ? "the bus has no master; connect a workstation or a bus master to it"
-                           : fmt::format("its masters are {}", fmt::join(masters, ", ")),
+                           : fmt::format("the masters of the bus are {}", fmt::join(masters, ", ")),
            {{"the process is placed here", sender.placed}});
 }
 
@@ -164,8 +164,8 @@ void Broadcasts::check(const NetworkChannel& broadcast, const std::vector<const 
         placed(broadcast)->by.at,
         fmt::format("the channel \"{}\" is broadcast over the link adapter \"{}\", which also carries \"{}\"",
                     broadcast.name, node_name(slave_of(way).node), other.name),
-        same ? "a broadcast reaches each link adapter once: let one process behind the adapter input the message "
-               "and pass it on"
+        same ? "a broadcast reaches each link adapter once: one process behind the adapter must input the message and "
+               "pass it on"
              : "a link adapter of a broadcast carries no other outputs; place the other channel on another link",
         {{"the other channel is connected here", other.connected}});
 }

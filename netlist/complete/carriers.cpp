@@ -153,7 +153,7 @@ private:
                                                   "\"{}\", which executes its own code",
                                                   known->second->name, channel.name, node_name(end->node)),
                                       "place one of them on another link to this processor",
-                                      {{"the first one is placed here", known->second->connected}});
+                                      {{"the first channel is placed here", known->second->connected}});
             }
     }
 
@@ -401,12 +401,14 @@ private:
                 continue;
             const auto process = std::ranges::find(c_.draft.processes, node, &DraftProcess::node);
             if (process == c_.draft.processes.end())
-                places.push_back({fmt::format("\"{}\" cannot pass it on: it executes no code", node_name(node)),
-                                  c_.network.nodes[node].declared});
+                places.push_back(
+                    {fmt::format("\"{}\" executes no code, so it cannot pass the channel on", node_name(node)),
+                     c_.network.nodes[node].declared});
             else
-                places.push_back({fmt::format("\"{}\" cannot pass it on: \"{}\", which is not code, is placed here",
-                                              node_name(node), process->name),
-                                  process->placed});
+                places.push_back(
+                    {fmt::format("\"{}\" cannot pass the channel on: \"{}\", which is not code, is placed here",
+                                 node_name(node), process->name),
+                     process->placed});
         }
     }
 

@@ -76,7 +76,7 @@ namespace {
 
 void check_code_type(Completion& c, const DraftProcess& process, const Node& node) {
     const std::vector<SecondPlace> reason{
-        {fmt::format("\"{}\", whose kind is made of a file, is placed here", process.name), process.placed}};
+        {fmt::format("\"{}\", whose code is in a file, is placed here", process.name), process.placed}};
     check_executes(c, node, reason);
 }
 
@@ -191,18 +191,18 @@ private:
         if (channel.from.at_edge() || channel.to.at_edge())
             return c_.reporter.error(
                 channel.connected,
-                fmt::format("the channel \"{}\" leads from code to an edge, where no process is", channel.name),
+                fmt::format("the channel \"{}\" leads from code to an edge without a process", channel.name),
                 leads_to_host(channel) ? "leave it out: a channel to the host needs no connection"
                                        : "connect the channel with one of a process");
         const auto is_wire = [&](const RouteHop& hop) {
             return !n_.connections[hop.connection].over_bus && !n_.connections[hop.connection].at_run_time;
         };
         if (const auto other = std::ranges::find_if_not(route, is_wire); other != route.end())
-            c_.reporter.error(
-                channel.connected,
-                fmt::format("the channel \"{}\" of code can lead over a wire only, and not over {}", channel.name,
-                            n_.connections[other->connection].over_bus ? "a bus"
-                                                                       : "a switch that is set during the run"));
+            c_.reporter.error(channel.connected,
+                              fmt::format("the channel \"{}\" of code must lead over a wire, not over {}", channel.name,
+                                          n_.connections[other->connection].over_bus
+                                              ? "a bus"
+                                              : "a switch that is set during the run"));
         else if (is_between_code(n_, channel))
             return;
         else if (route.size() > 1)
@@ -225,7 +225,7 @@ private:
         const std::string from = n_.nodes[channel.from.node].name, to = n_.nodes[channel.to.node].name;
         c_.reporter.error(channel.connected,
                           fmt::format("the channel \"{}\" leads from \"{}\" to \"{}\" through {}, but a channel "
-                                      "between code and a process that is not code has a wire for itself",
+                                      "between code and a process that is not code needs a wire of its own",
                                       channel.name, from, to, fmt::join(between, ", ")),
                           "connect the two processors, or let a process that is code pass the messages on");
     }
@@ -249,7 +249,7 @@ private:
                         "between code and a process that is not code",
                         counted(channels.size(), "channel"), n_.nodes[nodes.first].name, n_.nodes[nodes.second].name,
                         counted(wires.size(), "wire")),
-            fmt::format("the channels: {}; the wires: {}; between processes that are code, channels share wires",
+            fmt::format("the channels: {}; the wires: {}; channels between processes that are code can share wires",
                         fmt::join(channels, ", "), fmt::join(wires, ", ")));
     }
 
@@ -279,8 +279,8 @@ private:
                     process.declared,
                     fmt::format("\"{}\" and \"{}\" use the host of \"{}\", which only one process can use", first->name,
                                 process.name, n_.nodes[node].name),
-                    "let the other processes send their output to it",
-                    {{"the first one is declared here", first->declared}});
+                    "let the other processes send their output to this process",
+                    {{"the first process is declared here", first->declared}});
             first = &process;
         }
     }

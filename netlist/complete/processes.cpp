@@ -75,10 +75,10 @@ void check_parameter(Completion& c, const DraftProcess& process, const Parameter
                          fmt::format("the kind \"{}\" has no parameter \"{}\"", kind.name, parameter.name),
                          did_you_mean(parameter.name, names_in(kind.parameters)), std::move(others));
     } else if (known->type != element_type(parameter) || element_dimensions(parameter) != 0) {
-        c.reporter.error(
-            parameter.at,
-            fmt::format("the parameter \"{}\" of the kind \"{}\" is {}", parameter.name, kind.name, word(known->type)),
-            "", std::move(others));
+        c.reporter.error(parameter.at,
+                         fmt::format("the parameter \"{}\" of the kind \"{}\" is {}, but has another type here",
+                                     parameter.name, kind.name, word(known->type)),
+                         "", std::move(others));
     }
 }
 

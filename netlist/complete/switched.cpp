@@ -23,9 +23,9 @@ const NetworkChannel* other_user(UsersOfLinks& users, const LinkEnd& link, bool 
 void refuse_sharing(Completion& c, const NetworkChannel& first, const NetworkChannel& second, const LinkEnd& link,
                     const char* what) {
     c.reporter.error(second.connected,
-                     fmt::format("{} by \"{}\", which a switch connects during the run: \"{}\" and \"{}\"", what,
+                     fmt::format("{} the link \"{}\", which a switch connects during the run: \"{}\" and \"{}\"", what,
                                  link_name(c.network.nodes, link), first.name, second.name),
-                     "one process outputs and one inputs on a link switched at run time, with one channel each "
+                     "a link switched at run time has one outputting and one inputting process, with one channel each "
                      "way for each partner",
                      {{"the other channel is connected here", first.connected}});
 }
@@ -44,11 +44,11 @@ void check_switched(Completion& c) {
             continue;
         const RouteHop& hop = route.front();
         if (auto [first, alone] = channels.try_emplace({hop.connection, hop.from_a_to_b}, &channel); !alone)
-            refuse_sharing(c, *first->second, channel, begin_of(hop, wires), "two channels lead");
+            refuse_sharing(c, *first->second, channel, begin_of(hop, wires), "two channels use");
         else if (const auto* other = other_user(users, begin_of(hop, wires), true, channel))
-            refuse_sharing(c, *other, channel, begin_of(hop, wires), "two processes output");
+            refuse_sharing(c, *other, channel, begin_of(hop, wires), "two processes output to");
         else if (const auto* another = other_user(users, end_of(hop, wires), false, channel))
-            refuse_sharing(c, *another, channel, end_of(hop, wires), "two processes input");
+            refuse_sharing(c, *another, channel, end_of(hop, wires), "two processes input from");
     }
 }
 

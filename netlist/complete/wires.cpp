@@ -233,7 +233,7 @@ private:
         c_.reporter.error(connection.connected,
                           fmt::format("the links run at different speeds: {} at {} bit/s, {} at {} bit/s", a.name,
                                       link_speed(connection.a), b.name, link_speed(connection.b)),
-                          "set both by a connection: connection (linkspeed = 10M) c; connect ... by c;",
+                          "set both speeds by a connection: connection (linkspeed = 10M) c; connect ... by c;",
                           {{"declared here", a.declared}, {"declared here", b.declared}});
     }
 

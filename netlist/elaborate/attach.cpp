@@ -60,14 +60,15 @@ std::size_t Elaborator::device_end(const Reference& reference, const Found& foun
         refuse(reference.field_at, fmt::format("a {} has slots: {}.slot[...]", draft_.nodes[node].type, reference.name),
                how_to_attach);
     if (kind.bus == BusRole::none)
-        refuse(reference.field_at, fmt::format("{} has no place on a bus", with_article(draft_.nodes[node].type)),
-               "a workstation, a busmaster and a link adapter (C011, C012) have one");
+        refuse(reference.field_at,
+               fmt::format("{} cannot be connected to a bus", with_article(draft_.nodes[node].type)),
+               "a workstation, a busmaster and a link adapter (C011, C012) can be connected");
     return node;
 }
 
 int Elaborator::bus_subscript(const Reference& reference, int least, int most) {
     auto given = subscripts(reference.field_subscripts);
-    std::string range = least == most ? fmt::format("it is {}.{}[{}]", reference.name, reference.field, least)
+    std::string range = least == most ? fmt::format("the only one is {}.{}[{}]", reference.name, reference.field, least)
                                       : fmt::format("expected from {} to {}", least, most);
     if (given.size() != 1)
         refuse(reference.field_at,

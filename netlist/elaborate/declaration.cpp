@@ -30,8 +30,8 @@ std::string Elaborator::claim_name(const std::string& name) {
 void Elaborator::count_things(std::size_t count, const Location& at) {
     draft_.things += count;
     if (draft_.things > most_things)
-        reporter_.give_up(at, fmt::format("the network is too large: nodes, connections, processes, channel ends and "
-                                          "parameters may be {} in all",
+        reporter_.give_up(at, fmt::format("the network is too large: it may have at most {} nodes, connections, "
+                                          "processes, channel ends and parameters in all",
                                           most_things));
 }
 

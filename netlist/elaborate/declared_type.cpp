@@ -52,9 +52,10 @@ std::optional<Misfit> real_misfit(const ParameterDeclaration& parameter, double 
 std::optional<Misfit> text_misfit(const ParameterDeclaration& parameter, const std::string& text) {
     if (!is_text(parameter) || static_cast<std::int64_t>(text.size()) <= parameter.dimensions.back())
         return std::nullopt;
-    return Misfit{fmt::format("the string is too long for the parameter \"{}\": it has {} characters", parameter.name,
-                              text.size()),
-                  fmt::format("{} holds {}", declaration_of(parameter), parameter.dimensions.back())};
+    return Misfit{
+        fmt::format("the string is too long for the parameter \"{}\": it has {} characters", parameter.name,
+                    text.size()),
+        fmt::format("{} holds at most {} characters", declaration_of(parameter), parameter.dimensions.back())};
 }
 
 } // namespace

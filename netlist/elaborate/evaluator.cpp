@@ -94,7 +94,7 @@ void Evaluator::check_shape(const Constant& first, const Constant& element, cons
     auto size = [](const Constant& row) { return (*row.array())->size(); };
     if (size(first) != size(element))
         refuse(at, fmt::format("the array is ragged: this row has {}", counted(size(element), "element")),
-               fmt::format("the first row has {}", size(first)));
+               fmt::format("the first row has {}", counted(size(first), "element")));
     refuse(at, "the array is ragged: the elements of this row differ in size or type from the elements of the "
                "first row");
 }

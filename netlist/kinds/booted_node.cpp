@@ -259,7 +259,7 @@ std::string BootedNode::state_of_program() const {
     if (host_ && !host_->end.refusal().empty())
         return "sent bytes that are not a request: " + host_->end.refusal();
     if (host_ && host_->end.state() == iserver::ServerState::waits_for_input)
-        return "waits for a key, and no more are given";
+        return "waits for a key, but the input has ended";
     if (host_ && host_->end.state() == iserver::ServerState::exited)
         return host_->end.exit_status() == 0   ? "exited with success"
                : host_->end.exit_status() == 1 ? "exited with failure"
@@ -269,7 +269,7 @@ std::string BootedNode::state_of_program() const {
     if (!device_.is_idle())
         return "runs";
     if (host_ && host_->server.was_out_of_keys())
-        return "waits; an earlier request for a key found none";
+        return "waits; an earlier request for a key found no key";
     return host_ && waiting_processes().empty()
                ? "has no process left, and did not tell the host to exit (so.exit in occam)"
                : "waits";

@@ -34,7 +34,7 @@ std::vector<AttributeDescription> computer_attributes() {
     using namespace description;
     return {
         {.value = integer("memory", {.unit = "bytes", .by_default = 0, .least = 1, .most = largest_address_space},
-                          "size of the memory; default: that of the chip or module"),
+                          "size of the memory; default: the memory of the chip or module"),
          .json_name = "memory_bytes",
          .drawn = bytes},
         {.value = integer(

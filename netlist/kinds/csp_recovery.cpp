@@ -80,7 +80,7 @@ std::string why_not_given_up(const Network& network, const NetworkChannel& chann
     if (at.in_packets)
         return "travels in packets, which routers carry to their end";
     if (at.broadcast_on != nowhere)
-        return "is broadcast with others";
+        return "is broadcast with other channels";
     bool in_memory = std::ranges::any_of(at.route, [&](const RouteHop& hop) {
         const auto& over_bus = network.connections[hop.connection].over_bus;
         return over_bus && over_bus->wire == nowhere;

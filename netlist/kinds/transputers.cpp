@@ -108,10 +108,10 @@ std::vector<AttributeDescription> attributes_of_booted_programs() {
                  "hosttime", {.unit = "ns", .by_default = 0, .least = 0, .most = 1e12},
                  "time that the host at this processor takes to answer a request of the booted program"),
              .json_name = "host_time_ns"},
-            {.value = description::integer("wraps", {.by_default = 0, .least = 0, .most = 1},
-                                           "1: the booted program's accesses outside of the memory reach it again from "
-                                           "its beginning, as on boards; 0: they stop the processor, except for lb, "
-                                           "sb, ldnl and stnl"),
+            {.value = description::integer(
+                 "wraps", {.by_default = 0, .least = 0, .most = 1},
+                 "1: an address of the booted program outside of the memory counts modulo the memory's size, as on "
+                 "boards; 0: it stops the processor, except for lb, sb, ldnl and stnl"),
              .json_name = "memory_wraps"}};
 }
 
@@ -123,8 +123,8 @@ std::vector<AttributeDescription> transputer_attributes() {
     attributes.push_back(
         {.value = description::integer("memorycycles", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1000},
                                        "cycles of an access to a word of external memory, which holds the messages and "
-                                       "all code and data that are not on the chip; 0: chosen by the type: 3, for a T2 "
-                                       "or T801 2, and 1 if `memory` fits into the chip's 4K"),
+                                       "all code and data that are not on the chip; 0: chosen by the type: 2 for a T2 "
+                                       "or T801, otherwise 3; 1 if `memory` fits into the chip's 4K"),
          .json_name = "memory_access_cycles"});
     attributes.push_back(
         {.value = description::integer("switching",

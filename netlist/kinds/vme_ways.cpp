@@ -78,7 +78,7 @@ private:
                 fmt::format("the master of the link adapter \"{}\" is \"{}\", which is not a master on its "
                             "bus \"{}\"",
                             adapter.name, named, bus.name),
-                "workstations and bus masters on the bus are");
+                "the masters of a bus are the workstations and bus masters that are connected to it");
         else if (candidates.empty())
             attached_.reporter.error(
                 adapter.declared,

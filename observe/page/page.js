@@ -79,7 +79,7 @@ function addLaneChoices() {
   const scaled = by => () => zoom.scaleBy(d3.select(canvas), by, [view.scale(now.moment), 0]);
   for (const [text, act] of [["+", scaled(3)], ["\u2212", scaled(1 / 3)], ["all", () => d3.select(canvas).call(zoom.transform, d3.zoomIdentity)]])
     lanes.append("button").text(text).on("click", act);
-  lanes.append("span").attr("class", "faint").text("Ctrl and the wheel zoom, dragging moves, a click chooses; double click looks closer");
+  lanes.append("span").attr("class", "faint").text("Ctrl and the wheel zoom, dragging moves, a click chooses, a double click zooms in");
 }
 
 function addKey() {

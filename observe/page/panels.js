@@ -12,15 +12,15 @@ function waitText({ slice, channel, partner }, moment) {
 
 function stateText(track, moment) {
   const state = stateOfProcess(track, moment);
-  const words = { running: "running", ready: "ready: others have its processor", waiting: "waiting", stuck: "waiting for ever",
-    gone: "not there: before its beginning or after its end", unknown: "only summarised here: see its share below" };
+  const words = { running: "running", ready: "ready: another process has its processor", waiting: "waiting", stuck: "waiting for ever",
+    gone: "not there: the process has not begun, or has ended", unknown: "only summarised here: see its share below" };
   return `<b class="${state === "stuck" ? "bad" : ""}">${words[state]}</b>`;
 }
 
 function chainText(name, moment) {
   const chain = chainFrom(name, moment);
   if (chain.length < 2) return "";
-  return `<p>Waits for whom, who waits for whom: ${[name, ...chain.map(([, to]) => to)].map(processLink).join(" &rarr; ")}</p>`;
+  return `<p>Chain of waiting processes: ${[name, ...chain.map(([, to]) => to)].map(processLink).join(" &rarr; ")}</p>`;
 }
 
 function sharesText(track, from, to) {
@@ -31,13 +31,13 @@ function sharesText(track, from, to) {
 function showChosen(name, moment, from, to) {
   const track = name && trackNamed.get(name), process = processNamed.get(name) || { kind: track && track.kind === "program" ? "a process of the booted program" : "a process of the machine", place: "", line: "", node: "" };
   const panel = d3.select("#chosen");
-  if (!track) return panel.html(`<h2>A process</h2><p class="faint">Click a process, in the drawing or on its timeline: here it says what it does at the moment of the slider, for whom it waits, and where the netlist declares it.</p>`);
+  if (!track) return panel.html(`<h2>A process</h2><p class="faint">Click a process, in the drawing or on its timeline: this panel shows what the process does at the moment of the slider, which process it waits for, and where the netlist declares it.</p>`);
   const waits = waitsOf(track, moment);
   panel.html(`<h2>${escaped(name)}</h2><p>${escaped(process.kind)}${process.node ? " on " + escaped(process.node) : ""}</p>` +
     `<p>At ${timeText(moment, lengthInSight())}: ${stateText(track, moment)}</p>` +
     (waits.length ? `<ul>${waits.map(wait => waitText(wait, moment)).join("")}</ul>` : "") + chainText(name, moment) + sharesText(track, from, to) +
     (process.place ? `<p class="faint">${escaped(process.place)}</p><pre>${escaped(process.line.trim())}</pre>` : "") + measuresOf(name) +
-    (run.lost ? "<p class=\"faint\">What it did one by one is kept of the beginning and the end of the run.</p>" : ""));
+    (run.lost ? "<p class=\"faint\">The single steps of this process are kept only for the beginning and the end of the run.</p>" : ""));
   panel.selectAll("a.to").on("click", function () { choose(this.dataset.process); });
 }
 
@@ -88,8 +88,8 @@ function extentText() {
 function partText() {
   if (run.begin <= 0 && run.end >= report.time_ps) return "";
   const why = run.end < report.time_ps ? ` They end there: ${escaped(run.why)}.` : "";
-  if (run.begin >= run.end) return "<b>Nothing of the run</b> is in the timelines and the drawing: it was over before the part that they are of. Tables and curves are of the whole run.";
-  return `<b>A part of the run</b> is in the timelines and the drawing: from ${run.begin && timeText(run.begin, span)} to ${timeText(run.end, span)}, of ${timeText(report.time_ps, span)}.${why} Tables and curves are of the whole run.`;
+  if (run.begin >= run.end) return "<b>Nothing of the run</b> is in the timelines and the drawing: the run was over before the part that they show. Tables and curves show the whole run.";
+  return `<b>A part of the run</b> is in the timelines and the drawing: from ${run.begin && timeText(run.begin, span)} to ${timeText(run.end, span)}, of ${timeText(report.time_ps, span)}.${why} Tables and curves show the whole run.`;
 }
 
 // Returns the text that says how well the clocks of ranks are known.

@@ -74,8 +74,8 @@ void UsageCheck::check_free(const Declaration& routine, const std::vector<Part>&
             continue;
         if (std::ranges::any_of(parts, is_alias))
             return reporter_.error(program_.location(place),
-                                   "\"" + free.base->name + "\" is a parameter here, and \"" + routine.name +
-                                       "\" also uses it by its own name",
+                                   "\"" + free.base->name + "\" is passed as a parameter, but \"" + routine.name +
+                                       "\" also uses it directly",
                                    "pass another variable", {{"used here", program_.location(free.at)}});
     }
 }
@@ -91,7 +91,7 @@ void UsageCheck::check_block(const Expression& target, const Expression& value) 
     const bool are_equal = first.first == second.first && first.end == second.end;
     if (!are_equal && overlap_of(*to, *from, replicators_) == Overlap::certain)
         reporter_.error(program_.location(target.at),
-                        "\"" + to->base->name + "\" is assigned to itself, and the two parts overlap",
+                        "\"" + to->base->name + "\" is assigned to itself, and source and target overlap",
                         "copy through another array");
 }
 

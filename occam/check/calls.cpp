@@ -77,8 +77,8 @@ void Checker::effects_of_call(const Declaration& called, const Place& place) {
     if (!effects.has_priority_par)
         return;
     if (inside_priority_par_)
-        report(place, "\"" + called.name + "\" has a PRI PAR, and stands within another",
-               "a process has one of two priorities", &called);
+        report(place, "\"" + called.name + "\" has a PRI PAR, and is called within another PRI PAR",
+               "there are only two priorities", &called);
     if (!routines_.empty())
         routines_.back().has_priority_par = true;
 }

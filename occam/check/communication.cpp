@@ -34,7 +34,7 @@ const Type* Checker::channel(Expression& expression, const char* action) {
         kind == Type::Kind::mistaken)
         return type;
     const bool is_array = kind == Type::Kind::array && !is_data(*type);
-    report(expression.at, name_of(*type) + " is not a channel: " + action + " needs one",
+    report(expression.at, std::string(action) + " needs a channel, not " + name_of(*type),
            is_array ? "choose a channel by a subscript" : "");
     return expression.type = mistaken();
 }
@@ -130,7 +130,7 @@ void Checker::input(const Place& place, Input& input, bool is_guard) {
     const ProtocolType* const protocol = type->protocol;
     if (protocol && protocol->kind == ProtocolType::Kind::variant)
         report(place,
-               "a simple input from a channel of the variant protocol " +
+               "a simple input cannot read the variant protocol " +
                    (protocol->declared ? protocol->declared->name : std::string()),
                "write ? CASE and its tags");
     if (protocol && protocol->kind == ProtocolType::Kind::sequence)
@@ -212,8 +212,8 @@ void Checker::output_item(Item& item, const ProtocolItem* wanted) {
     if (item.value.constant && array.count &&
         (item.value.constant->bits < 0 || item.value.constant->bits > *array.count))
         report(item.value.at,
-               "the count " + std::to_string(item.value.constant->bits) + " of an array of " +
-                   std::to_string(*array.count),
+               "the count " + std::to_string(item.value.constant->bits) + " does not fit an array of " +
+                   std::to_string(*array.count) + " elements",
                "");
 }
 

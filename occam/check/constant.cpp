@@ -14,7 +14,7 @@ namespace {
 
 constexpr Folded overflow = {0, "overflows"};
 constexpr Folded division_by_zero = {0, "divides by zero"};
-constexpr Folded not_finite = {0, "gives no finite number"};
+constexpr Folded not_finite = {0, "does not give a finite number"};
 
 unsigned width_of(Basic basic) { return 8 * bytes_of(basic); }
 

@@ -62,7 +62,7 @@ void Checker::declare(Declaration& declaration, Variable& variable) {
     if (!variable.initial)
         return;
     if (!is_wrong_type(*declaration.type) && !is_data(*declaration.type))
-        report(declaration.at, name_of(*declaration.type) + " has no initial value", "");
+        report(declaration.at, name_of(*declaration.type) + " cannot have an initial value", "");
     else
         value_of(*variable.initial, declaration.type, "the initial value of \"" + declaration.name + "\"");
 }
@@ -80,7 +80,7 @@ const Type* Checker::abbreviated(Expression& expression) {
     if (is_wrong_type(*type))
         return type;
     if (!root_of(expression) && is_data(*type)) {
-        report(expression.at, "a value is abbreviated with VAL", "write VAL in front of the name");
+        report(expression.at, "an abbreviation of a value needs VAL", "write VAL in front of the name");
         return expression.type = mistaken();
     }
     if (is_data(*type))
@@ -112,22 +112,23 @@ const Type* Checker::retyped(Declaration& declaration, Retyping& retyping, const
     if (is_wrong_type(*to) || is_wrong_type(from))
         return to;
     if (is_data(*to) != is_data(from)) {
-        report(declaration.at, name_of(from) + " cannot be seen as " + name_of(*to), "");
+        report(declaration.at, name_of(from) + " cannot be retyped as " + name_of(*to), "");
         return to;
     }
     if (!is_data(from))
         return to;
     if (retyping.reshapes && &innermost(*to) != &innermost(from))
         report(declaration.at,
-               "RESHAPES keeps the elements: they are " + name_of(innermost(from)) + " and " + name_of(innermost(*to)),
+               "RESHAPES cannot change the elements from " + name_of(innermost(from)) + " to " +
+                   name_of(innermost(*to)),
                "write RETYPES");
     const std::optional<std::uint64_t> size = known_bytes(from), wanted = known_bytes(*to);
     if (!size)
         return to;
     if (wanted && *wanted != *size)
         report(declaration.at,
-               name_of(from) + " has " + std::to_string(*size) + " bytes, and " + name_of(*to) + " has " +
-                   std::to_string(*wanted),
+               "the sizes differ: " + name_of(from) + " has " + std::to_string(*size) + " bytes, and " + name_of(*to) +
+                   " has " + std::to_string(*wanted),
                "");
     if (wanted || to->count)
         return to;
@@ -158,7 +159,8 @@ void Checker::declare(Declaration& declaration, Parameter& parameter) {
     if (is_wrong_type(*declaration.type))
         return;
     if (!is_data(*declaration.type) && parameter.passing != Parameter::Passing::reference)
-        report(declaration.at, name_of(*declaration.type) + " cannot be passed as VAL or RESULT", "leave the word out");
+        report(declaration.at, name_of(*declaration.type) + " cannot be passed as VAL or RESULT",
+               "leave VAL or RESULT out");
     if (parameter.written_output)
         declaration.direction = *parameter.written_output ? Direction::output : Direction::input;
 }
@@ -235,7 +237,9 @@ bool Checker::has_values(const Place& place, const std::string& role, std::vecto
                          const std::vector<const Type*>& given, const std::vector<const Type*>& wanted) {
     if (given.size() != wanted.size()) {
         if (given.empty() || !is_wrong_type(*given.front()))
-            report(place, std::to_string(given.size()) + " values for " + std::to_string(wanted.size()) + " " + role,
+            report(place,
+                   "there are " + std::to_string(given.size()) + " values for " + std::to_string(wanted.size()) + " " +
+                       role,
                    "");
         return false;
     }
@@ -305,8 +309,8 @@ void Checker::declare(Declaration& declaration, DataType& data) {
 void Checker::declare(Declaration& declaration, Placement& placement) {
     const bool is_whole = placement.paths.size() == 1 && std::holds_alternative<NameUse>(placement.paths[0].form);
     if (placement.where == Placement::Where::arc || !is_whole)
-        return report(declaration.at, "a program places whole variables and channels, one in each PLACE",
-                      "elements and arcs are for configurations");
+        return report(declaration.at, "a PLACE of a program takes the name of one variable or channel",
+                      "only a configuration can place elements of an array, several channels, or a channel on an arc");
     if (placement.address)
         constant_of_type(*placement.address, basic(Basic::integer), "the address");
     Declaration* const placed = find(declaration.name, declaration.at);
@@ -323,7 +327,7 @@ void Checker::declare(Declaration& declaration, Placement& placement) {
     placed->placement = &placement;
     const bool is_array = placed->type && plain(*placed->type).kind == Type::Kind::array;
     if (placement.where != Placement::Where::address && !is_array && !is_wrong_type(*placed->type))
-        report(declaration.at, "only arrays are placed in WORKSPACE or VECSPACE", "", placed);
+        report(declaration.at, "only arrays can be placed in WORKSPACE or VECSPACE", "", placed);
 }
 
 void Checker::declare(Declaration&, Use& use) {

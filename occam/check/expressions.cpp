@@ -17,13 +17,13 @@ std::string kind_of(const Declaration& declaration) {
     if (std::holds_alternative<Procedure>(form))
         return "a procedure";
     if (std::holds_alternative<Function>(form))
-        return "a function: write its parameters behind it";
+        return "a function; write its arguments after it";
     if (std::holds_alternative<Protocol>(form))
         return "a protocol";
     if (std::holds_alternative<DataType>(form))
         return "a type";
     const auto* predefined = std::get_if<Predefined>(&form);
-    return predefined ? "predefined: write its parameters behind it" : "";
+    return predefined ? "predefined; write its arguments after it" : "";
 }
 
 bool is_mistaken(const Type& type) { return innermost(type).kind == Type::Kind::mistaken; }
@@ -178,7 +178,7 @@ const Type* Checker::literal_type(const Place& place, const std::optional<Basic>
     const Type* const named = named_type({place, {}, TypeText::Named{name}}, name);
     if (named->kind == Type::Kind::mistaken || plain(*named).kind == Type::Kind::basic)
         return named;
-    report(place, "a literal cannot be " + name, "");
+    report(place, "a literal cannot have the type " + name, "");
     return mistaken();
 }
 
@@ -311,7 +311,7 @@ const Type* Checker::field_of(Expression& expression, Subscript& subscript, cons
     if (found == names.end()) {
         report(subscript.index->at,
                use ? unknown_name("field", use->name, names, name_of(record) + " has no such field")
-                   : "the subscript of a record is the name of a field",
+                   : "the subscript of a record must be the name of a field",
                "");
         return mistaken();
     }
@@ -328,7 +328,8 @@ void Checker::check_range(const Expression& at, std::int64_t first, std::int64_t
         return;
     const std::string what = is_segment ? "the segment from " + std::to_string(first) + " for " + std::to_string(count)
                                         : "subscript " + std::to_string(first);
-    report(at.at, what + " of an array of " + std::to_string(size), "the last element is " + std::to_string(size - 1));
+    report(at.at, what + " is outside of an array of " + std::to_string(size) + " elements",
+           "the last element has the subscript " + std::to_string(size - 1));
 }
 
 const Type* Checker::form_of(Expression& expression, Subscript& subscript) {
@@ -394,8 +395,9 @@ const Type* Checker::several(Expression& expression, const std::vector<const Typ
     if (results.empty())
         return mistaken();
     if (results.size() > 1 && !several_allowed_) {
-        report(expression.at, "this function has " + std::to_string(results.size()) + " results",
-               "assign them: a, b := ...");
+        report(expression.at,
+               "this function has " + std::to_string(results.size()) + " results, but one value is needed here",
+               "assign the results: a, b := ...");
         return mistaken();
     }
     return results[0];

@@ -116,7 +116,7 @@ void Checker::report_unknown(const std::string& name, const Place& place) {
         return report(place, name + " is not supported: programs are loaded by the loader of this compiler", "");
     for (const Routine& routine : routines_) {
         if (routine.declaration && routine.declaration->name == name)
-            return report(place, "\"" + name + "\" is used in its own body: recursion is not of occam 2",
+            return report(place, "\"" + name + "\" is used in its own body: occam 2 has no recursion",
                           "use a loop, or an array as a stack", routine.declaration);
     }
     for (auto list = pending_.rbegin(); list != pending_.rend(); ++list) {
@@ -127,7 +127,7 @@ void Checker::report_unknown(const std::string& name, const Place& place) {
         }
     }
     if (reporter_.keeps_more())
-        report(place, unknown_name("name", name, names_.all(), "nothing of this name is declared here"));
+        report(place, unknown_name("name", name, names_.all(), "nothing with this name is declared here"));
     else
         report(place, "unknown name");
 }

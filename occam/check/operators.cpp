@@ -101,7 +101,7 @@ void Checker::check_count(Expression& expression, const BinaryOperation& shift) 
     const Folded folded = fold(shift.operation, plain(*shift.left->type).basic, 0, shift.right->constant->bits);
     if (folded.error)
         report(expression.at, "the count of this shift is out of range",
-               "it can be from 0 to the number of bits of what is shifted");
+               "the count can be 0 to the number of bits of the shifted value");
 }
 
 const Type* Checker::form_of(Expression& expression, BinaryOperation& operation) {
@@ -123,7 +123,8 @@ const Type* Checker::form_of(Expression& expression, BinaryOperation& operation)
         if (left->is(Basic::byte) || (hint.empty() && right->kind == Type::Kind::basic))
             hint = conversion_hint(*operation.left, *right);
         report(expression.at,
-               "the operands of " + std::string(traits.name) + " are " + name_of(*left) + " and " + name_of(*right),
+               "the operands of " + std::string(traits.name) + " have different types: " + name_of(*left) + " and " +
+                   name_of(*right),
                std::move(hint));
         return traits.gives_truth ? basic(Basic::boolean) : mistaken();
     }
@@ -140,7 +141,7 @@ const Type* Checker::size_of(Expression& expression, UnaryOperation& operation) 
     if (form.kind == Type::Kind::array && form.count)
         expression.constant = Constant{*form.count, nullptr};
     else if (form.kind != Type::Kind::array && !is_wrong(form))
-        report(operation.operand->at, "SIZE is of arrays, not of " + name_of(*type), "");
+        report(operation.operand->at, "SIZE needs an array, not " + name_of(*type), "");
     return basic(Basic::integer);
 }
 
@@ -192,7 +193,7 @@ const Type* Checker::form_of(Expression& expression, Conversion& conversion) {
         else if (with_real && !is_rounded && !is_small(target.basic) && !is_small(source.basic))
             hint = "write " + name_of(*to) + " ROUND or " + name_of(*to) + " TRUNC";
         else if (!with_real)
-            hint = "write " + name_of(*to) + " alone: ROUND and TRUNC are for reals";
+            hint = "write " + name_of(*to) + " without ROUND or TRUNC, which are for reals";
         report(expression.at,
                name_of(*from) + " cannot be converted to " + name_of(*to) +
                    (is_rounded ? " with ROUND or TRUNC" : " in this way"),
@@ -215,12 +216,12 @@ const Type* Checker::form_of(Expression& expression, TypeBound& bound) {
         if (is_data(*type))
             expression.constant = Constant{static_cast<std::int64_t>(bytes_of(*type)), nullptr};
         else
-            report(expression.at, "BYTESIN is of types of data, not of " + name_of(*type), "");
+            report(expression.at, "BYTESIN needs a data type, not " + name_of(*type), "");
         return basic(Basic::integer);
     }
     const Type& form = plain(*type);
     if (form.kind != Type::Kind::basic || !is_integer(form.basic)) {
-        report(expression.at, "MOSTPOS and MOSTNEG are of integer types, not of " + name_of(*type), "");
+        report(expression.at, "MOSTPOS and MOSTNEG need an integer type, not " + name_of(*type), "");
         return mistaken();
     }
     const bool is_positive = bound.which == TypeBound::Which::most_positive;

@@ -37,7 +37,7 @@ void UsageCheck::report_parallel(const Access& first, const Access& second) {
         message = "two components of a PAR " + std::string(is_output ? "output to " : "input from ") + name + through;
         hint = "a channel joins two processes: use one for each pair";
     } else {
-        message = "a component of a PAR " + std::string(verb(later.kind)) + " " + name + ", which another one " +
+        message = "a component of a PAR " + std::string(verb(later.kind)) + " " + name + ", which another component " +
                   verb(earlier.kind) + through;
         hint = "send the value over a channel, or use a variable for each component";
     }

@@ -30,7 +30,8 @@ void Checker::check_replicator(Replicator& replicator) {
         value_of(*replicator.step, basic(Basic::integer), "the step of a replicator");
     if (replicator.count.constant && replicator.count.constant->bits < 0)
         report(replicator.count.at,
-               "the count of this replicator is " + std::to_string(replicator.count.constant->bits), "it is 0 or more");
+               "the count of this replicator is " + std::to_string(replicator.count.constant->bits),
+               "the count must be 0 or more");
     replicator.index->type = basic(Basic::integer);
     add(*replicator.index);
 }
@@ -46,12 +47,12 @@ void Checker::form_of(Process&, Sequence& sequence) {
 
 void Checker::check_priority(const Process& process, const Parallel& parallel) {
     if (parallel.replicator)
-        return report(process.at, "PRI PAR cannot be replicated", "its two processes are of high and of low priority");
+        return report(process.at, "PRI PAR cannot be replicated", "its two processes have high and low priority");
     if (parallel.processes.size() != 2)
         report(process.at, "PRI PAR has exactly two processes, not " + std::to_string(parallel.processes.size()),
-               "put several of one priority into a PAR");
+               "put several processes of one priority into a PAR");
     if (inside_priority_par_)
-        report(process.at, "PRI PAR stands within another PRI PAR", "a process has one of two priorities");
+        report(process.at, "PRI PAR cannot be within another PRI PAR", "there are only two priorities");
     if (!routines_.empty())
         routines_.back().has_priority_par = true;
 }
@@ -109,7 +110,7 @@ void Checker::check_option(Option& option, const Type* selector, std::unordered_
         const auto [earlier, is_new] = seen.emplace(each.constant->bits, each.at);
         if (!is_new)
             report(each.at, "the option " + std::to_string(each.constant->bits) + " is used twice in this CASE", "",
-                   {{"the first", program_.location(earlier->second)}});
+                   {{"first used here", program_.location(earlier->second)}});
     }
     if (option.process)
         check(*option.process);
@@ -128,7 +129,8 @@ void Checker::form_of(Process&, Case& selection) {
     const Option* otherwise = nullptr;
     for (Option& option : selection.options) {
         if (option.values.empty() && otherwise)
-            report(option.at, "this CASE has two ELSE", "", {{"the first", program_.location(otherwise->at)}});
+            report(option.at, "this CASE has two ELSE", "",
+                   {{"the first ELSE is here", program_.location(otherwise->at)}});
         if (option.values.empty())
             otherwise = &option;
         check_option(option, selector, seen);
@@ -190,7 +192,8 @@ void Checker::form_of(Process&, Processor& processor) {
 }
 
 void Checker::form_of(Process& process, Wiring&) {
-    report(process.at, "a program connects and maps nothing", "this is for the NETWORK and MAPPING of a configuration");
+    report(process.at, "CONNECT, SET and MAP are not allowed in a program",
+           "they belong to the NETWORK and MAPPING of a configuration");
 }
 
 } // namespace placedpar::occam

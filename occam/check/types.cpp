@@ -90,7 +90,7 @@ std::optional<std::uint32_t> Checker::dimension(Expression& expression) {
     if (expression.type->kind == Type::Kind::mistaken)
         return std::nullopt;
     if (!expression.constant) {
-        report(expression.at, "the size of an array must be a constant", "use a VAL that is known when it is compiled");
+        report(expression.at, "the size of an array must be a constant", "use a VAL that is known at compile time");
         return std::nullopt;
     }
     if (expression.constant->bits <= 0) {
@@ -152,7 +152,7 @@ std::vector<ProtocolItem> Checker::items_of(std::vector<ItemText>& texts) {
 void Checker::add_tag(ProtocolType& protocol, ProtocolTag tag, const Place& place) {
     const auto same = [&](const ProtocolTag& other) { return other.name == tag.name; };
     if (std::ranges::any_of(protocol.tags, same))
-        return report(place, "the tag \"" + tag.name + "\" is twice in this protocol", "");
+        return report(place, "the tag \"" + tag.name + "\" appears twice in this protocol", "");
     if (protocol.tags.size() > 255)
         return report(place, "a protocol has at most 256 tags", "");
     tag.value = static_cast<std::uint8_t>(protocol.tags.size());
@@ -191,8 +191,8 @@ const Type* Checker::record_type(const Declaration& declaration, DataType& text)
         const Type* const type = field.type ? type_of(*field.type, Open::refused) : mistaken();
         const auto [earlier, is_new] = places.emplace(field.name, field.at);
         if (!is_new)
-            report(field.at, "the field \"" + field.name + "\" is twice in this record", "",
-                   {{"the first", program_.location(earlier->second)}});
+            report(field.at, "the field \"" + field.name + "\" appears twice in this record", "",
+                   {{"first declared here", program_.location(earlier->second)}});
         if (type->kind != Type::Kind::mistaken && !is_data(*type))
             report(field.at, "a field of a record cannot be " + name_of(*type), "");
         const std::uint32_t multiple = text.is_packed ? 1 : alignment_of(*type);

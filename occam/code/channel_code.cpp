@@ -102,7 +102,7 @@ void Generator::input_counted(const Expression& on, const Item& item) {
     if (options_.range_checks) {
         load_extent(outer_extent(array), 1);
         op(Operation::csub0);
-        fails("the count {b} comes for an array of {a-1}");
+        fails("the count {b} was received for an array of {a-1} elements");
         settle();
     }
     const Cell number = temporary();
@@ -217,7 +217,7 @@ void Generator::output_counted(const Expression& on, const Item& item) {
     if (options_.range_checks && !constant_of(item.value)) {
         load_extent(outer_extent(array), 1);
         op(Operation::csub0);
-        fails("the count {b} of an array of {a-1}");
+        fails("the count {b} does not fit an array of {a-1} elements");
     }
     settle();
     store(number.cell);
@@ -253,7 +253,7 @@ void Generator::variant_input(const VariantInput& v) {
         jump(done);
     }
     mark(otherwise);
-    stop_here("tag {w} comes, which is not in this list", {tag.cell});
+    stop_here("tag {w} was received, which this ? CASE does not list", {tag.cell});
     mark(done);
     clear_error();
 }

@@ -31,7 +31,8 @@ bool is_array_of_integers(const Type& type) {
 void Generator::declare_outermost(const Declaration& d) {
     const bool has_place = std::holds_alternative<Variable>(d.form) && innermost(*d.type).kind != Type::Kind::timer;
     if (has_place && !program_.is_configuration)
-        refuse(d.at, fmt::format("the variable or channel \"{}\" is declared outside of all PROCs", d.name));
+        refuse(d.at, fmt::format("the variable or channel \"{}\" is declared outside of all PROCs: move it into a PROC",
+                                 d.name));
     if (!has_place)
         declare(d);
 }
@@ -123,8 +124,8 @@ void Generator::add_main_argument(Arguments& words, const Declaration& parameter
                          }});
         words.push_back({1, [this] { constant(bytes_of_free_memory / 4); }});
     } else {
-        refuse(parameter.at, "the main procedure cannot have this parameter; it has (CHAN OF SP fs, ts), perhaps with "
-                             "[]INT memory behind these, or none");
+        refuse(parameter.at, "the main procedure cannot have this parameter: write (), (CHAN OF SP fs, ts), or (CHAN "
+                             "OF SP fs, ts, []INT memory)");
     }
 }
 

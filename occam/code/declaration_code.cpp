@@ -152,7 +152,7 @@ void Generator::abbreviate(const Declaration& d, const Expression& value, bool i
         return;
     if (is_compound(plain(*d.type))) {
         if (!level_ && !value.constant)
-            refuse(d.at, fmt::format("the value of \"{}\" is not known at compile time, and no procedure is around it",
+            refuse(d.at, fmt::format("the value of \"{}\" is not known at compile time: declare it inside a procedure",
                                      d.name));
         const Storage location = is_value ? value_in_memory(value) : locate(value);
         bindings_[&d] = seen_as(level_ ? pointer_to(location) : location, *d.type);
@@ -170,7 +170,7 @@ void Generator::retype(const Declaration& d, const Retyping& r) {
     stack_ = 0;
     if (!level_ && !r.value.constant)
         refuse(d.at,
-               fmt::format("the value of \"{}\" is not known at compile time, and no procedure is around it", d.name));
+               fmt::format("the value of \"{}\" is not known at compile time: declare it inside a procedure", d.name));
     Storage location = r.is_value ? value_in_memory(r.value) : locate(r.value);
     if (level_)
         location = pointer_to(location);

@@ -190,7 +190,7 @@ void Generator::shift(const BinaryOperation& operation) {
         if (options_.range_checks) {
             constant(bits + 1);
             op(Operation::csub0);
-            fails("shift by {b}, which can be 0 to {a-1}");
+            fails("the shift count is {b}, but must be 0 to {a-1}");
         }
         if (masks) {
             op(Operation::rev);

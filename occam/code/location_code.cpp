@@ -169,7 +169,7 @@ void Generator::check_index(const Extent& extent, const Expression& index) {
         return;
     load_extent(extent);
     op(Operation::csub0);
-    fails("subscript {b} of an array of {a}");
+    fails("subscript {b} is outside of an array of {a} elements");
 }
 
 std::optional<Range> Generator::range_of(const Expression& e) const {

@@ -33,7 +33,7 @@ Frame& Generator::new_component(const Process& p) {
 
 void Generator::parallel(const Process& p, const Parallel& each) {
     if (each.kind == Parallel::Kind::placed)
-        refuse(p.at, "PLACED PAR places processes on a network; a program for one transputer has none");
+        refuse(p.at, "PLACED PAR places processes on a network, but a program for one transputer has no network");
     if (each.replicator)
         return replicated_parallel(p, each);
     if (each.kind == Parallel::Kind::priority)

@@ -43,7 +43,7 @@ void Generator::process(const Process& p) {
             g.process(*s.process);
         }
         void operator()(const Processor&) {
-            g.refuse(p.at, "PROCESSOR places processes on a network; a program for one transputer has none");
+            g.refuse(p.at, "PROCESSOR places processes on a network, but a program for one transputer has no network");
         }
         void operator()(const Wiring&) { g.refuse(p.at, "a program for one transputer has no network"); }
     };
@@ -253,7 +253,7 @@ Cell Generator::begin_replication(const Replicator& r, Label end) {
     if (options_.range_checks) {
         op(Operation::mint);
         op(Operation::csub0);
-        fails("the count of this replicator is {b}");
+        fails("the count of this replicator is {b}, but must be 0 or more");
         settle();
     }
     jump_if_false(end);
@@ -375,7 +375,7 @@ void Generator::selection(const Case& c) {
     }
     if (!has_else) {
         mark(otherwise);
-        stop_here("no option of CASE for " + selected.text, selected.cells);
+        stop_here("this CASE has no option for " + selected.text, selected.cells);
     }
     mark(done);
     clear_error();

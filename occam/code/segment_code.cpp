@@ -37,7 +37,7 @@ Extent Generator::segment_count(const Segment& segment, const Extent& all) {
         if (options_.range_checks) {
             load_extent(all, 1);
             op(Operation::csub0);
-            fails("a segment of {b} elements of an array of {a-1}");
+            fails("a segment of {b} elements does not fit in an array of {a-1} elements");
         }
     } else {
         load_extent(all);
@@ -48,7 +48,7 @@ Extent Generator::segment_count(const Segment& segment, const Extent& all) {
             load(saved);
             op(Operation::adc, 1);
             op(Operation::csub0);
-            fails("a segment from element {b} on of an array of {a-1}");
+            fails("a segment begins at element {b} of an array of {a-1} elements");
         }
         load(saved);
         op(Operation::rev);
@@ -72,13 +72,13 @@ Storage Generator::move_to_segment(Storage location, const Segment& segment, con
             load_extent(extent);
             load_extent(all, 1);
             op(Operation::csub0); // or the next limit would be negative, which is a large one
-            fails("a segment of {b} elements of an array of {a-1}");
+            fails("a segment of {b} elements does not fit in an array of {a-1} elements");
             load_extent(all, 1);
             op(Operation::rev);
             op(Operation::sub);
         }
         op(Operation::csub0);
-        fails("a segment from element {b} on, which can begin at 0 to {a-1}");
+        fails("a segment begins at element {b}, but can begin only at elements 0 to {a-1}");
     }
     Storage start = location;
     start.type = &element;

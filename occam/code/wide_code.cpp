@@ -183,7 +183,7 @@ void Generator::wide_shift(const BinaryOperation& operation, const Cell& to) {
     if (options_.range_checks && !constant_of(*operation.right)) {
         constant(65);
         op(Operation::csub0);
-        fails("shift by {b}, which can be 0 to {a-1}");
+        fails("the shift count is {b}, but must be 0 to {a-1}");
         settle();
     }
     store(places);

@@ -66,8 +66,8 @@ void Configurer::find_processors() {
     for (const WrittenWire& wire : configured_.wires)
         for (const WireEnd& end : {wire.a, wire.b})
             if (!end.is_edge && configured_.nodes[end.element].onto)
-                checker_.report(end.at, fmt::format("\"{}\" is not a processor, and has no links", text(end.element)),
-                                "connect the node that it is mapped onto",
+                checker_.report(end.at, fmt::format("\"{}\" is not a processor, so it has no links", text(end.element)),
+                                "connect the processor that it is mapped onto",
                                 {{"it is mapped here", at(configured_.nodes[end.element].onto_at)}});
     for (PlacedProcess& process : configured_.processes) {
         const NodeState& state = configured_.nodes[process.node];
@@ -88,8 +88,8 @@ void Configurer::follow_arc(const Element& channel, ChannelState& state) {
         return;
     const auto found = wire_of_arc_.find(*state.arc);
     if (found == wire_of_arc_.end())
-        return checker_.report(state.placed_at, fmt::format("the arc \"{}\" is in no connection", text(*state.arc)),
-                               "write CONNECT ... WITH and its name");
+        return checker_.report(state.placed_at, fmt::format("no connection uses the arc \"{}\"", text(*state.arc)),
+                               fmt::format("write CONNECT ... TO ... WITH {}", text(*state.arc)));
     const WrittenWire& wire = configured_.wires[found->second];
     for (const WireEnd& end : {wire.a, wire.b}) {
         const auto is_at = [&](const std::optional<ChannelEnd>& one) {
@@ -135,7 +135,7 @@ void Configurer::check_channel(const Element& channel, ChannelState& state) {
     if (state.leaves || state.arrives)
         return;
     checker_.report(end.at, fmt::format("only one process uses the channel \"{}\"", text(channel)),
-                    "a channel leads from one process to another; PLACE leads it to the host");
+                    "a channel joins two processes; PLACE can also connect it to the host");
 }
 
 /// Reports a link that a process of another processor uses. Returns whether the end is right.
@@ -147,7 +147,7 @@ bool Configurer::is_at_its_process(const Element& channel, const std::optional<W
                     fmt::format("the channel \"{}\" is placed at the {} of a link, but no process of \"{}\" {} it",
                                 text(channel), is_output ? "output" : "input", text(link->element),
                                 is_output ? "outputs to" : "inputs from"),
-                    "0 to 3 are the outputs of the links, 4 to 7 their inputs");
+                    "the addresses 0 to 3 are the outputs of the links, 4 to 7 their inputs");
     return false;
 }
 
@@ -183,8 +183,9 @@ void Configurer::add_wire(const WireEnd& a, const WireEnd& b) {
         WireEnd& known = used[static_cast<std::size_t>(one.link)];
         if (known.link >= 0 && (known.element != other.element || known.link != other.link))
             return checker_.report(one.at,
-                                   fmt::format("link {} of \"{}\" leads to two places", one.link, text(one.element)),
-                                   "", {{"its channels lead elsewhere here", at(known.link_at)}});
+                                   fmt::format("the channels of link {} of \"{}\" lead to two different links",
+                                               one.link, text(one.element)),
+                                   "", {{"the other channel is placed here", at(known.link_at)}});
         is_known |= known.link >= 0;
         known = other;
         known.link_at = one.at;

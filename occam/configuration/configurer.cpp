@@ -15,7 +15,7 @@ constexpr std::size_t most_steps = 1'000'000;
 constexpr const char* allowed_in_network = "NETWORK has DO, IF, SET and CONNECT";
 constexpr const char* allowed_in_mapping = "MAPPING has DO, IF and MAP";
 constexpr const char* allowed_in_software =
-    "it has PAR, IF, PROCESSOR, and instances of PROCs; write a PROC that does the rest";
+    "a configuration has PAR, IF, PROCESSOR, and instances of PROCs; write a PROC for the rest";
 
 } // namespace
 
@@ -48,7 +48,7 @@ Configured Configurer::run() {
         for (const DeclarationBox& each : program_.declarations)
             visit(*each), choose(*each);
         if (!has_config_)
-            reporter_.error({program_.files.front(), 0, 0}, "the configuration has no CONFIG, so no process is on it",
+            reporter_.error({program_.files.front(), 0, 0}, "the configuration has no CONFIG, so it places no process",
                             "write CONFIG, and below it PROCESSOR with an instance of a PROC");
         if (!reporter_.failed())
             check_whole();
@@ -139,9 +139,10 @@ void Configurer::form_of(Process& process, Parallel& parallel) {
         return refuse(process);
     const bool is_priority = parallel.kind == Parallel::Kind::priority;
     if (is_priority && (!here_ || parallel.replicator || parallel.processes.size() != 2 || here_->has_priority_par))
-        return reporter_.error(at(process.at),
-                               "a PRI PAR of a configuration has two processes, and stands once below a PROCESSOR",
-                               "the first process gets the high priority");
+        return reporter_.error(
+            at(process.at),
+            "a PRI PAR of a configuration must have two processes, and can be used once below each PROCESSOR",
+            "the first process gets the high priority");
     const std::optional<CurrentProcessor> outer = here_;
     repeat(parallel.replicator, [&] {
         for (Process& each : parallel.processes) {
@@ -204,7 +205,7 @@ void Configurer::repeat(std::optional<Replicator>& replicator, const std::functi
         return;
     if (*count < 0)
         return reporter_.error(at(replicator->count.at), fmt::format("the count of this replicator is {}", *count),
-                               "it is 0 or more");
+                               "the count must be 0 or more");
     for (std::int64_t i = 0; i < *count; ++i) {
         count_step(replicator->index->at);
         const std::size_t mark = checker_.mark();
@@ -230,8 +231,8 @@ void Configurer::form_of(Process& process, Processor& processor) {
     if (part_ != Part::software)
         return refuse(process);
     if (here_)
-        return reporter_.error(at(process.at), "a PROCESSOR stands within another one", "",
-                               {{"the outer one is here", at(here_->at)}});
+        return reporter_.error(at(process.at), "a PROCESSOR cannot be within another PROCESSOR", "",
+                               {{"the outer PROCESSOR is here", at(here_->at)}});
     const std::optional<Element> node = node_of(processor);
     if (!node)
         return;

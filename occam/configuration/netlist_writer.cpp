@@ -239,9 +239,10 @@ std::string NetlistWriter::path_of(const Declaration& procedure, const Place& us
     const std::filesystem::path path = program_.files[file]->path();
     const std::filesystem::path folder = std::filesystem::path(program_.files[used_at.file]->path()).parent_path();
     if (path.string().starts_with('<'))
-        reporter_.error(program_.location(used_at),
-                        fmt::format("\"{}\" is of a library, which has no file for a process", procedure.name),
-                        "write a PROC that calls it");
+        reporter_.error(
+            program_.location(used_at),
+            fmt::format("\"{}\" belongs to a library, so it cannot be a process of a configuration", procedure.name),
+            "write a PROC that calls it");
     const std::filesystem::path relative = folder.empty() ? path : path.lexically_relative(folder);
     return (relative.empty() ? std::filesystem::absolute(path) : relative).generic_string();
 }

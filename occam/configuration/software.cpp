@@ -135,7 +135,7 @@ void Configurer::add_end(const Element& channel, const PortDescription& port, co
         return checker_.report(
             end.at,
             fmt::format("two processes {} the channel \"{}\"", is_output ? "output to" : "input from", text(channel)),
-            "a channel has one process at each end", {{"the other one is here", at(known->at)}});
+            "a channel has one process at each end", {{"the other process is here", at(known->at)}});
     known = end;
 }
 

@@ -77,7 +77,8 @@ void Configurer::set(SetNode& written) {
         static const std::vector<std::string> known = {"type", "memsize", "root", "romsize"};
         checker_.check(each.value);
         if (std::ranges::find(known, each.name) == known.end())
-            checker_.report(each.at, unknown_name("attribute", each.name, known, "SET knows type and memsize"), "");
+            checker_.report(each.at,
+                            unknown_name("attribute", each.name, known, "SET has the attributes type and memsize"), "");
         else if (node && each.name == "type")
             set_type(configured_.nodes[*node], *node, each);
         else if (node && each.name == "memsize")
@@ -87,7 +88,7 @@ void Configurer::set(SetNode& written) {
 
 void Configurer::set_type(NodeState& state, const Element& node, Setting& setting) {
     if (!setting.value.constant || !setting.value.constant->bytes)
-        return checker_.report(setting.value.at, "the type of a node is a text", "such as \"T800\"");
+        return checker_.report(setting.value.at, "the type of a node must be a string", "such as \"T800\"");
     if (!state.type.empty())
         return checker_.report(setting.at, fmt::format("the type of \"{}\" is set twice", text(node)), "",
                                {{"first set here", at(state.type_at)}});
@@ -160,7 +161,7 @@ void Configurer::place(Declaration& declaration, Placement& placement) {
         return;
     }
     if (placement.where != Placement::Where::address)
-        return checker_.report(declaration.at, "a configuration places channels only",
+        return checker_.report(declaration.at, "a configuration can place only channels",
                                "write ON and an arc, or AT and a link");
     const auto word = constant(*placement.address, "the address");
     if (!here_)
@@ -177,8 +178,8 @@ void Configurer::place_at_link(Expression& path, std::int64_t word, const Place&
     if (!channel)
         return;
     if (word < 0 || word > 7)
-        return checker_.report(word_at, fmt::format("word {} belongs to no link", word),
-                               "0 to 3 are the outputs of the links, 4 to 7 their inputs");
+        return checker_.report(word_at, fmt::format("the address {} does not belong to a link", word),
+                               "the addresses 0 to 3 are the outputs of the links, 4 to 7 their inputs");
     ChannelState& state = configured_.channels[*channel];
     std::optional<WireEnd>& end = word < 4 ? state.leaves : state.arrives;
     if (end)

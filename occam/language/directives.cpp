@@ -73,7 +73,7 @@ private:
     }
     bool in_parentheses() {
         if (++depth_ > deepest_nesting)
-            refuse(fmt::format("at most {} parentheses are allowed", deepest_nesting));
+            refuse(fmt::format("at most {} nested parentheses are allowed", deepest_nesting));
         const bool value = disjunction();
         --depth_;
         expect(")");
@@ -139,7 +139,7 @@ void execute_pragma(Reading& reading, const Word& what) {
     static constexpr std::array<std::string_view, 5> ignored = {"COMMENT", "LINKAGE", "PERMITALIASES", "SHARED",
                                                                 "TRANSLATE"};
     if (what.text == "EXTERNAL")
-        reading.reporter.error(reading.location(what.at), "foreign code is not read: #PRAGMA EXTERNAL");
+        reading.reporter.error(reading.location(what.at), "foreign code is not supported: #PRAGMA EXTERNAL");
     else if (std::ranges::find(ignored, what.text) == ignored.end())
         reading.reporter.warning(reading.location(what.at), fmt::format("#PRAGMA {} is ignored", what.text));
 }
@@ -155,10 +155,11 @@ void execute_message(Reading& reading, std::string_view directive, std::string_v
     else if (directive == "#ERROR")
         reading.reporter.error(reading.location(at), message);
     else if (directive == "#IMPORT")
-        reading.reporter.error(reading.location(at), "foreign code is not read: #IMPORT");
+        reading.reporter.error(reading.location(at), "foreign code is not supported: #IMPORT");
     else
-        reading.reporter.error(reading.location(at), unknown_name("directive", directive, known,
-                                                                  "there are #INCLUDE, #USE, #OPTION, #PRAGMA, #IF"));
+        reading.reporter.error(
+            reading.location(at),
+            unknown_name("directive", directive, known, "the directives are #INCLUDE, #USE, #OPTION, #PRAGMA, #IF"));
 }
 
 } // namespace placedpar::occam

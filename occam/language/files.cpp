@@ -98,7 +98,7 @@ bool may_open(Reading& reading, const std::string& key, const std::string& name,
     if (same != reading.open.end()) {
         std::vector<SecondPlace> others;
         if (same->named_at.file)
-            others.push_back({"it is named here first", same->named_at});
+            others.push_back({"the file is first named here", same->named_at});
         reading.reporter.error(reading.location(at), fmt::format("the file \"{}\" includes or uses itself", name), "",
                                std::move(others));
         return false;
@@ -106,7 +106,7 @@ bool may_open(Reading& reading, const std::string& key, const std::string& name,
     if (reading.open.size() > deepest_files)
         reading.reporter.error(
             reading.location(at),
-            fmt::format("files are too deep within files: at most {} levels are allowed", deepest_files));
+            fmt::format("files include or use each other too deeply: at most {} levels are allowed", deepest_files));
     return reading.open.size() <= deepest_files;
 }
 

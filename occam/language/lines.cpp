@@ -96,7 +96,7 @@ void Lines::continue_line(Line& line, bool in_string) {
         const auto text = next_text(directive);
         if (!directive.empty())
             reading_.reporter.error(reading_.location(directive.front().at),
-                                    "a directive stands in the middle of a statement");
+                                    "a directive cannot be in the middle of a statement");
         else if (in_string && text) {
             in_string = scanner_.continue_string(text->text, text->start, text->indentation, line.words);
             continue;
@@ -124,7 +124,8 @@ void Lines::warn_of_tabs(const TextLine& line) {
         return;
     Place at = line.start;
     at.column += static_cast<std::uint32_t>(tab);
-    reading_.reporter.warning(reading_.location(at), "a tab indents to the next multiple of 8 columns",
+    reading_.reporter.warning(reading_.location(at),
+                              "a tab in an indentation counts as blanks up to the next multiple of 8 columns",
                               "indent with blanks: two for each level");
 }
 
@@ -134,7 +135,7 @@ const Word* Lines::argument(const std::vector<Word>& words, WordKind kind, std::
         return &words[1];
     if (words.size() < 2 || words[1].kind != WordKind::illegal)
         reading_.reporter.error(reading_.location(words.front().at),
-                                fmt::format("{} is missing behind {}", what, words.front().text));
+                                fmt::format("{} is missing after {}", what, words.front().text));
     return nullptr;
 }
 
@@ -205,7 +206,7 @@ void Lines::execute_condition(std::string_view name, const TextLine& line) {
     if (name == "#IF")
         conditions.push_back({.at = words.front().at, .is_true = outer_is_read && evaluate_condition(reading_, words)});
     else if (conditions.empty())
-        reading_.reporter.error(reading_.location(words.front().at), fmt::format("{} has no #IF above", name));
+        reading_.reporter.error(reading_.location(words.front().at), fmt::format("{} has no #IF above it", name));
     else if (name == "#ENDIF")
         conditions.pop_back();
     else
@@ -219,7 +220,7 @@ void Lines::execute_else(const std::vector<Word>& words, bool is_else) {
     Condition& condition = files_.back().conditions.back();
     if (condition.has_else)
         reading_.reporter.error(reading_.location(words.front().at),
-                                fmt::format("{} stands behind the #ELSE of its #IF", words.front().text), "",
+                                fmt::format("{} follows the #ELSE of its #IF", words.front().text), "",
                                 {{"the #IF is here", reading_.location(condition.at)}});
     condition.has_else |= is_else;
     condition.is_true = !condition.was_true && (is_else || evaluate_condition(reading_, words));

@@ -71,7 +71,7 @@ Process Parser::parse_wiring() {
 
 Connect Parser::parse_connect() {
     Connect connect{.from = parse_connection_end(), .to = {}, .arc = nullptr};
-    expect_word("TO", "behind the first end of a connection");
+    expect_word("TO", "after the first end of a connection");
     connect.to = parse_connection_end();
     if (accept_word("WITH"))
         connect.arc = std::make_unique<Expression>(parse_element("an arc"));
@@ -90,15 +90,15 @@ ConnectionEnd Parser::parse_connection_end() {
         if (peek().is_word("link") && peek(1).is("]")) {
             take();
             take();
-            expect("[", "behind [link]");
+            expect("[", "after [link]");
             end.link = std::make_unique<Expression>(parse_expression());
-            expect("]", "behind the number of a link");
+            expect("]", "after the number of a link");
             return end;
         }
         Subscript subscript;
         subscript.array = std::make_unique<Expression>(std::move(end.path));
         subscript.index = std::make_unique<Expression>(parse_expression());
-        expect("]", "behind a subscript");
+        expect("]", "after a subscript");
         end.path = made(first, std::move(subscript));
     }
     return end;
@@ -106,20 +106,20 @@ ConnectionEnd Parser::parse_connection_end() {
 
 SetNode Parser::parse_set() {
     SetNode set{.node = parse_element("a node"), .settings = {}};
-    expect("(", "behind the node of SET");
+    expect("(", "after the node of SET");
     do {
         const Place place = peek().at;
         set.settings.push_back({place, expect_name("an attribute"), {}});
     } while (accept(","));
     const Word assign = peek();
-    expect(":=", "behind the attributes of SET");
+    expect(":=", "after the attributes of SET");
     std::vector<Expression> values = parse_expressions();
     if (values.size() != set.settings.size())
         refuse(assign, fmt::format("SET has {} for {}", counted(values.size(), "value"),
                                    counted(set.settings.size(), "attribute")));
     for (std::size_t i = 0; i < values.size(); ++i)
         set.settings[i].value = std::move(values[i]);
-    expect(")", "behind the values of SET");
+    expect(")", "after the values of SET");
     return set;
 }
 
@@ -128,7 +128,7 @@ MapOnto Parser::parse_map() {
     do
         map.mapped.push_back(parse_element("a node or channel"));
     while (accept(","));
-    expect_word("ONTO", "behind what is mapped");
+    expect_word("ONTO", "after what is mapped");
     map.onto = parse_element("a node or an arc");
     if (accept_word("PRI"))
         map.priority = std::make_unique<Expression>(parse_expression());

@@ -108,8 +108,8 @@ DeclarationBox& Parser::add(std::vector<DeclarationBox>& declarations, const Wor
 void Parser::end_declaration(std::string_view what) {
     if (!accept(":")) {
         if (peek().kind != WordKind::end)
-            refuse(peek(), fmt::format("\":\" is expected behind {}: found {}", what, describe(peek())));
-        reading_.reporter.error(at(peek()), fmt::format("\":\" is missing behind {}", what));
+            refuse(peek(), fmt::format("\":\" is expected after {}: found {}", what, describe(peek())));
+        reading_.reporter.error(at(peek()), fmt::format("\":\" is missing after {}", what));
     }
     end_line("\":\"");
 }
@@ -206,7 +206,7 @@ void Parser::parse_initial(std::vector<DeclarationBox>& declarations) {
     auto type = parse_type();
     const Word name = peek();
     expect_name("a variable");
-    expect_word("IS", "behind a variable with INITIAL");
+    expect_word("IS", "after a variable with INITIAL");
     auto value = std::make_unique<Expression>(parse_expression());
     add(declarations, name, Variable{.type = std::move(type), .initial = std::move(value)});
     end_declaration("a declaration");
@@ -228,10 +228,10 @@ void Parser::parse_placement(std::vector<DeclarationBox>& declarations) {
         placement.address = std::make_unique<Expression>(parse_element("an arc"));
     } else {
         if (!accept_word("IN"))
-            refuse(peek(), fmt::format("AT or IN is expected behind the name: found {}", describe(peek())));
+            refuse(peek(), fmt::format("AT or IN is expected after the name: found {}", describe(peek())));
         placement.where = peek().is_word("WORKSPACE") ? Placement::Where::workspace : Placement::Where::vector_space;
         if (!accept_word("WORKSPACE"))
-            expect_word("VECSPACE", "behind IN, or WORKSPACE");
+            expect_word("VECSPACE", "after IN, or WORKSPACE");
     }
     add(declarations, name, std::move(placement));
     end_declaration("a placement");
@@ -249,7 +249,7 @@ void Parser::parse_protocol(std::vector<DeclarationBox>& declarations) {
     }
     protocol.is_variant = true;
     if (peek().kind != WordKind::end && !peek().is_word("CASE"))
-        refuse(peek(), fmt::format("IS or CASE is expected behind the name of a protocol: found {}", describe(peek())));
+        refuse(peek(), fmt::format("IS or CASE is expected after the name of a protocol: found {}", describe(peek())));
     if (accept_word("CASE")) {
         end_line("CASE");
         parse_tags(protocol, head);

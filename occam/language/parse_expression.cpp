@@ -84,7 +84,8 @@ Expression Parser::parse_chain(Expression left) {
     while (const auto operation = operator_of(peek(), dyadic_operators)) {
         const Word word = take();
         if (last && !(is_logical(*last) && is_logical(*operation)))
-            refuse(word, fmt::format("\"{}\" stands behind another operator: occam has no precedence", word.text),
+            refuse(word,
+                   fmt::format("\"{}\" follows another operator, but occam has no precedence of operators", word.text),
                    "put parentheses around the operation that comes first: (a * b) + c");
         if (++length > deepest_nesting)
             reading_.reporter.give_up(at(word), fmt::format("at most {} operators can be chained", deepest_nesting));
@@ -102,7 +103,8 @@ Expression Parser::parse_unary(Operator operation) {
     if (auto* literal = std::get_if<IntegerLiteral>(&operand.form); literal && operation == Operator::negate)
         literal->negative_allowed = true;
     if (operator_of(peek(), dyadic_operators))
-        refuse(peek(), fmt::format("\"{}\" stands behind another operator: occam has no precedence", peek().text),
+        refuse(peek(),
+               fmt::format("\"{}\" follows another operator, but occam has no precedence of operators", peek().text),
                fmt::format("put parentheses around the operation that comes first: ({}x) + y",
                            word.kind == WordKind::keyword ? std::string(word.text) + " " : std::string(word.text)));
     return made(word, UnaryOperation{operation, std::make_unique<Expression>(std::move(operand))});
@@ -129,7 +131,8 @@ Expression Parser::parse_conversion(std::shared_ptr<TypeText> type) {
     conversion.operand = std::make_unique<Expression>(parse_operand());
     conversion.to = std::move(type);
     if (operator_of(peek(), dyadic_operators))
-        refuse(peek(), fmt::format("\"{}\" stands behind a conversion: occam has no precedence", peek().text),
+        refuse(peek(),
+               fmt::format("\"{}\" follows a conversion, but occam has no precedence of operators", peek().text),
                fmt::format("put parentheses around the conversion: ({} x) + y", word.text));
     return made(word, std::move(conversion));
 }
@@ -244,7 +247,7 @@ Expression Parser::parse_name_or_call() {
         OffsetOf offset{parse_type(), ""};
         expect(",", "between the type and the field of OFFSETOF");
         offset.field = expect_name("a field");
-        expect(")", "behind OFFSETOF");
+        expect(")", "after OFFSETOF");
         return made(word, std::move(offset));
     }
     Call call{std::string(word.text), parse_arguments()};
@@ -260,7 +263,7 @@ std::vector<Expression> Parser::parse_arguments() {
         arguments.push_back(parse_argument());
     while (accept(","));
     if (!accept(")"))
-        refuse(peek(), fmt::format("\",\" or \")\" is expected behind an argument: found {}", describe(peek())));
+        refuse(peek(), fmt::format("\",\" or \")\" is expected after an argument: found {}", describe(peek())));
     return arguments;
 }
 
@@ -287,7 +290,7 @@ Expression Parser::parse_subscripts(Expression array) {
         const Place start = array.at;
         subscript.array = std::make_unique<Expression>(std::move(array));
         subscript.index = std::make_unique<Expression>(parse_expression());
-        expect("]", "behind a subscript");
+        expect("]", "after a subscript");
         array = made(word, std::move(subscript));
         array.at = start;
     }
@@ -307,7 +310,7 @@ Expression Parser::parse_brackets() {
             segment.from = std::make_unique<Expression>(parse_expression());
         if (accept_word("FOR"))
             segment.count = std::make_unique<Expression>(parse_expression());
-        expect("]", "behind a segment");
+        expect("]", "after a segment");
         return made(word, std::move(segment));
     }
     TableLiteral table;
@@ -319,7 +322,7 @@ Expression Parser::parse_brackets() {
     if (peek().is("(")) {
         take();
         table.type = parse_type();
-        expect(")", "behind the type of a table");
+        expect(")", "after the type of a table");
     }
     return made(word, std::move(table));
 }
@@ -335,7 +338,7 @@ Expression Parser::parse_parentheses() {
     const Word word = take();
     if (is_value_process()) {
         ValueProcess value = parse_value_process();
-        expect(")", "behind the RESULT of a VALOF");
+        expect(")", "after the RESULT of a VALOF");
         return made(word, std::move(value));
     }
     Expression inner = parse_expression();
@@ -349,7 +352,7 @@ ValueProcess Parser::parse_value_process() {
     ValueProcess value;
     parse_declarations(value.declarations, true);
     const Word head = peek();
-    expect_word("VALOF", "behind the declarations of a value");
+    expect_word("VALOF", "after the declarations of a value");
     end_line("VALOF");
     parse_value_body(value, head);
     return value;

@@ -13,8 +13,8 @@ If Parser::parse_if() {
     If process;
     parse_header([&] {
         if (has_condition)
-            refuse(peek(), "a condition of IF stands in a line of its own",
-                   "write IF alone in its line, the condition in the next one, and its process below the condition");
+            refuse(peek(), "a condition of IF must be on a line of its own",
+                   "write IF alone on its line, the condition on the next line, and its process below the condition");
         process.replicator = parse_replicator();
         end_line("IF");
     });
@@ -51,7 +51,7 @@ Alternation Parser::parse_alternation(bool has_priority) {
     process.has_priority = has_priority;
     parse_header([&] {
         if (has_priority)
-            expect_word("ALT", "behind PRI");
+            expect_word("ALT", "after PRI");
         process.replicator = parse_replicator();
         end_line("ALT");
     });

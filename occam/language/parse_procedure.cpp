@@ -33,7 +33,7 @@ void Parser::parse_procedure(std::vector<DeclarationBox>& declarations) {
     const Word head = peek();
     if (is_recursive_procedure()) {
         if (reading_.refused.emplace("REC").second)
-            reading_.reporter.error(at(head), fmt::format("{} is of occam-pi, which is not read here", head.text));
+            reading_.reporter.error(at(head), fmt::format("{} belongs to occam-pi, which is not supported", head.text));
         take();
     }
     procedure.is_inline = accept_word("INLINE");
@@ -53,7 +53,7 @@ void Parser::parse_procedure(std::vector<DeclarationBox>& declarations) {
 
 std::vector<DeclarationBox> Parser::parse_parameters() {
     std::vector<DeclarationBox> parameters;
-    expect("(", "in front of the parameters");
+    expect("(", "before the parameters");
     if (accept(")"))
         return parameters;
     Parameter kind;
@@ -61,7 +61,7 @@ std::vector<DeclarationBox> Parser::parse_parameters() {
         parse_parameter(parameters, kind);
     while (accept(","));
     if (!accept(")"))
-        refuse(peek(), fmt::format("\",\" or \")\" is expected behind a parameter: found {}", describe(peek())));
+        refuse(peek(), fmt::format("\",\" or \")\" is expected after a parameter: found {}", describe(peek())));
     return parameters;
 }
 
@@ -96,7 +96,7 @@ void Parser::parse_function(std::vector<DeclarationBox>& declarations) {
             function.results.push_back(parse_type());
         while (accept(","));
         function.is_inline = accept_word("INLINE");
-        expect_word("FUNCTION", "behind the types of results");
+        expect_word("FUNCTION", "after the types of results");
         name = peek();
         expect_name("a function");
         function.parameters = parse_parameters();

@@ -21,9 +21,9 @@ Process Parser::parse_scope() {
     parse_declarations(scope.declarations, false);
     const Word& next = peek();
     if (is_at_end() || next.indentation < first.indentation || next.is(":") || next.is_word("RESULT"))
-        refuse(last_, "a process is missing behind the declaration", "write it below, at the same indentation");
+        refuse(last_, "a process is missing after the declaration", "write it below, at the same indentation");
     if (next.indentation > first.indentation && !indentation_in_doubt_)
-        reading_.reporter.error(at(next), "a process has the indentation of the declarations in front of it", "",
+        reading_.reporter.error(at(next), "a process must have the same indentation as the declarations before it", "",
                                 {{"the declaration is here", at(first)}});
     scope.process = std::make_unique<Process>(parse_statement());
     return {first.at, std::move(scope)};
@@ -110,7 +110,7 @@ Process Parser::parse_parallel(Parallel::Kind kind) {
     Parallel parallel{.kind = kind, .replicator = {}, .processes = {}};
     parse_header([&] {
         if (kind != Parallel::Kind::plain)
-            expect_word("PAR", fmt::format("behind {}", head.text));
+            expect_word("PAR", fmt::format("after {}", head.text));
         parallel.replicator = parse_replicator();
         end_line("PAR");
     });
@@ -129,7 +129,7 @@ std::optional<Replicator> Parser::parse_replicator() {
     index->at = name.at;
     index->name = expect_name("an index");
     index->form = ReplicatorIndex{};
-    expect("=", "behind the index of a replicator");
+    expect("=", "after the index of a replicator");
     Replicator replicator{.index = std::move(index), .base = parse_expression(), .count = {}, .step = nullptr};
     expect_word("FOR", "in a replicator");
     replicator.count = parse_expression();

@@ -26,7 +26,7 @@ std::shared_ptr<TypeText> Parser::parse_type() {
             type->dimensions.push_back(nullptr);
         else {
             type->dimensions.push_back(std::make_unique<Expression>(parse_expression()));
-            expect("]", "behind the size of an array");
+            expect("]", "after the size of an array");
         }
     parse_base_type(*type);
     return type;
@@ -42,7 +42,7 @@ void Parser::parse_base_type(TypeText& type) {
     else if (accept_word("CHAN"))
         type.form = TypeText::Channel{parse_channel_protocol()};
     else if (accept_word("PORT")) {
-        expect_word("OF", "behind PORT");
+        expect_word("OF", "after PORT");
         type.form = TypeText::Port{parse_type()};
     } else {
         refuse_foreign_type();
@@ -67,7 +67,7 @@ ProtocolText Parser::parse_channel_protocol() {
     ProtocolText protocol;
     const Word& word = peek();
     if (!has_of && word.kind == WordKind::name && (peek(1).is(":") || peek(1).is(",") || peek(1).is(")")))
-        refuse(word, "the protocol of the channel is missing: a channel without one is of occam 1",
+        refuse(word, "the protocol of the channel is missing: only occam 1 has channels without a protocol",
                "write CHAN OF INT " + std::string(word.text));
     if (accept_word("ANY"))
         protocol.any = true;

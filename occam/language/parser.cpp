@@ -94,8 +94,8 @@ void Parser::refuse_unread(const Word& word, std::string_view where) {
         refuse(word, fmt::format("{} is expected: found {}", where, describe(word)));
     if (!reading_.refused.emplace(word.text).second)
         throw LineRefused{};
-    refuse(word, fmt::format("{} {} {}, which is not read here", word.text,
-                             known->language == assembler ? "begins" : "is of", known->language));
+    refuse(word, fmt::format("{} {} {}, which is not supported", word.text,
+                             known->language == assembler ? "begins" : "belongs to", known->language));
 }
 
 void Parser::expect(std::string_view symbol, std::string_view where) {
@@ -121,7 +121,7 @@ std::string Parser::expect_name(std::string_view what) {
 void Parser::end_line(std::string_view behind) {
     const Word& word = peek();
     if (word.kind != WordKind::end)
-        refuse(word, fmt::format("the end of the line is expected behind {}: found {}", behind, describe(word)));
+        refuse(word, fmt::format("the end of the line is expected after {}: found {}", behind, describe(word)));
     next_line();
 }
 
@@ -132,7 +132,7 @@ std::vector<DeclarationBox> Parser::parse_file() {
         const std::size_t line = lines_taken_;
         try {
             if (first.indentation != 0 && !indentation_in_doubt_) {
-                reading_.reporter.error(at(first), "a declaration of a file is not indented");
+                reading_.reporter.error(at(first), "an outermost declaration of a file must not be indented");
                 indentation_in_doubt_ = true;
             }
             const bool is_remainder = first.is(":") || first.indentation != 0;

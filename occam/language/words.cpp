@@ -91,7 +91,7 @@ bool WordScanner::continue_string(std::string_view line, Place start, std::uint3
     indentation_ = indentation;
     skip_blanks();
     if (at(position_) != '*')
-        error(position_, "a string that is broken by \"*\" goes on with \"*\" below");
+        error(position_, "a string that ends its line with \"*\" must begin the next line with \"*\"");
     else
         ++position_;
     return take_string(words.back()) || scan_rest(words);
@@ -179,7 +179,7 @@ void WordScanner::take_digits_of(Word& word) {
         return;
     if (word.kind != WordKind::illegal)
         error(position_,
-              at(position_) == '.' ? "a number with a point has digits on both sides of it"
+              at(position_) == '.' ? "a number with a decimal point needs digits on both sides of the point"
                                    : "a letter follows a number",
               "a name begins with a letter");
     word.kind = WordKind::illegal;
@@ -279,7 +279,7 @@ bool WordScanner::take_string(Word& word) {
             take_escape(word.bytes, word.bytes.empty());
     }
     error(line_.size(), "the string is not closed",
-          "end it with \"; a \"*\" at the end of the line breaks it, and \"*\" below goes on");
+          "end it with \", or end this line with \"*\" and begin the next line with \"*\"");
     word.kind = WordKind::illegal;
     return false;
 }

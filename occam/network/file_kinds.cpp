@@ -125,8 +125,9 @@ void report_no_procedure(const Program& program, const std::string& name, const 
                          Reporter& reporter) {
     const std::string path = program.files.front()->path();
     if (name.empty())
-        reporter.error(named_at, fmt::format("the file \"{}\" has no PROC", path),
-                       program.is_configuration ? "a configuration uses kinds of other files; name one of these" : "");
+        reporter.error(
+            named_at, fmt::format("the file \"{}\" has no PROC", path),
+            program.is_configuration ? "a configuration uses the PROCs of other files; name one of these files" : "");
     else
         reporter.error(named_at, fmt::format("the file \"{}\" has no PROC {}", path, name),
                        did_you_mean(name, procedures_of(program)));
@@ -214,8 +215,7 @@ public:
             return compiled(network, node, reporter);
         } catch (const RefusedInput& refused) {
             const std::string text = refused.what();
-            reporter.error(at,
-                           fmt::format("the code of the processes on \"{}\" cannot be made", network.nodes[node].name),
+            reporter.error(at, fmt::format("the processes on \"{}\" cannot be compiled", network.nodes[node].name),
                            text.substr(0, text.find('\n')));
         } catch (const UserError& refused) {
             reporter.error(at, refused.what());

@@ -233,7 +233,7 @@ private:
         const std::string declaration = declaration_of(protocol);
         const auto [known, is_new] = protocols_.try_emplace(protocol.declared->name, declaration);
         if (known->second != declaration)
-            throw UserError(fmt::format("two protocols on this processor have the name {}, and differ", known->first));
+            throw UserError(fmt::format("two different protocols on this processor have the name {}", known->first));
     }
 
     /// Returns the name of a channel of the network. Declares the channel at its first end.

@@ -91,9 +91,9 @@ private:
             kind_.parameters.push_back(description::text(netlist_name(parameter.name), {}, about(parameter)));
         else
             refuse(parameter,
-                   fmt::format("a netlist cannot give the parameter \"{}\" of PROC {}: {}{}", parameter.name,
-                               procedure_.name, is_value ? "VAL " : "", name_of(type)),
-                   "it gives channels, VAL scalars, and texts to VAL []BYTE");
+                   fmt::format("a netlist cannot set the parameter \"{}\" of PROC {}, whose type is {}{}",
+                               parameter.name, procedure_.name, is_value ? "VAL " : "", name_of(type)),
+                   "a netlist can set channels, VAL scalars, and a text for VAL []BYTE");
     }
 
     static std::string about(const Declaration& parameter) {

@@ -107,9 +107,9 @@ private:
     }
 
     [[noreturn]] static void refuse_any(const NetworkChannel& channel) {
-        throw UserError(fmt::format("the channel \"{}\" carries ANY, whose messages have no length that is known, so "
-                                    "it needs a wire for itself",
-                                    channel.name));
+        throw UserError(fmt::format(
+            "the channel \"{}\" carries ANY, whose messages have no known length, so it needs a wire of its own",
+            channel.name));
     }
 
     void check(const SharedWire& wire) const {

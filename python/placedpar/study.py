@@ -47,7 +47,7 @@ def sweep(network: Network, settings: Optional[Mapping[str, Any]] = None, seeds:
         else:
             raise Error("store: the runs of a network with processes in Python, or without a netlist's file, cannot be "
                         "kept, since a later sweep could not tell whether the program is still the same: keep the "
-                        "returned table" if store is not None else "0 seeds, expected at least 1")
+                        "returned table" if store is not None else "the number of seeds is 0, expected at least 1")
     columns = [name for name, _ in axes] + ["seed", "outcome"] + measures
     return table([{name: number_in(value) for name, value in row.items()} for row in rows], columns)
 

@@ -29,8 +29,8 @@ namespace {
 void require_links(const SwitchCommand& command, const std::string& crossbar) {
     for (std::size_t i = 1; i < command.bytes(); ++i)
         if (int link = i == 1 ? command.first : command.second; link >= Crossbar::links)
-            throw std::invalid_argument(
-                fmt::format("the switch {} has no link {}: they are 0 to {}", crossbar, link, Crossbar::links - 1));
+            throw std::invalid_argument(fmt::format("the switch {} has no link {}: its links are 0 to {}", crossbar,
+                                                    link, Crossbar::links - 1));
 }
 
 } // namespace
@@ -62,8 +62,7 @@ std::optional<SwitchAnswer> Crossbar::obey(const SwitchCommand& command) {
     case Kind::disconnect_output: return disconnect(command.first), std::nullopt;
     case Kind::disconnect_links: disconnect(command.first); return disconnect(command.second), std::nullopt;
     }
-    throw std::invalid_argument(
-        fmt::format("the switch {} knows no command {}", name(), static_cast<int>(command.kind)));
+    throw std::invalid_argument(fmt::format("the switch {} has no command {}", name(), static_cast<int>(command.kind)));
 }
 
 bool Crossbar::leads(int input, int output) const {
@@ -113,7 +112,8 @@ std::string Crossbar::state_of(int output) const {
     const Choice& choice = choices_[static_cast<std::size_t>(output)];
     if (choice.input == nothing)
         return "was connected to no input";
-    return fmt::format("was connected to input {}{}", choice.input, choice.ready ? "" : ", and command 3 had not come");
+    return fmt::format("was connected to input {}{}", choice.input,
+                       choice.ready ? "" : ", but had not received command 3");
 }
 
 /// Shows a change in the trace. Each output has a track, which names the input that feeds it.

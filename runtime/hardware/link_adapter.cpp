@@ -135,8 +135,8 @@ void AdapterProgram::FromLink::input(AnyChannel& channel, const SourceLocation& 
 AdapterBroadcast::AdapterBroadcast(Kernel& kernel, const std::vector<AdapterProgram*>& programs) : kernel_(kernel) {
     for (AdapterProgram* program : programs) {
         if (&program->master_ != &programs.front()->master_)
-            throw std::logic_error("one master broadcasts, not " + program->master_.name() + " with " +
-                                   programs.front()->master_.name());
+            throw std::logic_error("a broadcast has one master, but its channels are used by " +
+                                   program->master_.name() + " and " + programs.front()->master_.name());
         lanes_.emplace_back(*this, *program);
     }
     if (lanes_.empty())

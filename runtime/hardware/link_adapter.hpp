@@ -144,7 +144,7 @@ private:
         bool message_waits(const AnyChannel&) const override;
         bool output_is_lost(const AnyChannel&) const override;
         bool input_is_lost(const AnyChannel&) const override;
-        std::string why_not_given_up() const override { return "is broadcast with others"; }
+        std::string why_not_given_up() const override { return "is broadcast with other channels"; }
         std::vector<const AnyChannel*> held_up_by(const AnyChannel&) const override;
         const LinkDirection& link() const { return program.adapter_.to_link(); }
         bool holds_others_up() const;

@@ -16,9 +16,9 @@ class EngineInUse {
 public:
     EngineInUse(SharedEngine& engine, const AnyChannel& channel) : engine_(engine) {
         if (engine.channel)
-            throw std::logic_error(fmt::format("channels {} and {} use {} at the same time: a switch leads it to one "
-                                               "partner after the other",
-                                               engine.channel->name(), channel.name(), engine.name));
+            throw std::logic_error(fmt::format(
+                "channels {} and {} use {} at the same time: a switch connects a link to only one partner at a time",
+                engine.channel->name(), channel.name(), engine.name));
         engine.channel = &channel;
     }
     ~EngineInUse() { engine_.channel = nullptr; }

@@ -17,9 +17,9 @@ constexpr int levels = 4, slots = 21;
 
 void require_place(const VmeBus& bus, const std::string& name, const VmePlace& place) {
     if (place.level < 0 || place.level >= levels || place.slot < 1 || place.slot > slots)
-        throw std::logic_error(fmt::format("bus {}: a master has a level from 0 to {} and a slot from 1 to {}; {} has "
-                                           "{} and {}",
-                                           bus.name(), levels - 1, slots, name, place.level, place.slot));
+        throw std::logic_error(fmt::format(
+            "bus {}: a master has a level from 0 to {} and a slot from 1 to {}; {} has level {} and slot {}",
+            bus.name(), levels - 1, slots, name, place.level, place.slot));
     if (bus.arbitration() == Arbitration::single_level && place.level != levels - 1)
         throw std::logic_error(fmt::format("bus {}: an arbiter of a single level only knows BR3; {} has BR{}",
                                            bus.name(), name, place.level));

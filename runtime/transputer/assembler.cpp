@@ -137,7 +137,7 @@ private:
             bool has_label = false;
             const Word number = value(text, has_label);
             if (has_label)
-                fail(text, "a label has no address yet: name a sum of numbers");
+                fail(text, "a label has no address yet: write a sum of numbers and of names of numbers");
             define(constants_, name, number);
             text = {};
         }

@@ -80,9 +80,9 @@ std::string_view usual_text(const CodedInstruction& instruction, const ErrorNote
     case Operation::ladd: return "overflow: the upper words are {b} + {a}";
     case Operation::lsub: return "overflow: the upper words are {b} - {a}";
     case Operation::ldiv: return error.a == 0 ? "division by zero" : "overflow of the quotient of a double word";
-    case Operation::csub0: return "{b} is not from 0 to {a-1}";
-    case Operation::ccnt1: return "{b} is not from 1 to {a}";
-    case Operation::cword: return "{b} has more bits than it may";
+    case Operation::csub0: return "{b} is outside of the range 0 to {a-1}";
+    case Operation::ccnt1: return "{b} is outside of the range 1 to {a}";
+    case Operation::cword: return "{b} has more bits than the check allows";
     case Operation::csngl: return "a double word does not fit in a word";
     case Operation::cflerr: return "an infinity or a NaN";
     case Operation::fpchkerror: return "an operation on reals: overflow, division by zero, an infinity or a NaN";

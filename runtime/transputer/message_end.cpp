@@ -16,8 +16,8 @@ void MessageEnd::carry(AnyChannel& channel, Transfer& transfer, MessageEnd& end,
         throw std::logic_error(fmt::format("channels {} and {} use the same direction of the link to {}",
                                            transfer.channel->name(), channel.name(), end.partner_));
     if (!channel.byte_form())
-        throw std::logic_error(
-            fmt::format("messages of channel {} have no form in bytes, which {} moves", channel.name(), end.partner_));
+        throw std::logic_error(fmt::format("messages of channel {} cannot travel as bytes, but {} moves only bytes",
+                                           channel.name(), end.partner_));
     transfer.channel = &channel;
     lane.carry_bytes_of(channel);
     channel.put_on(end);
@@ -63,7 +63,7 @@ void MessageEnd::Transfer::give_up(std::uint64_t of_part) {
 void MessageEnd::Transfer::move(AnyChannel& on, std::uint32_t bytes, const SourceLocation& place) {
     if (channel != &on)
         throw std::logic_error(
-            fmt::format("channel {} is not the channel of its direction of the link to {}", on.name(), end.partner_));
+            fmt::format("another channel uses the direction of channel {} of the link to {}", on.name(), end.partner_));
     part = bytes;
     where = place;
     charge_and_communicate(Kernel::here().running(), &OperationCosts::hard_communication, *this);
@@ -74,8 +74,9 @@ void MessageEnd::output(AnyChannel& channel, const WireForm& form, const SourceL
     outputs_.message = channel.message_in_bytes();
     bytes_read_ = 0;
     if (form.total() == 0 || std::cmp_not_equal(form.total(), outputs_.message.size()))
-        throw std::logic_error(fmt::format("a message of channel {} has {} bytes, but its form on a wire has {}",
-                                           channel.name(), outputs_.message.size(), form.total()));
+        throw std::logic_error(
+            fmt::format("a message of channel {} has {} bytes, but its parts on the wire have {} bytes in all",
+                        channel.name(), outputs_.message.size(), form.total()));
     for (std::size_t part = 0; part < form.parts() && !outputs_.given_up; ++part)
         if (form[part] > 0)
             outputs_.move(channel, form[part], where);
@@ -93,7 +94,8 @@ void MessageEnd::input(AnyChannel& channel, const SourceLocation& where) {
         if (!inputs_.given_up)
             channel.hand_over(inputs_.message);
     } catch (const NoMessage& what) {
-        throw NoMessage(fmt::format("{} sent no message of channel {}, but {}", partner_, channel.name(), what.what()));
+        throw NoMessage(fmt::format("{} sent something other than a message of channel {}: {}", partner_,
+                                    channel.name(), what.what()));
     }
 }
 

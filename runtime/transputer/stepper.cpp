@@ -21,9 +21,9 @@ constexpr std::uint64_t for_ever = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t most_shown = 1024; // lines; a program may write a circle into a queue
 
 constexpr std::string_view commands_of_stepper =
-    "s [N]          execute one instruction, or N\n"
+    "s [N]          execute N instructions; without N: one\n"
     "c              continue to a breakpoint\n"
-    "b [ADDRESS]    stop before the instruction at an address, or no longer; alone: list the breakpoints\n"
+    "b [ADDRESS]    set a breakpoint before an instruction, or delete it; alone: list the breakpoints\n"
     "r              registers\n"
     "w [N]          words of the workspace, up to W+N\n"
     "q              queues of processes and timers, and the words of links where processes wait\n"
@@ -96,7 +96,7 @@ bool Stepper::obey(const std::string& line) {
     else if (command == "l")
         print_(code(count.value_or(10)));
     else
-        print_(fmt::format("\"{}\" is none of the commands:\n{}", line, commands_of_stepper));
+        print_(fmt::format("\"{}\" is not a command. The commands are:\n{}", line, commands_of_stepper));
     return false;
 }
 

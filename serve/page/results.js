@@ -77,7 +77,7 @@ function showAnswer(answer, asked) {
 
 const endings = {
   completed: "The run has completed.", solved: "Solved.", "not solved": "Not solved.", refused: "The program has errors.",
-  interrupted: "The run was interrupted: it took too long, or printed too much.", killed: "The run was ended by force.",
+  interrupted: "The run was interrupted: it took too long, or printed too much.", killed: "The run was stopped because it exceeded a limit.",
   failed: "The run has failed.",
 };
 

@@ -144,7 +144,7 @@ class Booted(unittest.TestCase):
         self.assertEqual(refusal(self.file, "--offer", "5000"),
                          'placedpar: 5000: a link is offered at "pty", "tcp:PORT" or "tcp:ADDRESS:PORT"\n')
         self.assertIn("tcp:192.0.2.1:0: Cannot assign requested address", refusal(self.file, "--offer", "tcp:192.0.2.1:0"))
-        self.assertIn("so it has no host's link", refusal(EXAMPLES / "csp/commstime/commstime.cfs", "--offer", "pty"))
+        self.assertIn("so it has no link to a host", refusal(EXAMPLES / "csp/commstime/commstime.cfs", "--offer", "pty"))
         self.assertIn("--offer: another program is the host of one run, but --seeds asks for 3 runs",
                       refusal(self.file, "--offer", "pty", "--seeds", "3"))
 
@@ -305,7 +305,7 @@ generations = 3
         self.assertRegex(done.stdout, r"\nthe best: placedpar run \S*net.cfs --set root.clock=30M --set root.linkspeed=20M ")
 
     def test_wrong_options_of_booted_programs_are_refused_with_what_would_be_right(self):
-        size = ": code can be executed with 2K to just below 4G of memory, in steps of 256 bytes\n"
+        size = ": a processor that executes code needs 2K to just below 4G of memory, in steps of 256 bytes\n"
         for options, message in (
                 (["--env", "FOO"], "placedpar: --env FOO: expected NAME=VALUE, such as --env ISEARCH=libs/\n"),
                 (["--env", "A=1", "--env", "A=2"], "placedpar: --env A=2: A is set twice\n"),
@@ -315,9 +315,9 @@ generations = 3
                 (["--memory", "17592186044416M"], "--memory: 17592186044416M" + size),
                 (["--memory", "4G"], '--memory: "4G" is not a size such as 32K or 2M\n'),
                 (["--memorycycles", "1001"], "--memorycycles: 1001: expected from 1 to 1000 cycles\n"),
-                (["--keys", "a\\q"], "placedpar: --keys: after \\ comes r (the return key), n, t, e (the escape key) or \\\n"),
+                (["--keys", "a\\q"], "placedpar: --keys: \\ must be followed by r (the return key), n, t, e (the escape key) or \\\n"),
                 (["--host-folder", "none"], 'placedpar: cannot use "none" as the host\'s folder: No such file or directory\n'),
-                (["--", "x" * 508], "placedpar: the program's command line has 508 bytes; a reply of the host's server holds 507\n")):
+                (["--", "x" * 508], "placedpar: the program's command line has 508 bytes; a reply of the host's server can hold 507\n")):
             with self.subTest(options=options):
                 done = placedpar("run", self.file, *options)
                 self.assertEqual((done.returncode, done.stdout), (1, ""))

@@ -122,7 +122,7 @@ class Calibrate(unittest.TestCase):
                 (("calibrate", *FEW, "-o", "/no/such/folder/here.inc"), "/no/such/folder"),
                 (("calibrate", "nothing.cfs"), "nothing.cfs"),
                 (("run", ISLANDS, "--predict", "nothing.inc"), "nothing.inc"),
-                (("run", ISLANDS, "--predict", ISLANDS), "it does not describe a computer"),
+                (("run", ISLANDS, "--predict", ISLANDS), "the file does not describe a computer"),
                 (("run", ISLANDS, "--predict", self.here, "--native"), "leave out --native, or --predict"),
                 (("run", ISLANDS, "--predict", self.here, "--set", "problem=sphere"), 'no cost of the problem "sphere"'),
                 (("run", ISLANDS, "--threads", "2"), "--threads is for native runs"),

@@ -59,7 +59,7 @@ class Generate(unittest.TestCase):
     def test_ready_islands_search_for_another_problem(self):
         run = placedpar("run", EXAMPLES / "genetic/islands/islands.cfs", "--set", "problem=ackley")
         self.assertEqual(run.returncode, 0, run.stderr)
-        self.assertEqual(run.stderr.count("ignored, since"), 1)
+        self.assertEqual(run.stderr.count("without effect, since"), 1)
         self.assertRegex(run.stdout, r"best of all: \S+, first found by island\[\d\] in generation \d+\n")
 
     def test_figure_e2_is_the_machine_of_the_thesis(self):

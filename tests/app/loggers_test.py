@@ -97,7 +97,7 @@ class Loggers(unittest.TestCase):
         for way in ("service", "thesis"):
             run = placedpar("identify", path, "--way", way)
             self.assertEqual(run.stderr.count("warning"), 1, run.stderr)
-            self.assertIn("twice.csv:4:1: warning: repeats line 3 (and 124 more lines, the last is line 252)", run.stderr)
+            self.assertIn("twice.csv:4:1: warning: the row repeats line 3 (and 124 more lines, the last is line 252)", run.stderr)
         path.write_text("\n".join(lines[:5] + [line.replace(".", ".x") for line in lines[5:]]) + "\n", encoding="utf-8")
         run = placedpar("identify", path)
         self.assertEqual(run.returncode, 1)
@@ -112,7 +112,7 @@ class Loggers(unittest.TestCase):
         run = placedpar("identify", path)
         self.assertEqual(run.returncode, 0, run.stderr)
         first, later = re.search(r"repeats line 128 \(and (\d+) more lines", run.stderr), \
-            re.search(r"\.\.\. (\d+) more lines like \"repeats line 128\", the last is line 100127", run.stderr)
+            re.search(r"\.\.\. (\d+) more lines like \"the row repeats line 128\", the last is line 100127", run.stderr)
         self.assertTrue(first and later, run.stderr)
         self.assertEqual(1 + int(first[1]) + int(later[1]), 50_000)
 

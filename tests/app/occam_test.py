@@ -47,7 +47,7 @@ class Programs(unittest.TestCase):
             file = pathlib.Path(folder) / "ring.btl"
             done = placedpar("compile", program, "-o", file)
             self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertRegex(done.stdout, r"ring\.btl: \d+ bytes for a T800; the places of its code are in .*ring\.lines\n")
+            self.assertRegex(done.stdout, r"ring\.btl: \d+ bytes for a T800; the source lines of its code are in .*ring\.lines\n")
             self.assertEqual(self.run_program(file), self.run_program(program))
 
     def test_standard_input_is_compiled_and_warned_of_once(self):
@@ -162,7 +162,7 @@ PROC hello (CHAN OF SP fs, ts)
 """, "--keys", "a")
         self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
         self.assertRegex(done.stdout, r"deadlock at \d+\.\d+ ms")
-        self.assertIn("waits; an earlier request for a key found none", done.stdout)
+        self.assertIn("waits; an earlier request for a key found no key", done.stdout)
         self.assertRegex(done.stdout, r"root\.\d+:5 +inputs")
 
     def test_a_program_without_a_host_ends_with_success(self):

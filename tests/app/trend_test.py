@@ -56,7 +56,7 @@ class Trends(unittest.TestCase):
         result, run = self.trend([self.record(f"{seed}.csv", 7100 + seed) for seed in range(6)])
         self.assertEqual(result["changes"], [])
         self.assertIn("boom: no change of compliance, leak or spool offset is found", run.stdout)
-        said = "with fewer than 6 records the standard errors alone decide"
+        said = "with fewer than 6 records only the standard errors decide whether a change is reported"
         self.assertNotIn(said, run.stdout)
         self.assertIn(said, self.trend([each["record"] for each in result["records"][:5]])[1].stdout)
         self.assertIn("not every record has a date, so they are in the order of the command line", run.stdout)
@@ -126,7 +126,7 @@ class Trends(unittest.TestCase):
     def test_wrong_use_is_refused(self):
         step, picture = RECORDS / "boom-4deg.csv", self.folder / "trend.svg"
         for arguments, said in (([step, "--trend", picture], "--trend needs at least two records"),
-                                ([step, step, "--way", "thesis"], "2 records, expected one with --way thesis"),
+                                ([step, step, "--way", "thesis"], "2 records are given, but --way thesis takes one"),
                                 ([step, step, "--trend", step], "boom-4deg.csv"),
                                 (["-", "-"], "standard input can be read only once"),
                                 ([step, self.folder / "none.csv", "--trend", picture], "this file does not exist")):

@@ -108,7 +108,7 @@ TEST_CASE("when the window moves, the elite is evaluated again") {
 
 TEST_CASE("an elite that leaves no pair is refused") {
     CHECK_THROWS_WITH_AS(Search(4, with_elite(3, 4), RandomStream(1, "no pair")),
-                         "an elite of 3 in a population of 4, expected at most 2: crossover needs two parents",
+                         "the elite is 3 of a population of 4, expected at most 2: crossover needs two parents",
                          UserError);
     CHECK_NOTHROW(Search(4, with_elite(2, 4), RandomStream(1, "one pair")));
 }

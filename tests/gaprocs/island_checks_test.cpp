@@ -181,15 +181,15 @@ TEST_CASE("connections that disagree with the parameter `topology` are refused")
 
 TEST_CASE("more emigrants than individuals, than a message can hold or than an island can accept are refused") {
     check_says(said_of(2, all(", emigration = \"best(13)\""), ring(2)),
-               "islands.cfs:4:44: error: 13 emigrants from a population of 12, expected at most 12");
+               "islands.cfs:4:44: error: 13 emigrants cannot leave a population of 12, expected at most 12");
     check_says(said_of(2,
                        "island (problem = \"line\", population = 100000, emigration = \"best(50000)\", "
                        "string_bytes = 65536);",
                        ring(2)),
                "islands.cfs:4:48: error: a message for 50000 individuals would have");
     auto text = said_of(14, all(", elite = 1"), star(14));
-    check_says(text, "islands.cfs:4:27: error: 13 immigrants come at once to an island of 12 individuals, 1 of them "
-                     "elite, expected at most 11");
+    check_says(text, "islands.cfs:4:27: error: 13 immigrants come at once to an island of 12 individuals with an elite "
+                     "of 1; expected at most 11");
     CHECK(said_of(12, all(", elite = 1"), star(12)).empty());
     auto no_pair = said_of(3, all(", elite = 11"), ring(3)); // a wrong elite gives no further message about immigrants
     check_says(no_pair, "an elite of 11 leaves no pair");

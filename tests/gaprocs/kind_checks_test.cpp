@@ -294,7 +294,8 @@ TEST_CASE("settings that contradict each other are refused at the parameter") {
          "farm.cfs:5:39: error: the first generation waits for 4 samples, but the window holds 3");
     says(master("first_window = 11"), "the first generation waits for 11 samples, but the window holds 10");
     CHECK(master("window = 3").empty()); // first_window has a default, which is reduced to the window
-    says(master("population = 10, elite = 9"), "farm.cfs:5:56: error: an elite of 9 leaves no pair to be bred");
+    says(master("population = 10, elite = 9"),
+         "farm.cfs:5:56: error: an elite of 9 in a population of 10 leaves no pair");
     says(master("bias = 8388609.0"), "expected from 1e-300 to 8388608");
     CHECK(master("bias = 8388608.0").empty());
     says(refusal("host", "host (samples = 13, problem = \"line\");"),
@@ -344,11 +345,12 @@ TEST_CASE("parameters that need a record are ignored, with a warning, for a prob
           "cycles_per_measurement_word = 0", "measurements = \"sample\""}) {
         std::string name(parameter, std::string(parameter).find(' '));
         says(refusal_of_sphere("", fmt::format(", {}", parameter)),
-             fmt::format("farm.cfs:5:41: warning: ignored, since \"sphere\" is an objective without measurements: {}\n",
-                         name));
+             fmt::format(
+                 "farm.cfs:5:41: warning: without effect, since \"sphere\" is an objective without measurements: {}\n",
+                 name));
     }
     says(refusal_of_sphere(", samples = 3", ""),
-         "farm.cfs:4:27: warning: ignored, since \"sphere\" is an objective without measurements: samples\n");
+         "farm.cfs:4:27: warning: without effect, since \"sphere\" is an objective without measurements: samples\n");
     says(refusal_of_sphere(", sample_bytes = 3", ""), "hint: \"generations\" of ga.host sets the length of the search");
     says(refusal_of_sphere("", ", window = 10, bias = 400.0"), "without measurements: window, bias\n");
     says(refusal("host", "host (problem = \"line\", generations = 3);"),

@@ -144,7 +144,7 @@ TEST_CASE("roulette with a minimised objective is refused with the reason") {
 
 TEST_CASE("zero generations are refused") {
     CHECK_THROWS_WITH_AS(run_traditional(*maximise(PlainSphere{}), 0, {}, RandomStream(1, "sphere")),
-                         "0 generations, expected at least 1", UserError);
+                         "the number of generations is 0, expected at least 1", UserError);
     CHECK_THROWS_AS(SearchResult{}.best(), std::logic_error);
 }
 

@@ -353,11 +353,12 @@ TEST_CASE("impossible settings of islands are refused, and the message states wh
     settings = small_islands(3);
     settings.islands[1].population = 5;
     settings.emigration = BestEmigration{6};
-    CHECK(refusal(settings) == "6 emigrants from a population of 5, expected at most 5");
+    CHECK(refusal(settings) == "6 emigrants cannot leave a population of 5, expected at most 5");
     settings = small_islands(16);
     settings.topology = StarTopology{};
     CHECK(refusal(settings) ==
-          "island 0: 15 immigrants come at once to an island of 12 individuals, 1 of them elite, expected at most 11");
+          "island 0: 15 immigrants come at once to an island of 12 individuals with an elite of 1; "
+          "expected at most 11");
     settings.schedule = SequentialSchedule{};
     // In a star, all other islands can send to island 0 at once.
     CHECK(refusal(settings).starts_with("island 0: 15 immigrants come at once"));
@@ -365,7 +366,8 @@ TEST_CASE("impossible settings of islands are refused, and the message states wh
     CHECK(refusal(settings).empty()); // immigrants come from one island at a time
     settings.emigration = BestEmigration{12};
     CHECK(refusal(settings) ==
-          "island 0: 12 immigrants come at once to an island of 12 individuals, 1 of them elite, expected at most 11");
+          "island 0: 12 immigrants come at once to an island of 12 individuals with an elite of 1; "
+          "expected at most 11");
     for (std::size_t population : {0u, 1u}) {
         settings = small_islands(3);
         settings.islands[2].population = population;
@@ -376,11 +378,12 @@ TEST_CASE("impossible settings of islands are refused, and the message states wh
     settings = small_islands(12);
     settings.topology = HypercubeTopology{};
     CHECK(refusal(settings) == "a hypercube cannot have 12 islands, expected a power of two such as 8 or 16");
-    CHECK(refusal(small_islands(0)) == "0 islands, expected at least 1");
+    CHECK(refusal(small_islands(0)) == "the number of islands is 0, expected at least 1");
     CHECK(refusal(small_islands(1)).starts_with("island 0 of 1 has no neighbours"));
     settings = small_islands(2);
     settings.islands[1].window.length = 13;
     CHECK(refusal(settings) == "the window holds 13 samples, but the record has only 12");
     CHECK_THROWS_WITH_AS(Islands(*make_search_problem(LineProblem{}), small_islands(2), island_streams(1, 3)),
-                         "3 streams of random numbers for 2 islands", std::invalid_argument);
+                         "3 streams of random numbers for 2 islands, expected one for each island",
+                         std::invalid_argument);
 }

@@ -52,7 +52,7 @@ TEST_CASE("windows that make no sense are refused with a reason") {
     message(window_of(21, 5), "the window holds 21 samples, but the record has only 20");
     WindowSettings settings;
     settings.trials = 0;
-    message(settings, "0 generations per sample, expected at least 1");
+    message(settings, "the number of generations per sample is 0, expected at least 1");
     settings = {};
     settings.bias = 0;
     message(settings, "the fitness bias is 0, expected above 0 and at most 8388608");

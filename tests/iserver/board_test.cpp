@@ -214,7 +214,7 @@ TEST_CASE("a board that does not follow the protocol is reported") {
           "board: the board closed the connection after 1 request: the program has not ended");
     CHECK(host.failure("boot", [](FakeBoard& board) {
         board.send({7, 0, 1, 2}), board.receive(1);
-    }) == "board: request 1 to the host has the length 7; a length is even, and from 6 to 510");
+    }) == "board: request 1 to the host has the length 7; a length must be even, and from 6 to 510");
     CHECK(host.failure("boot",
                        [](FakeBoard& board) {
                            board.send({4, 0, 0, 0, 34, 0, 0, 0}), board.receive(1);
@@ -237,7 +237,7 @@ TEST_CASE("a board that takes no bytes is reported") {
         failure = error.what();
     }
     CHECK(failure.starts_with("board: the board has taken "));
-    CHECK(failure.ends_with(" of 900000 bytes of the program, and no more for 0.1 s; it may not have been reset"));
+    CHECK(failure.ends_with(" of 900000 bytes of the program, and then none for 0.1 s; the board may need a reset"));
     ends.board = OpenFile();
     CHECK_THROWS_WITH_AS(iserver::serve_board("boot", ends.host, board_name, host.server, never),
                          "board: byte 1 of the program cannot be sent: Broken pipe", UserError);

@@ -86,13 +86,13 @@ TEST_CASE("a length that no packet has is refused") {
         if (refusal_of(bytes).empty() != good)
             FAIL("length " << length << ": " << refusal_of(bytes));
     }
-    CHECK(refusal_of({7, 0}) == "request 1 to the host has the length 7; a length is even, and from 6 to 510");
+    CHECK(refusal_of({7, 0}) == "request 1 to the host has the length 7; a length must be even, and from 6 to 510");
     CHECK(refusal_of({0, 2}) ==
-          "request 1 to the host has the length 512; a length is even, and from 6 to 510: the host "
+          "request 1 to the host has the length 512; a length must be even, and from 6 to 510: the host "
           "serves version 1.0 of the protocol, which has no longer requests");
-    CHECK(refusal_of({0, 4}) == "request 1 to the host has the length 1024; a length is even, and from 6 to 510");
+    CHECK(refusal_of({0, 4}) == "request 1 to the host has the length 1024; a length must be even, and from 6 to 510");
     CHECK(refusal_of({6, 0, 1, 2, 3, 4, 5, 6, 4, 0, 9}) ==
-          "request 2 to the host has the length 4; a length is even, and from 6 to 510");
+          "request 2 to the host has the length 4; a length must be even, and from 6 to 510");
 }
 
 TEST_CASE("the first request of an AFserver program is refused by name") {

@@ -128,7 +128,7 @@ class Studies(unittest.TestCase):
             found = rows(pp.sweep(net, slaves=range(1, 3), linkspeed="10M", measure=["time", "master[0].T_exe"]))
             both = rows(pp.sweep(net, slaves=[1, 2], seeds=2, measure="master.T_exe", store=store,
                                  progress=lambda ended, missing: made.append((ended, missing))))
-            with self.assertRaisesRegex(pp.Error, "0 seeds, expected at least 1"):
+            with self.assertRaisesRegex(pp.Error, "the number of seeds is 0, expected at least 1"):
                 pp.sweep(net, slaves=[1], seeds=0)
         self.assertEqual(made[-1], (2, 2))
         self.assertEqual([(row["slaves"], row["seed"]) for row in both], [(1, 1), (1, 2), (2, 1), (2, 2)])

@@ -56,17 +56,17 @@ class Hostile(ServiceTest):
 
     def test_what_is_not_a_job_is_refused(self):
         good = {"do": "run", "main": "a.cfs", "files": {"a.cfs": ""}}
-        place = 'a file needs a text, and a name without ".." that does not begin with "/"'
-        for job, why in ((None, "not an object"), ([], "not an object"), ("x", "not an object"), ({}, '"do" is missing'),
+        place = 'each file needs a string, and a name without ".." that does not begin with "/"'
+        for job, why in ((None, "it is not a JSON object"), ([], "it is not a JSON object"), ("x", "it is not a JSON object"), ({}, '"do" is missing'),
                          ({"do": "run"}, '"main" is missing'), ({"do": "run", "main": "a.cfs"}, '"files" is missing'),
                          (good | {"do": "rm"}, '"do" is not check, run, explain, listing or exercise'),
-                         (good | {"main": "b.cfs"}, '"main" is not among the files'), (good | {"main": 1}, '"main" is not a text'),
-                         (good | {"files": 1}, '"files" is not an object of texts'), (good | {"files": {"a.cfs": 1}}, place),
+                         (good | {"main": "b.cfs"}, '"main" is not the name of one of the files'), (good | {"main": 1}, '"main" is not a string'),
+                         (good | {"files": 1}, '"files" is not an object'), (good | {"files": {"a.cfs": 1}}, place),
                          (good | {"main": "../a.cfs", "files": {"../a.cfs": ""}}, place), (good | {"main": "/a.cfs", "files": {"/a.cfs": ""}}, place),
                          (good | {"seed": "x"}, '"seed" is not a whole number'), (good | {"seed": 1.5}, '"seed" is not a whole number'),
-                         (good | {"files": good["files"] | {f"{i}.cfs": "" for i in range(30)}}, "more than 20 files")):
+                         (good | {"files": good["files"] | {f"{i}.cfs": "" for i in range(30)}}, "the job has more than 20 files")):
             status, _, text = self.service.post(job)
-            self.assertEqual((status, text), (400, f"not a job: {why}\n"), job)
+            self.assertEqual((status, text), (400, f"the request is not a job: {why}\n"), job)
         self.assertEqual(self.service.ask("POST", "/job", "[" * 100000, Content_Type="application/json")[0], 400)
         answer = self.raw(b"POST /job HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 300000\r\n\r\n")
         self.assertIn(b" 413 ", answer)

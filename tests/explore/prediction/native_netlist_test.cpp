@@ -155,7 +155,7 @@ TEST_CASE("a calibration that does not fit is refused") {
     const KnownCalibration calibration;
     CHECK_THROWS_WITH_AS(native_netlist(network_of_text(islands_apart(2, "step")), {.count = 2}, calibration.path()),
                          (calibration.path().string() +
-                          ": it has no cost of the problem \"step\": write it by "
+                          ": the file has no cost of the problem \"step\": write it by "
                           "placedpar calibrate NETLIST -o " +
                           calibration.path().string())
                              .c_str(),
@@ -180,7 +180,7 @@ TEST_CASE("what a calibration only mentions does not count as there") {
     std::string commented = text;
     commented.replace(text.find(val), val.size(), "/* " + val + " */");
     CHECK(why_refused(KnownCalibration(text).path()) == "");
-    CHECK(why_refused(KnownCalibration(commented).path()).find("it has no cost of the problem \"sphere\"") !=
+    CHECK(why_refused(KnownCalibration(commented).path()).find("the file has no cost of the problem \"sphere\"") !=
           std::string::npos);
 }
 
@@ -190,7 +190,7 @@ TEST_CASE("a calibration of threads alone has no ranks, and a broken one is show
     const KnownCalibration only_threads(text.substr(0, ranks) + text.substr(text.find("val individual_bytes")));
     CHECK(why_refused(only_threads.path()) == "");
     CHECK(why_refused(only_threads.path(), {PredictedPlaces::Kind::ranks, 2})
-              .find("it does not describe ranks: write it by mpirun -n 2 placedpar calibrate NETLIST -o ") !=
+              .find("the file does not describe ranks: write it by mpirun -n 2 placedpar calibrate NETLIST -o ") !=
           std::string::npos);
     CHECK(why_refused(KnownCalibration("define core (clock = 1.5.2) this_core;").path()).find(".inc:1:") !=
           std::string::npos);

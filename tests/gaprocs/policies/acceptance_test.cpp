@@ -119,16 +119,17 @@ TEST_CASE("more immigrants than individuals outside the elite are refused") {
     for (const PolicyDescription& way : Acceptance::descriptions()) {
         CHECK_THROWS_WITH_AS(
             home.places(way.name.c_str(), four, 2),
-            "4 immigrants come at once to an island of 5 individuals, 2 of them elite, expected at most 3", UserError);
+            "4 immigrants come at once to an island of 5 individuals with an elite of 2; expected at most 3",
+            UserError);
         CHECK_THROWS_AS(home.places(way.name.c_str(), six), UserError);
         CHECK(home.places(way.name.c_str(), four, 1).size() == 4);
     }
 }
 
 TEST_CASE("the refusal of one immigrant to one individual has singular nouns") {
-    CHECK_THROWS_WITH_AS(Acceptance::validate_for(1, 1, 1),
-                         "1 immigrant comes at once to an island of 1 individual, 1 of them elite, expected at most 0",
-                         UserError);
+    CHECK_THROWS_WITH_AS(
+        Acceptance::validate_for(1, 1, 1),
+        "1 immigrant comes at once to an island of 1 individual with an elite of 1; expected at most 0", UserError);
 }
 
 TEST_CASE("acceptances are named by their text") {

@@ -87,7 +87,7 @@ TEST_CASE("more emigrants than individuals are refused") {
     RandomStream random(1, "many");
     for (const char* emigration : {"best(6)", "random(6)", "tournament(6)"})
         CHECK_THROWS_WITH_AS(Emigration::named(emigration)(five_fitnesses, random),
-                             "6 emigrants from a population of 5, expected at most 5", UserError);
+                             "6 emigrants cannot leave a population of 5, expected at most 5", UserError);
     CHECK_THROWS_WITH_AS(Emigration::named("best(0)"),
                          "count = 0 is out of range: count is a whole number from 1 to 1000000", UserError);
     CHECK(Emigration().text() == "best(count = 1)");

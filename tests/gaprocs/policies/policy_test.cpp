@@ -47,9 +47,9 @@ TEST_CASE("a text that names no policy is refused with the existing policies") {
     CHECK(refusal("tournament(2.5)") == "size = 2.5 is out of range: size is a whole number from 1 to 1000000");
     CHECK(refusal("tournament(0)") == "size = 0 is out of range: size is a whole number from 1 to 1000000");
     CHECK(refusal("ranking(nan)") == "best = nan is out of range: best is a number from 1 to 2");
-    CHECK(refusal("ranking(2, 3)") == "ranking takes 1 number at the most: best is a number from 1 to 2");
+    CHECK(refusal("ranking(2, 3)") == "ranking takes at most 1 number: best is a number from 1 to 2");
     CHECK(refusal("ranking(2, best = 2)") == "best of ranking is given twice");
     CHECK(refusal("ranking(pressure = 2)") ==
-          "ranking has no number \"pressure\"; ranking takes 1 number at the most: best is a number from 1 to 2");
+          "ranking has no number \"pressure\"; ranking takes at most 1 number: best is a number from 1 to 2");
     CHECK(refusal("roulette(2)") == "roulette takes no number");
 }

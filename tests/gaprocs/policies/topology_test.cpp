@@ -158,14 +158,16 @@ TEST_CASE("separate_parts finds the parts that do not exchange with each other")
 TEST_CASE("given neighbours may be one-way, and a list that does not fit is refused") {
     Neighbours given{{2, 1}, {}, {0}};
     CHECK(Topology(GivenTopology{given}).neighbours(3) == given);
-    CHECK(refusal(GivenTopology{given}, 4) == "the list has the neighbours of 3 islands, expected those of 4");
+    CHECK(refusal(GivenTopology{given}, 4) ==
+          "the list has the neighbours of 3 islands, but the number of islands is 4");
     CHECK(refusal(GivenTopology{{{1}, {2}}}, 2) == "island 1 has island 2 as neighbour, expected 0 to 1");
     CHECK(refusal(GivenTopology{{{1}, {0, 1}}}, 2) == "island 1 is its own neighbour, expected another island");
     CHECK(refusal(GivenTopology{{{1, 1}, {0}}}, 2) == "island 0 has island 1 as neighbour twice, expected once");
     CHECK(refusal(GivenTopology{{{1}, {0}, {}}}, 3) ==
           "island 2 of 3 has no neighbours, expected at least one, or the topology \"none\" for islands that exchange "
           "nothing");
-    CHECK(refusal(Topology::named("given"), 2) == "the list has the neighbours of 0 islands, expected those of 2");
+    CHECK(refusal(Topology::named("given"), 2) ==
+          "the list has the neighbours of 0 islands, but the number of islands is 2");
 }
 
 TEST_CASE("a number of islands that does not fit the topology is refused with the numbers that fit") {
@@ -174,7 +176,7 @@ TEST_CASE("a number of islands that does not fit the topology is refused with th
     CHECK(refusal(TorusTopology{3}, 10) ==
           "a torus of 10 islands cannot have 3 rows, expected a divisor of 10: 1, 2, 5, 10");
     for (const PolicyDescription& way : Topology::descriptions())
-        CHECK(refusal(Topology::named(way.name), 0) == "0 islands, expected at least 1");
+        CHECK(refusal(Topology::named(way.name), 0) == "the number of islands is 0, expected at least 1");
     for (const char* topology : {"ring", "hypercube", "torus(1)", "star", "complete"})
         CHECK(refusal(Topology::named(topology), 1).starts_with("island 0 of 1 has no neighbours"));
 }

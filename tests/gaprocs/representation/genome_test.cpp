@@ -115,6 +115,7 @@ TEST_CASE("strings of different lengths are not equal") {
 }
 
 TEST_CASE("a string of other characters than 0 and 1 is refused") {
-    CHECK_THROWS_WITH_AS(Genome::from_string("01x"), "a binary string holds 0 and 1 only: '01x' has 'x' at position 2",
+    CHECK_THROWS_WITH_AS(Genome::from_string("01x"),
+                         "a binary string has only the characters 0 and 1: '01x' has 'x' at position 2",
                          std::invalid_argument);
 }

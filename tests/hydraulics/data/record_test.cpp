@@ -91,9 +91,8 @@ TEST_CASE("a wrong header is refused with its place") {
           "error 1:1: the column \"time\" is missing | add the column, usually the first: time [s]; or name "
           "it: --column time=NAME\n");
     CHECK(record_faults("time [s]\n"
-                        "0\n") ==
-          "error 1:1: no column of a sensor | LINK.SENSOR, such as boom.inlet_pressure [psi]; or name it: --column "
-          "boom.inlet_pressure=NAME\n");
+                        "0\n") == "error 1:1: the record has no column of a sensor | LINK.SENSOR, such as "
+                                  "boom.inlet_pressure [psi]; or name it: --column boom.inlet_pressure=NAME\n");
     CHECK(record_faults("time [s],boom.angle\n0,1\n") ==
           "error 1:10: column \"boom.angle\" has no unit | boom.angle [UNIT] with deg or rad\n");
     CHECK(record_faults("time [s],boom.angle [psi]\n0,1\n") ==
@@ -129,15 +128,16 @@ TEST_CASE("a wrong reading is refused with its place") {
 }
 
 TEST_CASE("wrong times are refused with their place") {
-    CHECK(record_faults(boom_columns + rows(0, 4)) == "error 0:0: 4 samples, expected at least 5\n");
-    constexpr const char* rowless = "error 0:0: 0 samples, expected at least 5 | write a line for each instant below "
-                                    "the header; lines end in LF or in CR LF\n";
+    CHECK(record_faults(boom_columns + rows(0, 4)) == "error 0:0: the record has 4 samples, expected at least 5\n");
+    auto rowless = "error 0:0: the record has 0 samples, expected at least 5 | write a line for each instant below "
+                   "the header; lines end in LF or in CR LF\n";
     CHECK(record_faults(boom_columns) == rowless);
     CHECK(record_faults("time [s],boom.angle [deg]0.00,20.0,0.02,20.1") == rowless); // the line ends were lost
     CHECK(record_faults("time [s],boom.angle [deg]0.00,20.0,boom.spool [in]") == rowless);
     CHECK(record_faults(boom_columns + rows(0, 6) + rows(8, 12)) ==
           "warning 8:1: 2 samples are missing before this one | windows and slopes do not extend across the gap\n");
-    CHECK(record_faults(boom_columns + rows(0, 6) + rows(5, 9)) == "warning 8:1: repeats line 7 | used once\n");
+    CHECK(record_faults(boom_columns + rows(0, 6) + rows(5, 9)) ==
+          "warning 8:1: the row repeats line 7 | the row is used once\n");
     CHECK(record_faults(boom_columns + rows(0, 6) + "0.100,1700,20,0.2\n" + rows(6, 9)) ==
           "error 8:1: the time is the same as on line 7, but the readings differ | leave out the row that is wrong\n");
     CHECK(record_faults(boom_columns + rows(0, 6) + row(0.06) + rows(6, 9)) ==
@@ -158,7 +158,7 @@ TEST_CASE("wrong times are refused with their place") {
     for (int i = 0; i < 6; ++i)
         milliseconds += fmt::format("{},{}\n", i, 20 * i);
     CHECK(record_faults(milliseconds) ==
-          "warning 1:18: samples are 20 s apart, which is unusual | it would be ordinary in ms\n");
+          "warning 1:18: samples are 20 s apart, which is unusual | the value would be usual in ms\n");
     CHECK(record_faults("boom.angle [deg],time [s]\n1,0\n2,0.02\n3,0.04\n4,0.06\n5,0.08\n6,0.01\n")
               .starts_with("error 7:3: the time is 0.07 s before"));
 }
@@ -168,9 +168,9 @@ TEST_CASE("suspicious channels give warnings") {
     for (int i = 0; i < 6; ++i)
         text += fmt::format("{},{},{},{},7\n", 0.02 * i, 110 + i, 0.13 + 0.01 * i, 340 + i);
     CHECK(record_faults(text) ==
-          "warning 1:10: boom.inlet_pressure reaches 115 psi, which is unusual | it would be ordinary in bar\n"
-          "warning 1:36: boom.spool reaches 0.18 mm, which is unusual | it would be ordinary in in, cm\n"
-          "warning 1:52: boom.servo reaches 345 V, which is unusual | it would be ordinary in mV\n"
+          "warning 1:10: boom.inlet_pressure reaches 115 psi, which is unusual | the value would be usual in bar\n"
+          "warning 1:36: boom.spool reaches 0.18 mm, which is unusual | the value would be usual in in, cm\n"
+          "warning 1:52: boom.servo reaches 345 V, which is unusual | the value would be usual in mV\n"
           "warning 1:67: bucket.angle is 7 deg in every sample | the sensor may not be connected, or the link was not "
           "moved\n");
 }

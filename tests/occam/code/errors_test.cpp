@@ -39,8 +39,8 @@ struct RunTimeError {
 };
 
 constexpr RunTimeError run_time_errors[] = {
-    {"x := v[x]", "subscript 10 of an array of 8"},
-    {"v[x - 11] := 1", "subscript -1 of an array of 8"},
+    {"x := v[x]", "subscript 10 is outside of an array of 8 elements"},
+    {"v[x - 11] := 1", "subscript -1 is outside of an array of 8 elements"},
     {"x := x / zero", "division by zero: 10 / 0"},
     {"x := x \\ zero", "division by zero: 10 \\ 0"},
     {"x := ((MOSTNEG INT) + zero) / (zero - 1)", "overflow: -2147483648 / -1"},
@@ -50,7 +50,7 @@ constexpr RunTimeError run_time_errors[] = {
     {"x := (MOSTNEG INT) - (x + zero)", "overflow: -2147483648 - 10"},
     {"x := (x * 1000) * (x * 1000000)", "overflow: 10000 * 10000000"},
     {"x := -((MOSTNEG INT) + zero)", "overflow: 0 - -2147483648"},
-    {"x := 1 << (x + 23)", "shift by 33, which can be 0 to 32"},
+    {"x := 1 << (x + 23)", "the shift count is 33, but must be 0 to 32"},
     {"b := BYTE (x + 246)", "256 does not fit in BYTE"},
     {"b := BYTE (zero - 1)", "-1 does not fit in BYTE"},
     {"SEQ\n  b := BYTE (x + zero)\n  b := b * b\n  b := b * b", "10000 does not fit in BYTE"},
@@ -60,13 +60,14 @@ constexpr RunTimeError run_time_errors[] = {
     {"x := INT ROUND r", "the real does not fit in INT"},
     {"x := INT TRUNC (r / (REAL32 ROUND zero))", "the real does not fit in INT"},
     {"r := r * r", "an operation on reals: overflow, division by zero, an infinity or a NaN"},
-    {"[v FROM x - 4 FOR x - 5] := [v FROM 0 FOR 5]", "a segment from element 6 on, which can begin at 0 to 3"},
-    {"[v FROM 0 FOR x] := [v FROM 0 FOR x]", "a segment of 10 elements of an array of 8"},
-    {"[v FROM x] := [v FROM x]", "a segment from element 10 on of an array of 8"},
+    {"[v FROM x - 4 FOR x - 5] := [v FROM 0 FOR 5]",
+     "a segment begins at element 6, but can begin only at elements 0 to 3"},
+    {"[v FROM 0 FOR x] := [v FROM 0 FOR x]", "a segment of 10 elements does not fit in an array of 8 elements"},
+    {"[v FROM x] := [v FROM x]", "a segment begins at element 10 of an array of 8 elements"},
     {"[v FROM x - 7 FOR 3] := [v FROM zero FOR 4 + zero]", "the arrays of this assignment differ in size"},
-    {"SEQ i = 0 FOR zero - 1\n  x := i", "the count of this replicator is -1"},
+    {"SEQ i = 0 FOR zero - 1\n  x := i", "the count of this replicator is -1, but must be 0 or more"},
     {"IF\n  x = zero\n    SKIP", "no condition of this IF is true"},
-    {"CASE x\n  1\n    SKIP", "no option of CASE for 10"},
+    {"CASE x\n  1\n    SKIP", "this CASE has no option for 10"},
     {"STOP", "STOP"},
     {"CAUSEERROR ()", "CAUSEERROR"},
     {"ASSERT (x = zero)", "the condition of ASSERT is FALSE"},
@@ -76,7 +77,7 @@ constexpr RunTimeError run_time_errors[] = {
     {"w := (INT64 x) / w", "10 / 0 is not an INT64"},
     {"w := (INT64 x) \\ w", "10 \\ 0 is not an INT64"},
     {"SEQ\n  w := w + 4294967296(INT64)\n  x := INT w", "4294967296 does not fit in 32 bits"},
-    {"w := w << (x * x)", "shift by 100, which can be 0 to 64"},
+    {"w := w << (x * x)", "the shift count is 100, but must be 0 to 64"},
 };
 
 std::string joined(const std::vector<std::string>& texts) { return fmt::format("{}", fmt::join(texts, ", ")); }

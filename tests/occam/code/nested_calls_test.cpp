@@ -45,7 +45,7 @@ TEST_CASE("a segment of constant length that is longer than its array halts the 
                                       {.model = transputer::Model::t800}, procedures);
         CHECK(done.halted == (size < 6));
         if (done.halted)
-            CHECK(done.errors.front().find("a segment of 6 elements of an array of " + std::to_string(size)) !=
-                  std::string::npos);
+            CHECK(done.errors.front().find("a segment of 6 elements does not fit in an array of " +
+                                           std::to_string(size)) != std::string::npos);
     }
 }

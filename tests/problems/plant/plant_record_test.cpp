@@ -108,7 +108,8 @@ TEST_CASE("a record depends only on its random stream, and its input may begin a
 TEST_CASE("impossible experiments are refused") {
     CHECK_THROWS_WITH_AS(record_of({.window = 0}),
                          "the plant's record begins with a window of 0 samples, expected at least 1", UserError);
-    CHECK_THROWS_WITH_AS(record_of({.per_sample = 0}), "0 generations per sample, expected at least 1", UserError);
+    CHECK_THROWS_WITH_AS(record_of({.per_sample = 0}), "the number of generations per sample is 0, expected at least 1",
+                         UserError);
     CHECK_THROWS_WITH_AS(record_of({.noise = -1}), "the plant's noise is -1, expected 0 or a positive number",
                          UserError);
     CHECK_THROWS_AS(record_of({.noise = std::nan("")}), UserError);

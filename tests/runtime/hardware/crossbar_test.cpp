@@ -114,7 +114,7 @@ TEST_CASE("each command has the effect of its contract, and an enquiry returns t
     sw.obey({Kind::reset});
     CHECK(!sw.leads(3, 8));
     CHECK(sw.connections() == 4);
-    CHECK_THROWS_WITH_AS(sw.obey({Kind::connect_output, 3, 32}), "the switch sw has no link 32: they are 0 to 31",
+    CHECK_THROWS_WITH_AS(sw.obey({Kind::connect_output, 3, 32}), "the switch sw has no link 32: its links are 0 to 31",
                          std::invalid_argument);
     CHECK_THROWS_AS(sw.obey({static_cast<Kind>(7)}), std::invalid_argument);
 }
@@ -224,7 +224,7 @@ TEST_CASE("a message without a connection is lost in a deadlock, and the switch 
              {{}, 1, false, "was connected to no input"},
              {{{Kind::connect_links, 0, 2}, {Kind::ready}}, 1, false, "was connected to no input"},
              {{{Kind::connect_links, 1, 2}, {Kind::ready}}, 1, false, "was connected to input 2"},
-             {{{Kind::connect_links, 0, 1}}, 1, false, "was connected to input 0, and command 3 had not come"},
+             {{{Kind::connect_links, 0, 1}}, 1, false, "was connected to input 0, but had not received command 3"},
              {{{Kind::connect_output, 0, 1}, {Kind::ready}}, 0, true, "was connected to no input"},
              {{{Kind::connect_links, 0, 1}, {Kind::ready}, {Kind::reset}}, 1, false, "was connected to no input"}}) {
         CAPTURE(each.state);
@@ -310,7 +310,7 @@ TEST_CASE("one engine cannot be in two messages at a time") {
     x.simulation.process("root", [&] { par([&] { x.a.out().output({10, 1}); }, [&] { x.b.out().output({10, 1}); }); });
     CHECK_THROWS_WITH_AS(x.simulation.run(),
                          "channels root.out[0] -> a.in and root.out[1] -> b.in use root.link[0] at the same time: a "
-                         "switch leads it to one partner after the other",
+                         "switch connects a link to only one partner at a time",
                          std::logic_error);
 }
 

@@ -243,6 +243,6 @@ TEST_CASE("a broadcast message cannot be given up") {
     host.simulation.process(
         "host", [&] { output_or_fail(c.out(), 1, Time{milliseconds{1}}); }, &host.sun);
     CHECK_THROWS_WITH_AS(host.simulation.run(),
-                         "channel c is broadcast with others: it cannot give up a message, nor be reset",
+                         "channel c is broadcast with other channels: it cannot give up a message, nor be reset",
                          std::logic_error);
 }

@@ -26,7 +26,7 @@ code #80000080 #80000090 4 1 my ring.occ
 
 entry +#00 main
 entry +#10 philosopher
-error +#08 subscript {b} of an array of {a}
+error +#08 subscript {b} is outside of an array of {a} elements
 process +#100 +#180 phil[0]
 process +#180 +#200 phil[1]
 node worker
@@ -59,7 +59,7 @@ TEST_CASE("a table tells places, procedures and processes of each node") {
     CHECK_EQ(root.place(0x80000080), "my ring.occ:4:1");
     CHECK_EQ(root.place(0x80000091), "philosopher+#11");
     CHECK_EQ(root.place(0x8000006F), "");
-    CHECK_EQ(root.error(0x80000078), "subscript {b} of an array of {a}");
+    CHECK_EQ(root.error(0x80000078), "subscript {b} is outside of an array of {a} elements");
     CHECK_EQ(root.error(0x80000077), "");
     CHECK_EQ(root.error(0x80000079), "");
     CHECK_EQ(root.entry(0x80000080), "philosopher");

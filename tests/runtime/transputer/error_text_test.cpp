@@ -39,10 +39,10 @@ TEST_CASE("an error of an instruction is told with what it found") {
     CHECK_EQ(said("ldc 1; mint; sub"), "overflow: 1 - -2147483648");
     CHECK_EQ(said("ldc #10000; ldc #10000; mul"), "overflow: 65536 * 65536");
     CHECK_EQ(said("mint; mint; fmul"), "overflow of the product of two fractions, -2147483648 and -2147483648");
-    CHECK_EQ(said("ldc 10; ldc 8; csub0"), "10 is not from 0 to 7");
-    CHECK_EQ(said("ldc 9; ldc 8; ccnt1"), "9 is not from 1 to 8");
+    CHECK_EQ(said("ldc 10; ldc 8; csub0"), "10 is outside of the range 0 to 7");
+    CHECK_EQ(said("ldc 9; ldc 8; ccnt1"), "9 is outside of the range 1 to 8");
     CHECK_EQ(said("ldc 1; ldc 5; ldc 0; ldiv"), "division by zero");
-    CHECK_EQ(said("ldc 300; ldc #80; cword"), "300 has more bits than it may");
+    CHECK_EQ(said("ldc 300; ldc #80; cword"), "300 has more bits than the check allows");
     CHECK_EQ(said("ldc 1; ldc 0; csngl"), "a double word does not fit in a word");
     CHECK_EQ(said("ldc 0; ldc #7FFFFFFF; ldc 1; ladd"), "overflow: the upper words are 2147483647 + 1");
     CHECK_EQ(said("seterr"), "the program has set the Error flag");
@@ -78,7 +78,7 @@ other:  testerr; ldc 9; ldc 8; csub0; stoperr; stopp
     std::vector<std::string> texts;
     for (const auto& each : node.core().stopped_processes())
         texts.push_back(print_error(node.core(), each.error, {}));
-    CHECK(texts == std::vector<std::string>{"division by zero: 1 / 0", "9 is not from 0 to 7"});
+    CHECK(texts == std::vector<std::string>{"division by zero: 1 / 0", "9 is outside of the range 0 to 7"});
     CHECK_EQ(node.core().count_stopped(), 2);
     CHECK(node.core().stopped_processes()[0].at < node.core().stopped_processes()[1].at);
 }

@@ -106,10 +106,10 @@ TEST_CASE("the stepper stops at breakpoints and shows registers and queues") {
 
 TEST_CASE("the stepper names what it does not understand, and a queue in a circle has an end") {
     const std::string text = stepped(counting, "fly\nb 12x\nm 0\ns 0\n");
-    CHECK(text.find("\"fly\" is none of the commands:\ns [N] ") != std::string::npos);
+    CHECK(text.find("\"fly\" is not a command. The commands are:\ns [N] ") != std::string::npos);
     CHECK(text.find("\"12x\" is not an address such as #80000070\n") != std::string::npos);
     CHECK(text.find("#00000000 is outside of the memory\n") != std::string::npos);
-    CHECK(text.find("\"s 0\" is none of the commands") != std::string::npos);
+    CHECK(text.find("\"s 0\" is not a command") != std::string::npos);
     const std::string circle = stepped(R"(
          ldlp 20
          stl 18
