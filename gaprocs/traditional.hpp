@@ -42,9 +42,9 @@ std::vector<double> evaluate(const SearchProblem& problem, std::span<const Genom
 /// Runs the traditional genetic algorithm over a record (thesis figure 1.1, 3.1.1), without a simulated machine.
 /// Algorithm A must give the same results bit for bit. To the observer and the checkpoints, the search has the name
 /// "traditional". If it continues from a checkpoint (gaprocs/checkpoints.hpp), the estimates of the earlier run are
-/// absent; for an objective, the first estimate is then the best individual of the earlier run. Throws as
-/// SearchSettings::validate(), settings_for(), WindowSettings::validate_for() and require_channels(), and as
-/// SearchProgress.
+/// absent; for an objective, the first estimate is then the best individual of the earlier run. Throws what
+/// SearchSettings::validate(), settings_for(), WindowSettings::validate_for(), require_channels() and SearchProgress
+/// throw.
 SearchResult run_traditional(const SearchProblem& problem, std::span<const Sample> record,
                              const SearchSettings& settings, RandomStream random, SearchObserver* observer = nullptr,
                              Checkpoints* checkpoints = nullptr);

@@ -40,7 +40,7 @@ void NoticeLog::add(Notice notice) {
         notices_.full_at = notice.at;
 }
 
-/// Records a turn, unless the process becomes ready: a wait lasts until its program runs again.
+/// Records a change of activity. Becoming ready is not recorded: a wait lasts until the process runs again.
 void NoticeLog::turns(const Process& process, Activity activity, Time now) {
     if (activity == Activity::ready)
         return;

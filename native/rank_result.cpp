@@ -48,7 +48,7 @@ namespace {
 
 constexpr std::string_view no_user = "none yet";
 
-/// Returns the users of the channels between ranks. Each end is known to its own rank.
+/// Returns the users of the channels between ranks. Each end is known only to its own rank.
 std::map<std::string_view, StuckChannel> users_between(const std::vector<RankResult>& results) {
     std::map<std::string_view, StuckChannel> users;
     for (const RankResult& result : results)

@@ -63,7 +63,8 @@ void AnyChannel::expect_inputter(const Process& process) { own_input(process); }
     const bool inside = &end == &outputter_ ? outputter_inside_ : inputter_inside_;
     if (end.process && (inside || !may_follow(end, process)))
         throw std::logic_error(fmt::format(
-            "process {} {} channel {}, and so does {}: a channel joins only two processes", process.path(), verb, name_,
+            "process {} {} channel {}, and so does {}: a channel has one outputting and one inputting process",
+            process.path(), verb, name_,
             end.outermost == &process.outermost() ? "another component of a PAR" : "process " + end.outermost->path()));
     end = user(process);
 }

@@ -38,7 +38,7 @@ void Attempt::until_told_by(AnyChannel& failure) {
     failure_ = &failure;
 }
 
-/// Schedules the time-out. All other events of the current time happen first.
+/// Schedules the time-out, or enables the failure channel. All other events of the current time happen first.
 void Attempt::entered() {
     EventQueue& future = process_.kernel().future();
     Time now = process_.kernel().now();

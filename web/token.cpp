@@ -14,11 +14,13 @@ namespace fs = std::filesystem;
 
 Token::Token(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
-    auto refuse = [&](const char* why) { throw UserError(fmt::format("--token-file {}: {}", file.string(), why)); };
+    auto refuse = [&](const std::string& why) {
+        throw UserError(fmt::format("--token-file {}: {}", file.string(), why));
+    };
     if (!in || !fs::is_regular_file(file))
         refuse("the file cannot be read");
     if ((fs::status(file).permissions() & fs::perms::others_all) != fs::perms::none)
-        refuse("every user of this computer may read or write the file; use chmod o=");
+        refuse("every user of this computer may read or write the file; use chmod o= " + file.string());
     std::string text(std::istreambuf_iterator<char>(in), {});
     auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
     auto begin = std::ranges::find_if_not(text, is_space);

@@ -104,8 +104,8 @@ ExitCode exit_code_of(const Explanation& explanation) {
                                     : exit_code_of(explanation.report.result.ending);
 }
 
-/// Returns the predicted times of native runs on other numbers of threads, and of ranks if the calibration has them, as
-/// a table.
+/// Returns a table of the predicted times of native runs on several numbers of threads, and of ranks if the calibration
+/// describes ranks.
 std::string print_predictions(const ExplainOptions& options, const Interruption& interruption) {
     NetlistOptions stated = options.netlist;
     stated.calibration.clear();

@@ -52,7 +52,8 @@ void require_files(const IdentifyOptions& options) {
 void require_number_of_records(const IdentifyOptions& options) {
     const bool many = options.records.size() > 1;
     if (many && options.way != "service")
-        throw UserError(fmt::format("{} records are given, but --way {} takes one: a trend needs --way service",
+        throw UserError(fmt::format("{} records are given, but --way {} takes one record; several records need --way "
+                                    "service, which shows their trend",
                                     options.records.size(), options.way));
     if (!many && !options.trend.empty())
         throw UserError(

@@ -16,12 +16,12 @@ std::string not_a_number_within(const std::string& text, std::uint64_t least, st
 std::string not_at_least_one(const std::string& text); ///< checks a whole number
 std::string not_a_name(const std::string& text);       ///< checks a name, which cannot be ""
 
-/// Declares --seed, by default for every random stream.
+/// Declares --seed. Without `about`, its help says that the seed is for all random numbers.
 void add_seed(Options& command, std::uint64_t& seed,
               const std::string& about = "seed of all random numbers: equal seeds give equal runs");
 
-/// Declares an option that counts something. It accepts digits only, for a number of at most 64 bits. CLI11 itself
-/// would accept -1 and too large numbers as the greatest number, and 010 as eight.
+/// Declares an option whose value is a count. It accepts digits only, for a number of at most 64 bits. CLI11 itself
+/// would accept -1 and numbers that are too large as the greatest number, and 010 as eight.
 template <class Count>
 Option add_count(Options& command, const std::string& option, Count& count, const std::string& about) {
     return command.add(option, count, about).type("N").check(not_a_whole_number);

@@ -55,7 +55,8 @@ struct TimingColumn {
         auto found = std::ranges::find_if(
             table.cells, [&](const Cell& each) { return each.row == row && each.column == name && each.reference; });
         if (found == table.cells.end())
-            study.refuse(fmt::format("the table \"{}\" has no known figure in \"{}\", \"{}\"", table.name, row, name));
+            study.refuse(
+                fmt::format("the table \"{}\" has no known value in row \"{}\", column \"{}\"", table.name, row, name));
         return *found;
     }
     double known(const char* row) const { return *cell(row).reference; }

@@ -45,8 +45,7 @@ Job job_of_kind(const TopologyRequest& request, const Catalogue& catalogue, cons
     require_port(*kind, request.input, Direction::input, "--input");
     const bool has_host = kind->port("from_host") != nullptr;
     if (!request.problem.empty() && !has_host && !has_problem(*kind))
-        throw UserError(
-            fmt::format("--problem: {} has no parameter \"problem\", so it searches for nothing", kind->name));
+        throw UserError(fmt::format("--problem has no effect: the kind {} has no parameter \"problem\"", kind->name));
     return processes_of(request.job, has_host, request.output, request.input, topology, problem,
                         has_problem(*kind) ? problem.each : "");
 }

@@ -50,7 +50,7 @@ bool has_three_dimensions(const TopologyRequest& request) { return numbers_of(re
 Box box_of(const TopologyRequest& request) {
     const std::vector<std::size_t> numbers = numbers_of(request);
     if (std::ranges::count(numbers, 0) > 0)
-        refuse_size(request, "expected three numbers such as 2x3x4");
+        refuse_size(request, "expected three numbers of at least 1, such as 2x3x4");
     require_not_huge(request, {2, numbers[0], numbers[1], numbers[2]});
     return {numbers[0], numbers[1], numbers[2]};
 }

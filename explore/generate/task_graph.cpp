@@ -128,7 +128,7 @@ private:
         return number.value_or(0);
     }
 
-    /// Reads "b:100".
+    /// Adds the message that a successor such as "b:100" describes: 100 bytes to the task b.
     void add_message(Task& task, const TextRow& row, const std::string& word) {
         const std::size_t colon = word.rfind(':');
         const std::string name = word.substr(0, colon), bytes = colon == word.npos ? "" : word.substr(colon + 1);

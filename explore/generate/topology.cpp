@@ -178,7 +178,7 @@ Topology chordal_ring_of_three(const TopologyRequest& request, std::size_t nodes
     if (nodes % 2 == 1 || chord % 2 == 0)
         refuse_size(request,
                     fmt::format("with three links for each processor, chords lead from even to odd processors: "
-                                "the size must be even and the chord {} odd; or use --degree 4",
+                                "the size must be even and the chord odd (it is {}); or use --degree 4",
                                 chord));
     return {.about =
                 fmt::format("A chordal ring of {}, with chords of length {} from even to odd processors", nodes, chord),

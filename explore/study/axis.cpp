@@ -105,7 +105,7 @@ void StudyValues::count_steps(std::string_view text, double from, double to) {
     constexpr double rounding = 1e-9; // otherwise 0.1..0.9..0.1 could lack its last value
     double steps = steps_to(to);
     if (!(steps < most_values))
-        refuse_range(text, "the range has too many values");
+        refuse_range(text, fmt::format("the range has too many values: at most {:.0f} are allowed", most_values));
     count_ = static_cast<std::uint64_t>(std::floor(steps + rounding)) + 1;
 }
 

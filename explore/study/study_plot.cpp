@@ -140,7 +140,7 @@ Plot summary_plot(const StudySummary& summary, const std::string& over) {
         if (Panel panel = PanelOfMeasure(summary, i, axis).panel(); !panel.series.empty())
             plot.panels.push_back(std::move(panel));
     if (plot.panels.empty())
-        throw UserError("nothing to draw: no run has the measure");
+        throw UserError("nothing to draw: no run has a value of the measures");
     return plot;
 }
 

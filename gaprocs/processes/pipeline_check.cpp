@@ -57,8 +57,8 @@ private:
                    "a master's to_slaves leads to one ga.pipeline and nothing else");
         if (text(master, "split") == "demand")
             refuse(tasks.port,
-                   fmt::format("\"{}\" deals out individuals on demand: masters that share slaves would alternate at "
-                               "every individual, and then all breed at the same time",
+                   fmt::format("\"{}\" deals out individuals on demand (split = \"demand\"), but masters that share "
+                               "slaves must deal out a whole population at once",
                                name(master)),
                    "split = \"individuals\" or \"evaluations\"");
     }

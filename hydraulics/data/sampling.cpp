@@ -29,7 +29,7 @@ Sampling Sampling::of(double reading_s) {
                                       reading_s, slowest_s));
     if (!(reading_s * rounding >= quickest_s))
         throw UnfitRecord(fmt::format("the readings are {:.4g} s apart, expected at least {:.4g} s (10 kHz): average "
-                                      "them first, or check the unit of the time",
+                                      "them first, or check the time unit",
                                       reading_s, quickest_s));
     return {reading_s, std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(method_period_s / reading_s)))};
 }

@@ -30,7 +30,7 @@ struct ExcavatorScenario {
 /// Throws UnfitScenario (requirement.hpp), which names the invalid value and its valid range.
 void require_valid(const ExcavatorScenario&);
 
-/// Returns the junctions of all active links, circuit after circuit, each upstream before downstream.
+/// Returns the junctions of all active links, circuit by circuit; within a circuit, upstream junctions come first.
 Circuit junctions_of(const ExcavatorScenario&);
 
 } // namespace placedpar::hydraulics

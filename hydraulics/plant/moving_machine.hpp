@@ -6,7 +6,7 @@
 
 namespace placedpar::hydraulics {
 
-/// The gains of the controller of 2.3.2, and the pressure drops that its feedforward leaves over the orifices.
+/// The gains of the controller (thesis 2.3.2), and the pressure drops across the orifices that its feedforward assumes.
 struct TrackingGains {
     double proportional_per_s;   ///< gain of the angle's error
     double derivative;           ///< gain of the rate's error
@@ -17,8 +17,8 @@ struct TrackingGains {
 /// An excavator whose four links dig: the simplified links and valves of appendix B, the whole main valve with its
 /// cross-over network, and the controller that follows the joysticks.
 ///
-/// The pump does not drive a link backwards: the link's load does, and the valve throttles the link's oil to the tank
-/// (ours; the thesis gives no equations for that direction).
+/// A link moves backwards under its load, not by the pump, and the valve throttles the oil that flows to the tank. This
+/// model is ours: the thesis gives no equations for backward motion.
 struct MovingExcavator {
     MainValve valve{};
     CrossOverLimits cross_over{};
@@ -32,7 +32,7 @@ struct MovingExcavator {
     double integration_step_s = 0;
 };
 
-/// Reads the rows that digging_uses() lists (record_scenario.hpp).
+/// Reads the parameters that digging_uses() names (record_scenario.hpp).
 MovingExcavator moving_excavator(const Parameters& parameters);
 
 } // namespace placedpar::hydraulics

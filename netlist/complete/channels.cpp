@@ -215,7 +215,7 @@ private:
             return true;
         c_.reporter.error(placement.at,
                           fmt::format("the channel \"{}.{}\" of the kind \"{}\" carries {}, which cannot travel as "
-                                      "bytes, but \"{}\" executes its own code, which moves only bytes",
+                                      "bytes, but the code that \"{}\" executes can move only bytes",
                                       process.name, name, kind->name, port->protocol, c_.network.nodes[node].name),
                           "numbers, truth values, arrays and counted arrays of them, variants of all these, and the "
                           "packets of the csp kinds can travel as bytes");

@@ -154,7 +154,7 @@ private:
         if (connection.a.node == connection.b.node)
             return c_.reporter.error(
                 connection.connected,
-                fmt::format("two links of the same processor \"{}\" are connected through a switch",
+                fmt::format("two links of the same processor \"{}\" cannot be connected through a switch",
                             c_.network.nodes[connection.a.node].name));
         if (connection.a.at_edge() && connection.b.at_edge())
             return c_.reporter.error(connection.connected, "two edges cannot be connected, not even through a switch");

@@ -22,7 +22,7 @@ void Elaborator::perform(const ConnectStatement& form, const Location& at) {
     for (const auto& [found, reference] : {std::pair(&a, &form.a), std::pair(&b, &form.b)})
         if (found->category == Category::connection)
             refuse(reference->at,
-                   fmt::format("\"{}\" is a connection: links and channels can be connected", reference->name),
+                   fmt::format("\"{}\" is a connection, but only links and channels can be connected", reference->name),
                    "connect ... to ... by connection;");
     if (leads_to_bus(form.a, a) || leads_to_bus(form.b, b))
         connect_to_bus(form, a, b, at);

@@ -45,7 +45,8 @@ private:
         if (const LinkConnection& led = attached_.network.connections[wire->second]; led.at_run_time)
             return attached_.reporter.error(
                 led.connected,
-                fmt::format("a program would connect the link of the adapter \"{}\" during the run", node(slave).name),
+                fmt::format("the link of the adapter \"{}\" leads to a switch that a program sets during the run",
+                            node(slave).name),
                 "an adapter leads to one processor for the whole run");
         if (std::size_t master = master_of(slave); master != nowhere)
             ways_.push_back({master, slave, wire->second});

@@ -9,8 +9,8 @@ namespace placedpar {
 
 /// Prints the network as a model for Spin: a proctype for each process, a rendezvous channel for each channel. The
 /// model has neither time nor placement: an event that Spin proves impossible cannot happen on any machine, and an
-/// event that Spin finds possible may happen on some machine. A process that never reaches its end is an invalid end
-/// state for Spin; PlacedPar reports it as waiting. Throws UserError if the kind of a process has no Promela
+/// event that Spin finds possible may happen on some machine. Spin reports a process that never reaches its end
+/// as an invalid end state; PlacedPar reports it as waiting. Throws UserError if the kind of a process has no Promela
 /// statements, or if there are more processes than Spin allows.
 std::string print_promela(const Network& network, const Catalogue& catalogue);
 

@@ -13,7 +13,8 @@ namespace {
 
 /// Limits the bins of all tracks together; each bin takes two bytes of the page.
 constexpr std::size_t most_bins_together = 2'000'000;
-/// Number of bins if the page has all slices uncompressed. Bins are then used only for the view of the whole run.
+/// Greatest number of bins of each track if the page has all slices uncompressed. Bins are then used only for the view
+/// of the whole run.
 constexpr std::size_t bins_beside_slices = 1024;
 
 std::size_t bins_for(std::size_t tracks) {

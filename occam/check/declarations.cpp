@@ -80,7 +80,7 @@ const Type* Checker::abbreviated(Expression& expression) {
     if (is_wrong_type(*type))
         return type;
     if (!root_of(expression) && is_data(*type)) {
-        report(expression.at, "an abbreviation of a value needs VAL", "write VAL in front of the name");
+        report(expression.at, "an abbreviation of a value needs VAL", "begin the abbreviation with VAL");
         return expression.type = mistaken();
     }
     if (is_data(*type))

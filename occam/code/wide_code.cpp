@@ -6,7 +6,7 @@ namespace placedpar::occam {
 
 using transputer::Operation;
 
-// An INT64 is in two words of the workspace, the lower half first, or a constant.
+// An INT64 is either a constant, or in two words of the workspace, the lower half first.
 
 void Generator::load_part(const Wide& value, int part) {
     if (value.constant)
@@ -15,7 +15,7 @@ void Generator::load_part(const Wide& value, int part) {
         load(value.cell.after(part));
 }
 
-/// Returns an INT64 that is in the workspace.
+/// Returns the INT64 itself if it is a variable. Copies a constant to the workspace first.
 Generator::Wide Generator::wide_variable(const Wide& value) {
     if (!value.constant)
         return value;

@@ -12,7 +12,7 @@ constexpr std::uint8_t order_of(EventQueue::Priority priority, std::size_t rank)
 }
 
 /// The order of a direction's packets among simultaneous steps. If two packets can begin on the same wire, the
-/// acknowledge goes first, also if it waited for the wire. begin_next() in link_period.cpp follows the same rule.
+/// acknowledge goes first, even if it waited for the wire. begin_next() in link_period.cpp follows the same rule.
 struct Orders {
     std::uint8_t acknowledge, acknowledge_that_waited, byte;
 };
@@ -145,8 +145,8 @@ LinkState::Outcome LinkState::begin_acknowledge(std::size_t d, const PacketTimes
     return {.delivers = delivers};
 }
 
-/// Handles the arrival of a part's last byte. If the acknowledge of this byte has begun, the part was handed over then.
-/// This is always so if the next part has begun.
+/// Handles the arrival of a part's last byte. If the acknowledge of this byte has begun, the part was handed over when
+/// the acknowledge began. This is always so if the next part has begun.
 LinkState::Outcome LinkState::last_byte_arrives(std::size_t d) {
     Direction& direction = directions[d];
     const LinkPackets::Stream& stream = packets.streams[d];

@@ -9,8 +9,8 @@ namespace placedpar::transputer {
 enum class Length : std::uint8_t { real32, real64 };
 
 struct Real {
-    /// A REAL32 is in the lower half. The upper half is 0, but after fpunoround it has the 29 bits of the fraction that
-    /// follow: the unit keeps them, though a store leaves them out.
+    /// A REAL32 is in the lower half. The upper half is 0, but after fpunoround it has the 29 bits of the fraction
+    /// beyond a REAL32's 23. The unit keeps these bits, but a store drops them.
     std::uint64_t bits = 0;
     Length length = Length::real32;
 
@@ -43,7 +43,8 @@ T computed_on_host(RealOperation operation, T left, T right) {
 /// - FPError is set by a NaN or infinity as an operand, an invalid operation, a division by 0, and overflow. Loads,
 ///   stores, exchanges and the tests fpnan, fpordered and fpnotfinite never set it. Nothing but fptesterror and
 ///   fpuclearerror clears it.
-/// - If an operand is a NaN, it is the result; of two NaNs, the one with the larger fraction, or FB. The sign follows
+/// - If an operand is a NaN, it is the result; of two NaNs, the one with the larger fraction, or FB if
+///   the fractions are equal. The sign follows
 ///   the operation: fpsub negates FA's sign, fpmul and fpdiv multiply the signs.
 /// - An invalid operation gives a NaN that identifies the operation: see `MadeNan` in the source.
 /// - A pop leaves FC unchanged.
@@ -58,7 +59,7 @@ public:
     Rounding rounding() const { return rounding_; }
     bool error() const { return error_; }
 
-    /// These load a real from memory, whose bits are given; also for the indexed loads.
+    /// These push a real with the given bits, which were read from memory. The indexed loads use them, too.
     void fpldnlsn(std::uint32_t bits) { push({bits, Length::real32}); }
     void fpldnldb(std::uint64_t bits) { push({bits, Length::real64}); }
     void fpldzerosn() { push({0, Length::real32}); }
@@ -86,14 +87,14 @@ public:
     void fpdiv() { combine_two(RealOperation::divide); }
 
     /// FA := FB - q * FA, FB := q, where q is the integer nearest to FB / FA. The remainder is exact. The quotient is
-    /// right if FB's exponent is at most 20 (REAL64: 30) above FA's; beyond that, the machine's is undefined, and here
-    /// it is rounded. The first step computes the whole remainder. Both return the A to push: TRUE, which means that
-    /// the remainder is complete. INMOS's occam compiler and mathematical library emit `fpremfirst; eqc 0; cj done;
-    /// more: fpremstep; cj more; done:`, so they execute no further step.
+    /// right if FB's exponent is at most 20 (REAL64: 30) above FA's; beyond that, the machine's quotient is undefined,
+    /// and here it is the rounded quotient. The first step computes the whole remainder. Both return TRUE, to be
+    /// pushed into register A: the remainder is complete. INMOS's occam compiler and mathematical library emit
+    /// `fpremfirst; eqc 0; cj done; more: fpremstep; cj more; done:`, so the emitted code executes no further step.
     bool fpremfirst();
     bool fpremstep() { return finished(true); }
 
-    /// These are comparisons: FB > FA, FB = FA. They pop both. FALSE if one is a NaN.
+    /// These are comparisons: FB > FA, FB = FA. They pop both. FALSE if either is a NaN.
     bool fpgt();
     bool fpeq();
     /// These are tests of FA, and of FA and FB for fpordered. They pop nothing.
@@ -122,16 +123,16 @@ public:
     /// Rounds FA to an integer. fprtoi32 also checks that the integer is in the range of 32 bits.
     void fpint();
     void fprtoi32();
-    /// These set FPError unless -2^31 <= FA < 2^31, and unless -2^63 <= FA < 2^63.
+    /// fpuchki32 sets FPError unless -2^31 <= FA < 2^31; fpuchki64, unless -2^63 <= FA < 2^63.
     void fpuchki32() { check_below(0x1p31); }
     void fpuchki64() { check_below(0x1p63); }
 
     void fpur32tor64();
     void fpur64tor32();
-    /// Makes FA a REAL32 with a fraction that is still as long as that of a REAL64, and with the lower bits of the
-    /// exponent. Sets no flag. The next operation computes with the whole fraction: INMOS's code adds the halves of an
-    /// INT64 that way, and so rounds once. (With a fraction that is cut, its code would give other results on a T800
-    /// than on a T414, and wrong ones.)
+    /// Makes FA a REAL32 that keeps the whole fraction of a REAL64, but only the lower bits of the exponent. Sets no
+    /// flag. The next operation computes with the whole fraction: INMOS's code adds the halves of an INT64 that way,
+    /// and so rounds once. (If the fraction were cut, INMOS's code would give wrong results on a T800, which differ
+    /// from those on a T414.)
     void fpunoround();
 
     void fpuabs();

@@ -201,10 +201,10 @@ TEST_CASE("an end of a channel has one owner, and other users are refused") {
     Channel<int> c("c"), go("go");
     SUBCASE("an end that two processes declare") {
         simulation.process("first", {c.out()}, [] {});
-        CHECK_THROWS_WITH_AS(
-            simulation.process("second", {c.in(), c.out()}, [] {}),
-            "process second outputs to channel c, and so does process first: a channel joins only two processes",
-            std::logic_error);
+        CHECK_THROWS_WITH_AS(simulation.process("second", {c.in(), c.out()}, [] {}),
+                             "process second outputs to channel c, and so does process first: a channel has one "
+                             "outputting and one inputting process",
+                             std::logic_error);
     }
     SUBCASE("an end that another process has declared") {
         simulation.process("first", {c.in()}, [] {});
@@ -215,19 +215,19 @@ TEST_CASE("an end of a channel has one owner, and other users are refused") {
         simulation.process("first", [&] { c.out().output(1), go.out().output(1); });
         simulation.process("second", [&] { go.in().input(), c.out().output(2); });
         simulation.process("inputter", [&] { c.in().input(), c.in().input(); });
-        CHECK_THROWS_WITH_AS(
-            simulation.run(),
-            "process second outputs to channel c, and so does process first: a channel joins only two processes",
-            std::logic_error);
+        CHECK_THROWS_WITH_AS(simulation.run(),
+                             "process second outputs to channel c, and so does process first: a channel has one "
+                             "outputting and one inputting process",
+                             std::logic_error);
     }
     SUBCASE("an alternation beside an inputter") {
         simulation.process("first", [&] { c.in().input(), go.out().output(1); });
         simulation.process("second", [&] { go.in().input(), alt(on(c.in(), [](int) {})); });
         simulation.process("outputter", [&] { c.out().output(1), c.out().output(2); });
-        CHECK_THROWS_WITH_AS(
-            simulation.run(),
-            "process second inputs from channel c, and so does process first: a channel joins only two processes",
-            std::logic_error);
+        CHECK_THROWS_WITH_AS(simulation.run(),
+                             "process second inputs from channel c, and so does process first: a channel has one "
+                             "outputting and one inputting process",
+                             std::logic_error);
     }
     SUBCASE("two components of a PAR in turn") {
         simulation.process("p", [&] {
@@ -236,7 +236,7 @@ TEST_CASE("an end of a channel has one owner, and other users are refused") {
         simulation.process("inputter", [&] { c.in().input(), c.in().input(); });
         CHECK_THROWS_WITH_AS(simulation.run(),
                              "process p/1 outputs to channel c, and so does another component of a PAR: a channel "
-                             "joins only two processes",
+                             "has one outputting and one inputting process",
                              std::logic_error);
     }
     SUBCASE("a process and the components of its PARs, one after the other") {
@@ -265,7 +265,7 @@ TEST_CASE("a component of a PAR may not use an end while a process of another co
         });
         CHECK_THROWS_WITH_AS(simulation.run(),
                              "process p/0 outputs to channel c, and so does another component of a PAR: a channel "
-                             "joins only two processes",
+                             "has one outputting and one inputting process",
                              std::logic_error);
     }
     SUBCASE("its message has gone, but it has not had its turn") {

@@ -150,8 +150,8 @@ TEST_CASE("an end can be reset only by its owner, and not while a process is in 
     simulation.process("outputs", [&] { c.out().output(1); });
     simulation.process("inputs", [&] { wait_for(1us), c.in().input(); });
     simulation.process("resets", [&] { reset(c.out()); });
-    CHECK_THROWS_WITH_AS(
-        simulation.run(),
-        "process resets resets channel c, and so does process outputs: a channel joins only two processes",
-        std::logic_error);
+    CHECK_THROWS_WITH_AS(simulation.run(),
+                         "process resets resets channel c, and so does process outputs: a channel has one outputting "
+                         "and one inputting process",
+                         std::logic_error);
 }

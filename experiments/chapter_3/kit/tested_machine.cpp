@@ -36,7 +36,8 @@ void TestedMachine::move(const PlantFault& fault, double compliance_factor, std:
     for (std::size_t i = 0; i < movement.size(); ++i)
         diagnosis_.take(digger_.sample(movement, i, next_s_));
     next_s_ += movement.time_s.back() + pause_s;
-    // The machine is at rest again. A gap ends and judges an unfinished movement.
+    // The machine is at rest again. After a gap in the samples, the diagnosis ends an unfinished movement and judges
+    // it.
     diagnosis_.take(digger_.sample(movement, 0, next_s_));
     next_s_ += pause_s;
 }

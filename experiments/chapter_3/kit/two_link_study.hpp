@@ -20,12 +20,12 @@ struct TwoLinkMotion {
 };
 TwoLinkMotion simulate_two_links();
 
-/// Measures the motion with the sensors of a seed and prepares the search.
+/// Measures the motion with sensor noise that is drawn from the seed, and prepares the search.
 identification::ComplianceSearch measure_two_links(const TwoLinkMotion& motion,
                                                    const hydraulics::MeasurementNoise& noise,
                                                    const identification::IdentificationWay& way, std::uint64_t seed);
 
-/// The absolute errors of the two compliances, in percent of the true values.
+/// The absolute errors of the two compliances, as percentages of the true values.
 struct TwoErrors {
     double bucket, boom;
 
@@ -39,8 +39,8 @@ identification::IdentificationWay elite_way();
 /// Returns elite_way() with Gray code.
 identification::IdentificationWay gray_way();
 
-/// The number of records of which a share is judged. A share p has the standard deviation sqrt(p (1 - p) / 200): 3.5
-/// percentage points for p = .5.
+/// The number of simulated records, one for each search, of which a share must succeed. A share p has the standard
+/// deviation sqrt(p (1 - p) / 200): 3.5 percentage points for p = .5.
 inline constexpr std::size_t search_records = 200;
 
 /// Runs a search for each seed, with its own noise and random numbers.

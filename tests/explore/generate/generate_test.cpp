@@ -272,7 +272,7 @@ TEST_CASE("sizes that a topology does not have are refused, with the reason") {
     CHECK(says(sized("ring", ""), "--size is required for the topology ring"));
     CHECK(says(sized("ring", "2"), "from 3 to 4096"));
     CHECK(says(sized("torus", "2x2x2"), "a node of three dimensions needs six links, but a transputer has 4"));
-    CHECK(says(sized("mesh", "2x0x2"), "expected three numbers such as 2x3x4"));
+    CHECK(says(sized("mesh", "2x0x2"), "expected three numbers of at least 1, such as 2x3x4"));
     CHECK(says(sized("ring", "4097"), "at most 4096"));
     CHECK(says(sized("mesh", "1024x1024"), "at most 4096"));
     CHECK(says(sized("mesh", "16"), "expected two numbers"));

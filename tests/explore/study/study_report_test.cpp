@@ -53,7 +53,7 @@ TEST_CASE("a study that cannot be drawn is refused with the reason") {
     CHECK_THROWS_WITH_AS(summary_plot(summary, "samples"), "\"samples\" does not have several values in this study",
                          UserError);
     summary.lines.front().cells.front() = StudyCell();
-    CHECK_THROWS_WITH_AS(summary_plot(summary), "nothing to draw: no run has the measure", UserError);
+    CHECK_THROWS_WITH_AS(summary_plot(summary), "nothing to draw: no run has a value of the measures", UserError);
     summary.lines.front().values = {"few"};
     CHECK_THROWS_WITH_AS(summary_plot(summary, "slaves"),
                          "\"slaves\" has values that are not numbers, so nothing can be drawn over it", UserError);

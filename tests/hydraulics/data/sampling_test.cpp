@@ -43,7 +43,7 @@ TEST_CASE("slower and faster readings are refused with the reason") {
                          UnfitRecord);
     CHECK_THROWS_WITH_AS(Sampling::of(0.00005),
                          "the readings are 5e-05 s apart, expected at least 0.0001 s (10 kHz): average them first, or "
-                         "check the unit of the time",
+                         "check the time unit",
                          UnfitRecord);
 }
 
