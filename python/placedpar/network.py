@@ -45,6 +45,12 @@ def seed_of(seed: int, what: str = "seed") -> int:
     return int(seed)
 
 
+def require_network(value: Any) -> None:
+    """Raises TypeError if the value is not a Network."""
+    if not isinstance(value, Network):
+        raise TypeError(f"expected a network, such as pp.load(\"ring.cfs\"), not {value!r}")
+
+
 def is_main_thread() -> bool:
     """Returns whether Ctrl-C interrupts this thread."""
     return threading.current_thread() is threading.main_thread()

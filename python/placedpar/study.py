@@ -7,7 +7,7 @@ from typing import Any, Mapping, Optional, Sequence, Union
 
 from . import _core
 from .errors import Deadlock, Error, NetlistError
-from .network import FilePath, Network, Time, is_main_thread, limit, seed_of, setting
+from .network import FilePath, Network, Time, is_main_thread, limit, require_network, seed_of, setting
 from .progress import ProgressOption, Told, progress_of
 from .tables import number_in, table
 
@@ -31,6 +31,7 @@ def sweep(network: Network, settings: Optional[Mapping[str, Any]] = None, seeds:
     measure). A network that has processes in Python, or that was not read from a file, is run on one core and without a
     store.
     """
+    require_network(network)
     axes = []
     for name, values in {**(settings or {}), **more_settings}.items():
         is_one = isinstance(values, str) or not hasattr(values, "__iter__")
@@ -104,5 +105,6 @@ def explain(network: Network, seed: int = 1, until: Optional[Time] = None,
 
     Raises the errors of Network.run(), and Error if the network has processes in Python.
     """
+    require_network(network)
     with progress_of(progress, "{} of {} changes") as tell:
         return Explanation(*_core.explain(network._core, seed_of(seed), limit(until), is_main_thread(), tell))

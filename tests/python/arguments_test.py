@@ -58,6 +58,8 @@ class Arguments(unittest.TestCase):
     def test_arguments_of_wrong_types_are_named(self):
         network = "T800 a; process p; use \"csp.producer\" for p; place p on a;"
         self.assertIn("faults is", self.refused(pp.load, network, faults=[5]))
+        for function in (pp.sweep, pp.explain):
+            self.assertIn('expected a network, such as pp.load("ring.cfs"), not 5', self.refused(function, 5))
         self.assertIn("use is", self.refused(pp.load, network, use={"p": 5}))
         self.assertIn("settings is", self.refused(pp.load, network, settings={5: 1}))
         self.assertIn("bits is", self.refused(pp.search, "sphere", bounds=[(0, 1)], bits=[1.5]))
