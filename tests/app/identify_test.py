@@ -280,7 +280,7 @@ class Identification(unittest.TestCase):
                 (("--population", 10**10), "is not a whole number from 2 to 1000000"),
                 (("--window", 0), "is not a whole number from 1 to 1024"),
                 (("--trials", -1), "is not a whole number from 1 to"),
-                (("--elite", 119), "an elite of 119 in a population of 120"),
+                (("--elite", 119), "the elite is 119 of a population of 120"),
                 (("--bias", 0), "the fitness bias is 0"), (("--bias", "nan"), "the fitness bias is nan")):
             self.assertIn(said, self.refused(STEP, *arguments), arguments)
 

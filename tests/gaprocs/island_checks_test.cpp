@@ -192,7 +192,7 @@ TEST_CASE("more emigrants than individuals, than a message can hold or than an i
                      "of 1; expected at most 11");
     CHECK(said_of(12, all(", elite = 1"), star(12)).empty());
     auto no_pair = said_of(3, all(", elite = 11"), ring(3)); // a wrong elite gives no further message about immigrants
-    check_says(no_pair, "an elite of 11 leaves no pair");
+    check_says(no_pair, "an elite of 11 in a population of 12 leaves no pair");
     CHECK(no_pair.find("at once") == std::string::npos);
     check_says(said_of(12, all(", elite = 1, schedule = \"sequential\", emigration = \"random(2)\""), star(12)),
                "22 immigrants come at once");
