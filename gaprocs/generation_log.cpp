@@ -56,7 +56,13 @@ void add_rows_of_all(std::vector<LogRow>& rows, std::uint64_t generation, const 
 
 GenerationLog::GenerationLog(std::vector<std::string> searches, bool comparable)
     : searches_(std::move(searches)), compared_(comparable && searches_.size() > 1), goals_(searches_.size()),
-      generations_(searches_.size()) {}
+      best_earlier_(searches_.size()), generations_(searches_.size()) {}
+
+void GenerationLog::continue_from(const Checkpoints& checkpoints) {
+    for (std::size_t i = 0; i < searches_.size(); ++i)
+        if (const SearchCheckpoint* begin = checkpoints.begin_of(searches_[i]))
+            best_earlier_[i] = begin->best.fitness;
+}
 
 std::size_t GenerationLog::number_of(std::string_view search) const {
     auto found = std::ranges::find(searches_, search);
@@ -85,7 +91,11 @@ LoggedGeneration GenerationLog::found_in(const ObservedGeneration& generation, s
                                          const Spread& spread) const {
     const auto& before = generations_[search];
     double best = in_its_own_sign(generation.fitness[best_index(generation.fitness)], generation.goal);
-    double best_so_far = before.empty() ? best : better(search, before.back().best_so_far, best);
+    double best_so_far = best;
+    if (!before.empty())
+        best_so_far = better(search, before.back().best_so_far, best);
+    else if (const std::optional<double> earlier = best_earlier_[search])
+        best_so_far = better(search, in_its_own_sign(*earlier, generation.goal), best);
     return {generation.time, best_so_far, best, in_its_own_sign(mean_of(generation.fitness), generation.goal),
             diversity_within(spread)};
 }
@@ -121,6 +131,7 @@ void GenerationLog::add_to_all(const Row& row) {
     for (const auto& each : row) {
         all.time = std::max(all.time, each->found.time);
         all.best = better(0, all.best, each->found.best);
+        all.best_so_far = better(0, all.best_so_far, each->found.best_so_far);
         sum += each->finite == 0 ? 0 : each->found.mean * static_cast<double>(each->finite);
         finite += static_cast<double>(each->finite);
         diversity += each->found.diversity;
@@ -129,7 +140,6 @@ void GenerationLog::add_to_all(const Row& row) {
     all.mean = finite == 0 ? row.front()->found.mean : sum / finite;
     all.diversity = diversity / static_cast<double>(row.size());
     all.between = diversity_between(spreads);
-    all.best_so_far = all_.empty() ? all.best : better(0, all_.back().best_so_far, all.best);
     all_.push_back(all);
 }
 

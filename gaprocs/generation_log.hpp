@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gaprocs/checkpoints.hpp"
 #include "gaprocs/diversity.hpp"
 #include "gaprocs/search_observer.hpp"
 
@@ -64,6 +65,10 @@ public:
     /// problem. If not, the log has no generations of all searches together.
     explicit GenerationLog(std::vector<std::string> searches, bool comparable = true);
 
+    /// Lets the best values begin with those of the generations before the checkpoints, from which a run continues.
+    /// REQUIRES: no generation was observed.
+    void continue_from(const Checkpoints&);
+
     /// These functions throw std::invalid_argument for a search that is not in the log.
     void observe(const ObservedGeneration&) override;
     void observe(const ObservedMigration&) override;
@@ -112,7 +117,8 @@ private:
     std::vector<std::string> searches_;
     bool compared_;
     std::uint64_t first_ = 1;
-    std::vector<std::optional<Goal>> goals_; ///< goal of each search
+    std::vector<std::optional<Goal>> goals_;          ///< goal of each search
+    std::vector<std::optional<double>> best_earlier_; ///< best fitness of each search before its checkpoint
     std::vector<std::vector<LoggedGeneration>> generations_;
     std::vector<LoggedGeneration> all_;
     std::map<std::uint64_t, Row> waiting_; ///< generations that only some searches have completed

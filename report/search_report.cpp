@@ -77,16 +77,17 @@ std::string print_between(const SearchSummary& all) {
 std::string print_finder(const GenerationLog& log) {
     if (!log.compares() || !log.has_objective(0) || log.of_all().empty() || !is_finite(log.of_all().back()))
         return "";
+    const double best = log.of_all().back().best_so_far;
     std::size_t finder = 0, earliest = std::numeric_limits<std::size_t>::max();
     for (std::size_t search = 0; search < log.searches().size(); ++search) {
-        const auto found =
-            std::ranges::find(log.of(search), log.of_all().back().best_so_far, &LoggedGeneration::best_so_far);
+        const auto found = std::ranges::find(log.of(search), best, &LoggedGeneration::best_so_far);
         const auto generation = static_cast<std::size_t>(found - log.of(search).begin());
         if (found != log.of(search).end() && generation < earliest)
             finder = search, earliest = generation;
     }
-    return fmt::format("best of all: {:.6g}, first found by {} in generation {}\n", log.of_all().back().best_so_far,
-                       log.searches()[finder], log.first() + earliest);
+    const bool is_earlier = earliest == 0 && log.of(finder).front().best != best;
+    return fmt::format("best of all: {:.6g}, first found by {} {} generation {}\n", best, log.searches()[finder],
+                       is_earlier ? "before" : "in", log.first() + earliest);
 }
 
 /// Returns the median of a figure over several runs, and its quartiles: "120 [100, 131]".

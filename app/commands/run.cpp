@@ -145,6 +145,8 @@ RunReport run_observed(const Network& network, const RunOptions& options, std::u
 FinishedRun run_seed(const Network& network, const RunOptions& options, std::uint64_t seed, TraceSink* trace,
                      Interruption& interruption) {
     SeededLog searches{seed, log_of(network)};
+    if (options.checkpoints)
+        searches.log.continue_from(*options.checkpoints);
     if (!options.watch)
         return {run_observed(network, options, seed, trace, interruption, &searches.log), std::move(searches)};
     Watch watch(searches.log, fmt::format("{}, seed {}", network.source_path, seed));

@@ -4,7 +4,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr ParameterField delay_field{.low = 1, .high = 5, .bits = 2}; // 1, 2, 3, 4
+constexpr ParameterField delay_field{.low = 1, .high = 5, .bits = 2, .whole = true}; // 1, 2, 3, 4
 constexpr ParameterField part_field{.low = -1, .high = 1, .bits = 7}; // real or imaginary part of a pole or a zero
 constexpr ParameterField gain_field{.low = 0, .high = 2, .bits = 7};
 

@@ -141,6 +141,8 @@ py::dict search(const SearchProblem& coded, const RecordedProblem* recorded, con
     HeedfulLog observer(options);
     const auto checkpoint =
         checkpoint_of(options, *problem, island_names(options.islands), settings.islands.front().population);
+    if (checkpoint)
+        observer.log.continue_from(*checkpoint);
     try {
         const IslandsResult result =
             run(*problem, recorded, options.generations, settings, options.seed, observer, checkpoint.get());
