@@ -79,7 +79,7 @@ std::vector<ProcessKind> task_kinds() {
          .parameters = {packet_cycles("workload: computation of the task"),
                         text("bytes", {.by_default = "", .check = [](const std::string& text) { lengths_in(text); }},
                              "lengths of the messages to the successors, such as \"100 4\"")},
-         .measurements = {{"ready", "ms", "time at which all inputs had arrived"},
+         .measurements = {{"ready", "ms", "time at which the task had all inputs, and its processor was free"},
                           {"done", "ms", "time at which the task's computation ended"}},
          .body = perform_task,
          .check = check_task,

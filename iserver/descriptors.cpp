@@ -1,5 +1,6 @@
 #include "iserver/descriptors.hpp"
 
+#include "text/number.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -38,7 +39,11 @@ NetworkAddress network_address(const std::string& name) {
         host = host.substr(1, host.size() - 2);
     if (host.empty() || colon + 1 == name.size())
         throw UserError(fmt::format("{}: a board on a network is written \"tcp:HOST:PORT\"", name));
-    return {host, name.substr(colon + 1)};
+    const std::string port = name.substr(colon + 1);
+    const bool is_number = port.find_first_not_of("-0123456789") == port.npos;
+    if (const auto number = parse_number<std::uint16_t>(port); is_number && !number)
+        throw UserError(fmt::format("{}: the port is {}, expected 0 to 65535", name, port));
+    return {host, port};
 }
 
 std::unique_ptr<addrinfo, void (*)(addrinfo*)> addresses_of(const std::string& name, const NetworkAddress& address) {

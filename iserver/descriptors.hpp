@@ -23,7 +23,8 @@ struct NetworkAddress {
     std::string host, port;
 };
 
-/// Splits "tcp:HOST:PORT" into host and port. An IPv6 address is in brackets. Throws UserError if a part is missing.
+/// Splits "tcp:HOST:PORT" into host and port. An IPv6 address is in brackets. Throws UserError if a part is
+/// missing, or if the port is a number that no port has.
 NetworkAddress network_address(const std::string& name);
 
 /// Returns the addresses of a host name. Throws a UserError whose message begins with `name`.

@@ -43,9 +43,17 @@ std::string front_svg(const std::string& title, const std::vector<std::string>& 
     return draw_svg({title, {{.x = {.label = objectives[0]}, .y = {.label = objectives[1]}, .series = {series}}}});
 }
 
+Coding coding_of(const FrontOptions& options) {
+    try {
+        return Coding::named(options.coding);
+    } catch (const UserError& error) {
+        throw UserError(fmt::format("--coding \"{}\": {}", options.coding, error.what()));
+    }
+}
+
 ExitCode find_front(const FrontOptions& options) {
     const ProblemRegistry problems = known_problems(options.seed);
-    const auto problem = problems.find(options.problem).problem()->coded(Coding::named(options.coding));
+    const auto problem = problems.find(options.problem).problem()->coded(coding_of(options));
     std::vector<std::string> objectives = problem->objective_names();
     if (!options.svg.empty() && objectives.size() != 2)
         throw UserError(fmt::format("--svg draws two objectives, but {} has {}", options.problem,

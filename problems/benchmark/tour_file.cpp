@@ -88,7 +88,7 @@ public:
     explicit TourFile(const std::filesystem::path& path) : path_(path) {
         LoadedSource source = load_source(path);
         if (!source.problems.empty())
-            throw RefusedInput(render(source.problems));
+            throw UserError(fmt::format("{}: {}", path.string(), source.problems.front().message));
         text_.str(std::string(source.file->text()));
     }
 

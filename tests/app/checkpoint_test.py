@@ -1,5 +1,6 @@
 """Tests checkpoints: a run that goes on from one makes the generations of a run that was never interrupted."""
 
+import csv
 import json
 import pathlib
 import random
@@ -94,6 +95,25 @@ class Checkpoints(unittest.TestCase):
         rows = log.read_text(encoding="utf-8").splitlines()
         numbers = {int(row.split(",")[rows[0].split(",").index("generation")]) for row in rows[1:]}
         self.assertEqual(min(numbers), begin + 1)
+
+    def best_values(self, *arguments):
+        """Returns the best value so far of each search and generation in the log of a run."""
+        log = self.file.with_name("log.csv")
+        run = placedpar("run", *arguments, "--log", log)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        with open(log, newline="", encoding="utf-8") as file:
+            return {(int(row["generation"]), row["process"]): row["value"] for row in csv.DictReader(file)
+                    if row["quantity"] == "best_so_far"}
+
+    def test_best_values_include_those_before_the_checkpoint(self):
+        cruel = ("--set", "mutation=0.3", "--set", "population=8")  # the best individual is often lost
+        for netlist, arguments in ((ISLANDS, ()), (self.objective, cruel)):
+            with self.subTest(netlist=netlist):
+                whole = self.best_values(netlist, *arguments)
+                begin = self.stop_in_the_middle(netlist, *arguments)
+                later = self.best_values(netlist, *arguments, "--checkpoint", self.file)
+                self.assertEqual(later, {place: value for place, value in whole.items() if place[0] > begin})
+                self.file.unlink()
 
     def test_it_goes_on_with_another_number_of_processors(self):
         expected = results(ISLANDS)

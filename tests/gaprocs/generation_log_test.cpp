@@ -170,6 +170,26 @@ TEST_CASE("a log of one search, or of searches of different problems, has no row
     CHECK_THROWS_AS(tell(one, "another", 1, test::strings({"00"}), {1}), std::invalid_argument);
 }
 
+TEST_CASE("the best value so far begins with that of a checkpoint") {
+    struct OneCheckpoint final : Checkpoints {
+        SearchCheckpoint begin{.search = {}, .best = {test::strings({"01"}).front(), -2}};
+        const SearchCheckpoint* begin_of(const std::string& search) const override {
+            return search == "east" ? &begin : nullptr;
+        }
+        bool is_due(std::uint64_t) const override { return false; }
+        void keep(const std::string&, const SearchCheckpoint&) override {}
+    } checkpoints;
+    GenerationLog log({"east", "west"});
+    log.continue_from(checkpoints);
+    const auto population = test::strings({"00", "01"});
+    for (const char* search : {"east", "west"})
+        log.observe({search, 8, std::nullopt, BitString(2), population, std::vector<double>{-5, -3}, Goal::minimise});
+    CHECK(log.of(0)[0].best_so_far == 2);
+    CHECK(log.of(1)[0].best_so_far == 3);
+    CHECK(log.of_all()[0].best_so_far == 2);
+    CHECK(log.of_all()[0].best == 3);
+}
+
 TEST_CASE("a minimised objective is logged without negation, and the least value is the best") {
     GenerationLog log({"east", "west"});
     auto say = [&](const char* search, std::uint64_t number, const std::vector<double>& fitness) {

@@ -285,6 +285,10 @@ TEST_CASE("a board that cannot be reached is refused with the reason") {
     for (const std::string wrong : {"tcp:", "tcp:host", "tcp::5000", "tcp:host:"})
         CHECK_THROWS_WITH_AS(iserver::connect_board(wrong, never),
                              (wrong + ": a board on a network is written \"tcp:HOST:PORT\"").c_str(), UserError);
+    for (const std::string port : {"-1", "65536", "70000000000"})
+        CHECK_THROWS_WITH_AS(iserver::connect_board("tcp:127.0.0.1:" + port, never),
+                             ("tcp:127.0.0.1:" + port + ": the port is " + port + ", expected 0 to 65535").c_str(),
+                             UserError);
     CHECK_THROWS_WITH_AS(iserver::connect_board("tcp:127.0.0.1:1", never), "tcp:127.0.0.1:1: Connection refused",
                          UserError);
     try {

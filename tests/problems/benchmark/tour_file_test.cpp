@@ -161,6 +161,7 @@ TEST_CASE("a file that cannot be read is refused with its line") {
     CHECK(refusal_of("EDGE_WEIGHT_TYPE: XRAY1\n") ==
           "1: EDGE_WEIGHT_TYPE: \"XRAY1\" cannot be read: expected ATT, CEIL_2D, EUC_2D, EXPLICIT, GEO");
     CHECK(refusal_of("CAPACITY: 3\n") == "1: unknown keyword \"CAPACITY\"");
+    CHECK_THROWS_WITH_AS(read_tour_file("no/such.tsp"), "no/such.tsp: this file does not exist", UserError);
     CHECK(refusal_of("NODE_COORD_SECTION\n") == "1: DIMENSION is missing before \"NODE_COORD_SECTION\"");
     CHECK(refusal_of(head + "NODE_COORD_SECTION\n1 0 0\n") == "5: the file ends after 1 of 2 cities");
     CHECK(refusal_of(head + "NODE_COORD_SECTION\n1 0 0\n3 1 1\n") ==

@@ -44,6 +44,12 @@ TEST_CASE("the plant's string has the 37 bits and resolutions of Table 5.1") {
           std::vector<double>{4, 1 - 1. / 64, 1. / 64, -1, -1, 1. / 64});
 }
 
+TEST_CASE("numbers up to the upper bound give one of the four delays") {
+    const ParameterField delay = PlantProblem().coding().field(0);
+    CHECK(delay.rounded(5) == 4);
+    CHECK(delay.rounded(3.9) == 3);
+}
+
 TEST_CASE("the plant of 5.8 is on the grid except for beta, and its error is 0") {
     PlantProblem problem;
     std::vector<double> truth = parameters_of(Plant{});
