@@ -1,6 +1,5 @@
 #pragma once
 
-#include "gaprocs/checkpoints.hpp"
 #include "gaprocs/diversity.hpp"
 #include "gaprocs/search_observer.hpp"
 
@@ -14,6 +13,8 @@
 #include <vector>
 
 namespace placedpar {
+
+class Checkpoints; // gaprocs/checkpoints.hpp
 
 /// A generation of one search, or of all searches together. An objective is logged as it is, not as fitness: if it is
 /// minimised, the best value is the least. An objective that is not a finite number is logged as the worst infinity.

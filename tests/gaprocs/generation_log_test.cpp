@@ -2,6 +2,7 @@
 
 #include "gaprocs/generation_log.hpp"
 
+#include "gaprocs/checkpoints.hpp"
 #include "gaprocs/islands.hpp"
 #include "gaprocs/traditional.hpp"
 #include "gaprocs/usual_settings.hpp"
