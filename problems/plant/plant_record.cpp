@@ -20,7 +20,7 @@ void validate_experiment(const PlantExperiment& experiment) {
     if (experiment.window == 0)
         throw UserError("the plant's record begins with a window of 0 samples, expected at least 1");
     if (experiment.per_sample == 0)
-        throw UserError("0 generations per sample, expected at least 1");
+        throw UserError("the number of generations per sample is 0, expected at least 1");
     if (!(experiment.noise >= 0) || !std::isfinite(experiment.noise))
         throw UserError(fmt::format("the plant's noise is {}, expected 0 or a positive number", experiment.noise));
 }
