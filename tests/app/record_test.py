@@ -149,7 +149,7 @@ class Records(unittest.TestCase):
 
     def test_wrong_use_says_what_would_be_right(self):
         self.assertEqual(self.refused("record", "crane"),
-                         'placedpar: unknown scenario "crane"; there are scenario-a, scenario-b, two-links, links and excavator\n')
+                         'placedpar: unknown scenario "crane"; the scenarios are scenario-a, scenario-b, two-links, links and excavator\n')
         self.assertIn('did you mean "boom.mass"?', self.refused("record", "excavator", "--set", "boom.mas=1"))
         self.assertIn("no such parameter", self.refused("record", "scenario-a", "--set", "pump.ripple=0"))
         self.assertIn("is not a unit of mass; expected lbf s^2/in or kg",
