@@ -21,11 +21,13 @@ void require_length(const MessageBytes& packed) {
 
 } // namespace
 
-void RankGiver::output(AnyChannel& channel, const WireForm&, const SourceLocation& where) {
+void RankGiver::output(AnyChannel& channel, const WireForm& form, const SourceLocation& where) {
+    bytes_ = static_cast<std::uint64_t>(form.total());
     packed_.clear();
     channel.pack_message(packed_);
     require_length(packed_);
     if (std::exchange(is_awaited_, false)) {
+        sent_.add(bytes_);
         channel.tell_taken_elsewhere();
         return member_.send_message(to_, number_, packed_);
     }
@@ -38,6 +40,7 @@ void RankGiver::taker_came() {
     is_awaited_ = !waiting;
     if (!waiting)
         return;
+    sent_.add(bytes_);
     channel_.tell_taken_elsewhere();
     waiting->kernel().make_ready(*waiting);
 }

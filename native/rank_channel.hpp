@@ -1,6 +1,7 @@
 #pragma once
 
 #include "native/rank_member.hpp"
+#include "native/run_parts.hpp"
 #include "runtime/carrier.hpp"
 #include "runtime/channel.hpp"
 
@@ -38,6 +39,10 @@ public:
     std::string why_not_given_up() const override;
     void taker_came() override;
 
+    int to() const { return to_; }
+    /// Returns the messages that the inputter has taken.
+    const Traffic& sent() const { return sent_; }
+
 private:
     RankMember& member_;
     AnyChannel& channel_;
@@ -46,6 +51,8 @@ private:
     bool is_awaited_ = false; ///< the reply came before the message
     Process* outputter_ = nullptr;
     MessageBytes packed_;
+    std::uint64_t bytes_ = 0; ///< of the current message, on a link
+    Traffic sent_;
 };
 
 /// The inputter's end of a channel between two ranks: see RankGiver.

@@ -196,6 +196,9 @@ private:
         own.part.measurements = software_->measurements();
         own.part.rested = member_.rested();
         own.part.waited.resize(network_.processes.size());
+        own.part.sent.resize(results_.size());
+        for (const RankGiver& giver : givers_)
+            own.part.sent[static_cast<std::size_t>(giver.to())].add(giver.sent());
         own.begun = member_.begun();
         if (log_)
             own.notices = log_->take();

@@ -5,17 +5,33 @@
 #include "netlist/software.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace placedpar::native {
 
+/// Counts messages that were taken, and the bytes that a link would carry for them.
+struct Traffic {
+    std::uint64_t messages = 0, bytes = 0;
+
+    void add(std::uint64_t bytes_of_message) {
+        ++messages;
+        bytes += bytes_of_message;
+    }
+    void add(const Traffic& other) {
+        messages += other.messages;
+        bytes += other.bytes;
+    }
+};
+
 /// The contribution of one thread or rank to the report of a run.
 struct RunPart {
     RunResult result;
     std::vector<Measurement> measurements = {};
-    std::vector<Time> waited = {}; ///< how long each process of the network waited; 0 for processes of other parts
-    Time rested{};                 ///< how long no process was ready
+    std::vector<Time> waited = {};  ///< how long each process of the network waited; 0 for processes of other parts
+    Time rested{};                  ///< how long no process was ready
+    std::vector<Traffic> sent = {}; ///< the messages to each part; may be shorter than the number of parts
 };
 
 /// Returns how long each process of the software has waited.

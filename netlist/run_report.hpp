@@ -22,6 +22,13 @@ struct ProcessUse {
         waits_since; ///< start of the last wait, if the process still waits at the end and never continues
 };
 
+/// The messages that one thread or rank of a native run has sent to another one.
+struct MessagesBetween {
+    std::string from, to; ///< "thread 0", "thread 1"
+    std::uint64_t messages;
+    std::uint64_t bytes; ///< as many as a link would carry for these messages
+};
+
 /// The clock of a rank of a recorded native run, compared with rank 0's clock before and after the run.
 struct RankClock {
     std::string name;               ///< "rank 1"
@@ -37,6 +44,7 @@ struct RunReport : MachineUse {
     RunResult result;       ///< the fingerprint in `result` covers the measurements, too
     std::vector<Measurement> measurements;
     std::vector<ProcessUse> processes;
+    std::vector<MessagesBetween> messages; ///< of a native run, without pairs that have sent none
     std::vector<FaultUse> faults;
     std::vector<RankClock> clocks; ///< clocks of a recorded run on ranks; its times are those of the clock of rank 0
 

@@ -146,6 +146,14 @@ Table links_of(const RunReport& report, const std::vector<LinkUse>& links) {
     });
 }
 
+Table messages_of(const std::vector<MessagesBetween>& messages) {
+    return table_of(messages, [](const MessagesBetween& m) -> Row {
+        return {Field::left(0, "messages between", m.from + " -> " + m.to), Field::member("from", m.from),
+                Field::member("to", m.to), Field::count(10, "messages", m.messages),
+                Field::count(10, "bytes", m.bytes)};
+    });
+}
+
 std::string print_links(const RunReport& report) {
     std::vector<LinkUse> used = report.links;
     std::erase_if(used, [](const LinkUse& link) { return link.bytes == 0; });
@@ -457,6 +465,8 @@ std::string print_report(const RunReport& report, const Network& network, const 
         out += print_stops(report.programs) + programs_of(report).text("\n");
     if (!report.processors.empty())
         out += processors_of(report).text("\n");
+    if (!report.messages.empty())
+        out += messages_of(report.messages).text("\n");
     out += print_links(report) + print_buses(report) + print_devices(report);
     if (!report.clocks.empty())
         out += clocks_of(report.clocks).text("\n");
@@ -485,6 +495,8 @@ boost::json::object report_json(const RunReport& report, const Network& network,
         json["programs"] = json_of(programs_of(report).rows);
     if (boost::json::array stops = stops_json(report.programs); !stops.empty())
         json["stops"] = std::move(stops);
+    if (!report.messages.empty())
+        json["messages"] = json_of(messages_of(report.messages).rows);
     if (!report.clocks.empty())
         json["clocks"] = json_of(clocks_of(report.clocks).rows);
     if (!report.switches.empty())
