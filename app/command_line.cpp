@@ -67,8 +67,8 @@ bool is_file(const std::string& name) {
     return lower_case(name).ends_with(".cfs") || std::filesystem::is_regular_file(name, error);
 }
 
-/// Returns the command to suggest if the words are a usual command of other programs (help, version) or a netlist; ""
-/// for other words.
+/// Returns the command to suggest if the first word is a command of many other programs (help, version) or the name of
+/// a file; "" for other words.
 std::string meant_by(const DeclaredCommand& program, std::span<char*> words) {
     std::string first = words.front();
     if (first == "help")
@@ -85,7 +85,8 @@ std::vector<NamedMeaning> meanings_of_commands(const DeclaredCommand& program) {
     return meanings;
 }
 
-/// Throws UserError if the first word is not a command. CLI11 would report a missing command first.
+/// Throws UserError if the first word is not a command. Without this check, CLI11 would report that the command is
+/// missing.
 void require_command(const DeclaredCommand& program, std::span<char*> words) {
     std::string first = words.front();
     bool option = first.starts_with('-');
@@ -204,7 +205,7 @@ std::string why_it_is_terminated() {
     try {
         return std::current_exception() ? what_was_thrown() : "std::terminate was called";
     } catch (...) {
-        return "the process communicated, computed or waited while it was being ended";
+        return "the process communicated, computed or waited while it was being terminated";
     }
 }
 

@@ -100,7 +100,7 @@ Action declare_compare(Options& command, const std::string&) {
     command.add("A", options->a, about).required().check(not_a_name);
     command.add("B", options->b, about).required().check(not_a_name);
     add_set(command, options->set, "sets a val, an attribute or a parameter in netlists A and B; may be repeated");
-    command.add_list("--set-b", options->set_b, "NAME=VALUE", "NAME=VALUE: sets it only in netlist B; may be repeated");
+    command.add_list("--set-b", options->set_b, "NAME=VALUE", "sets a value in netlist B only; may be repeated");
     add_read_options(command, options->read);
     add_seed(command, options->seed);
     command

@@ -44,7 +44,7 @@ transputer::FileRange typed_range(const DisassembleOptions& options, std::size_t
     const transputer::FileRange range{.from = position_of(options.from).value_or(0),
                                       .until = position_of(options.until).value_or(bytes)};
     if (range.from >= std::min(range.until, bytes))
-        throw UserError(fmt::format("{}: the range from position {} to before {} has no byte: the file has {}",
+        throw UserError(fmt::format("{}: the range from position {} to {}, end excluded, has no byte: the file has {}",
                                     options.file, range.from, range.until, counted(bytes, "byte")));
     return range;
 }
@@ -76,7 +76,7 @@ std::vector<std::string> names_of_models() {
 Action declare_disassemble(Options& command, const std::string&) {
     auto options = std::make_shared<DisassembleOptions>();
     command.add("FILE", options->file, "a bootable file: .btl, .b4h, .b8h").required().check(not_a_name);
-    command.add("--processor", options->processor, "the transputer whose instructions these are")
+    command.add("--processor", options->processor, "type of the transputer that the code is for")
         .one_of(names_of_models())
         .show_default();
     const char* const type = "POSITION";

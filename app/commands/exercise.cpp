@@ -57,7 +57,7 @@ ExitCode exercise(const Options& command, const ExerciseOptions& options) {
 
 Action declare_exercise(Options& command, const std::string&) {
     auto options = std::make_shared<ExerciseOptions>();
-    command.add("NUMBER", options->number, "page and place of an exercise: 3.2; prints a program to start from");
+    command.add("NUMBER", options->number, "number of an exercise, such as 3.2; prints a program to start from");
     command.add("FILE", options->program.file, "your program, which is run and checked");
     return [options, command] { return exercise(command, *options); };
 }

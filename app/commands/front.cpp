@@ -78,9 +78,11 @@ ExitCode find_front(const FrontOptions& options) {
 
 Action declare_front(Options& command, const std::string&) {
     auto options = std::make_shared<FrontOptions>();
-    command.add("PROBLEM", options->problem, "a problem, as \"kinds problems\" lists them: zdt1").required();
+    command.add("PROBLEM", options->problem, "a problem that \"kinds problems\" lists, such as zdt1").required();
     add_number(command, "--generations", options->generations, 1, 1'000'000, "number of generations").show_default();
-    add_number(command, "--population", options->population, 2, 100'000, "individuals that survive").show_default();
+    add_number(command, "--population", options->population, 2, 100'000,
+               "number of individuals that survive each generation")
+        .show_default();
     command.add("--coding", options->coding, "how strings code numbers: natural, gray or real").show_default();
     add_seed(command, options->seed);
     add_file(command, "-o,--out", options->out, "writes the front to this file; default: standard output");

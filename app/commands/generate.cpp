@@ -53,7 +53,7 @@ void add_wish(Options& command, generate::TopologyRequest& request) {
         .show_default();
     command
         .add("--problem", request.problem,
-             fmt::format("what is searched for: a problem that \"{} kinds problems\" lists; default: boom",
+             fmt::format("the problem that the software searches; \"{} kinds problems\" lists all; default: boom",
                          program_name()))
         .type("PROBLEM")
         .check(not_a_name);

@@ -33,8 +33,8 @@ using namespace identification;
 
 namespace {
 
-/// The range of an option, ends included. We chose all ranges: wider than any practical value, and narrow enough to
-/// exclude overflows and endless waits.
+/// The range of an option, ends included. We chose each range so that it contains all practical values and excludes
+/// overflows and endless waits.
 struct Bounds {
     double least, greatest;
 };
@@ -72,17 +72,18 @@ void add_limits(Options& command, ServiceLimits& limits) {
     add("--max-clients-per-peer", limits.clients_per_peer, "N", {1, 65536},
         "simultaneous connections from one address");
     add("--max-machines-per-peer", limits.machines_per_peer, "N", {1, 1e6},
-        "machines that one address was the first to announce");
+        "number of machines that one address may be the first to announce");
     add("--max-takeovers", limits.takeovers_per_peer, "N", {1, 1e6},
         "number of times in a minute that one address may take over the control of a machine");
     add("--known-after", limits.known_s, "S", {0, 1e9},
-        "a machine is known after samples over this time, and at least 1000 samples");
+        "a machine is known once it has sent samples over this time, and at least 1000 samples");
     add("--newcomer-timeout", limits.newcomer_s, "S", timeouts,
         "time without samples and connections after which a machine that is not yet known is forgotten");
     add("--history", limits.history, "N", {1, 1e6},
         "number of estimates, and of alarms, that the state file keeps for each machine");
     add("--max-line", limits.line_bytes, "BYTES", {100, 1 << 24}, "longest message");
-    add("--max-queue", limits.queue_bytes, "BYTES", {1 << 14, 1 << 30}, "most bytes waiting to be sent to one client");
+    add("--max-queue", limits.queue_bytes, "BYTES", {1 << 14, 1 << 30},
+        "largest number of bytes that wait to be sent to one client");
     add("--hello-timeout", limits.hello_s, "S", timeouts, "longest time from the connection to the hello");
     add("--line-timeout", limits.line_s, "S", timeouts, "longest time from the first byte of a line to the last");
     add("--idle-timeout", limits.idle_s, "S", timeouts, "longest time without a line");
@@ -135,8 +136,8 @@ void add_options(Options& command, MonitorOptions& options) {
     add_file(command, "--state", settings.state, "SQLite file that keeps the state of all machines across restarts");
     add_seed(command, settings.seed);
     Option netlist = add_file(command, "--on", options.netlist,
-                              "also searches each movement by the processes of this netlist, as identify --way thesis "
-                              "--on does, and says when the simulated machine would have answered",
+                              "also identifies each movement by the processes of this netlist, as identify --way "
+                              "thesis --on does, and says when the simulated machine would have answered",
                               "NETLIST");
     command.add_list("--set", options.set, "NAME=VALUE", "sets a val, an attribute or a parameter of the netlist")
         .needs(netlist);

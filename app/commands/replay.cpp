@@ -65,8 +65,8 @@ std::vector<NamedMeaning> meanings_of_experiments() {
 const Experiment& find_experiment(const std::string& name) {
     auto found = std::ranges::find(experiments(), name, &Experiment::name);
     if (found == experiments().end())
-        throw UserError(
-            unknown_meaning("experiment", name, meanings_of_experiments(), "there are:\n" + list_experiments()));
+        throw UserError(unknown_meaning("experiment", name, meanings_of_experiments(),
+                                        "the experiments are:\n" + list_experiments()));
     return *found;
 }
 
@@ -201,8 +201,8 @@ Action declare_replay(Options& command, const std::string& typed) {
              "keeps finished runs in this file, and skips the runs that it already has");
     command
         .add("--against", options->against,
-             "which of two figures of the thesis to judge by, where they differ: expected (the figure that follows "
-             "from its measurements) or printed")
+             "if a printed figure of the thesis differs from the figure that follows from its measurements, the one to "
+             "compare with: printed, or expected (the one that follows)")
         .one_of({"expected", "printed"})
         .show_default();
     command.add_flag("--yes", options->yes, "starts any number of runs without asking");

@@ -39,7 +39,7 @@ std::filesystem::path kept_results_of(const std::string& study) {
                                                              : study;
 }
 
-/// Summarises the runs that a study asks for, or all runs if it is a file of results.
+/// Summarises the runs that the study asks for, or all runs of a file of results that was given instead of a study.
 StudySummary summary_of(StudyResults& results, const ReportOptions& options) {
     std::optional<Study> study;
     if (lower_case(options.study).ends_with(".toml"))

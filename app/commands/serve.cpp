@@ -50,7 +50,7 @@ Action declare(Options& command, const std::string&) {
     add_file(command, "--keep", settings.keep, "stores each program that is run, with its answer, in this folder",
              "FOLDER");
     add_jobs(command, settings.queue.at_once, "number of runs at a time; others wait. Default: number of cores");
-    add_number(command, "--seconds", settings.queue.run.seconds, 1, 3600, "time that a run may take").show_default();
+    add_number(command, "--seconds", settings.queue.run.seconds, 1, 3600, "seconds that a run may take").show_default();
     add_number(command, "--memory", settings.queue.run.megabytes, 256, 1 << 20, "Mbyte of memory that a run may take")
         .show_default();
     command.add_flag("--job", options->job,

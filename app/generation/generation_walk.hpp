@@ -28,7 +28,7 @@ inline constexpr std::size_t walk_bits = 4;
 /// is 1 for the string 1011 and 0 for all others (Figure 6.5).
 std::vector<std::string> walk_functions();
 
-/// The random numbers of a pair of mates and their effect.
+/// The random numbers drawn for a pair of mates, and whether the pair was crossed.
 struct Mating {
     double drawn; ///< random number; if it is below the crossover probability, the pair is crossed
     bool crossed;
@@ -47,7 +47,7 @@ struct WalkedGeneration {
     std::vector<Genome> crossed = {}, mutated = {};
 };
 
-/// Makes the same generations as Search with the same settings and stream, bit by bit, and records the random numbers.
+/// Makes exactly the generations that Search makes with the same settings and stream, and records the random numbers.
 class GenerationWalk {
 public:
     /// Throws UserError as SearchSettings::validate() does, and for an unknown function.

@@ -26,7 +26,7 @@ using namespace identification;
 
 namespace {
 
-constexpr std::size_t most_columns = 8; ///< number of searches in a table, so that its lines fit a screen
+constexpr std::size_t most_columns = 8; ///< largest number of searches in a table, so that its lines fit a screen
 
 double seconds(Time time) { return in_milliseconds(time) / 1000; }
 

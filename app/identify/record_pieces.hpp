@@ -35,7 +35,8 @@ public:
     std::optional<hydraulics::Record> next() override;
 
     std::uint64_t bytes() const override { return bytes_; }
-    /// Returns the date of the time 0, in s since 1970, if the file has dates and a piece was read.
+    /// Returns the date of the record's time 0, in s since 1970; nothing if the file has no dates or no piece has been
+    /// read.
     std::optional<double> begun_s() const { return reader_.begun_s(); }
     bool stopped() const override { return stopped_; }
     /// Returns the warnings that were shown.

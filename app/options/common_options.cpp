@@ -20,7 +20,7 @@ std::string not_a_number_within(const std::string& text, std::uint64_t least, st
     return right ? "" : fmt::format("\"{}\" is not a whole number from {} to {}", text, least, most);
 }
 
-std::string not_at_least_one(const std::string& text) { return text == "0" ? "at least 1" : ""; }
+std::string not_at_least_one(const std::string& text) { return text == "0" ? "expected at least 1" : ""; }
 
 std::string not_a_name(const std::string& text) {
     return text.empty() ? "the name is empty; expected a file name" : "";

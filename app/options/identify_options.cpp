@@ -19,15 +19,16 @@ void declare_question(Options& command, IdentifyOptions& options) {
         .required();
     command.add_list("--column", options.columns, "NAME=NAME_IN_FILE",
                      "name of a column in the record, such as boom.inlet_pressure=P_boom_in, \"angle [deg]=Phi 1\" or "
-                     "time=Timestamp; without a link: the boom's");
+                     "time=Timestamp; a name without a link means the boom");
     add_file(command, "--columns-from", options.columns_from, "file with column names, one in each line");
     add_links(command, options.links,
-              "links to identify, with commas: bucket, boom, stick, swing; default: every link with readings; "
+              "links to identify, separated by commas: bucket, boom, stick, swing; default: every link with readings; "
               "with --way thesis: boom");
     add_configuration(command, options.configuration,
                       "configuration of the main valve during the record; default: recognised sample by sample if the "
                       "record has pressure, angle and areas of all links, otherwise a");
-    add_file(command, "--machine", options.machine, "file with constants that replace those of placedpar parameters");
+    add_file(command, "--machine", options.machine,
+             "file with constants that replace those that \"placedpar parameters\" prints");
     command
         .add("--areas-from", options.areas,
              "source of the orifices' areas: read directly, computed from the spool, or computed from the "
@@ -74,7 +75,7 @@ void declare_thesis_way(Options& command, IdentifyOptions& options) {
     const char* group = "With --way thesis or whole";
     add_number(command, "--samples", options.samples, 1, a_million,
                "number of samples to use, from the valve's opening on; default: 20, the thesis's 0.4 s; with "
-               "--way whole all, on the inlet side up to 1,024")
+               "--way whole all samples, but at most 1,024 on the inlet side")
         .group(group);
     command
         .add("--side", options.side,
@@ -108,7 +109,7 @@ void declare_identify_options(Options& command, IdentifyOptions& options) {
     declare_way(command, options);
     declare_thesis_way(command, options);
     add_file(command, "--trend", options.trend,
-             "with several records: draws the compliance of each over its date as SVG", "FILE.svg");
+             "with several records: draws each link's compliance over the records' dates as SVG", "FILE.svg");
     add_file(command, "--json", options.json, "writes the result as JSON");
     command.add_flag("--strict", options.strict,
                      "exit code 3 if an answer is flagged as doubtful or an alarm is raised; with several records, "

@@ -81,7 +81,7 @@ void add_netlist(Options& command, NetlistOptions& options) {
 void add_predict(Options& command, NetlistOptions& options) {
     const Option predict =
         add_file(command, "--predict", options.calibration,
-                 "simulates a native run on the computer that FILE describes: placedpar calibrate writes it");
+                 "simulates a native run on the computer that FILE describes; placedpar calibrate writes such a file");
     add_number(command, "--ranks", options.ranks, 1, native::most_threads,
                "number of ranks of mpirun for which --predict simulates the run, instead of threads")
         .needs(predict);

@@ -32,8 +32,8 @@ std::string list_parameters(const hydraulics::RecordScenario& scenario, const hy
 std::string list_record_scenarios();
 
 /// Returns the record. Its description contains the true compliance and the command that makes the same record again,
-/// with every parameter that differs from the program's default. Throws UserError, naming the first instant and
-/// channel, if unrealistic parameters give values that no sensor could read.
+/// with every parameter that differs from the program's default. Throws UserError if unrealistic parameters give values
+/// that no sensor could read; the message states the first such value, its sensor and its time.
 hydraulics::Record scenario_record(const hydraulics::RecordScenario& scenario, const hydraulics::LinksInMotion& moving,
                                    const hydraulics::Parameters& parameters, std::uint64_t seed);
 

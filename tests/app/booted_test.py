@@ -145,7 +145,7 @@ class Booted(unittest.TestCase):
                          'placedpar: 5000: a link is offered at "pty", "tcp:PORT" or "tcp:ADDRESS:PORT"\n')
         self.assertIn("tcp:192.0.2.1:0: Cannot assign requested address", refusal(self.file, "--offer", "tcp:192.0.2.1:0"))
         self.assertIn("so it has no link to a host", refusal(EXAMPLES / "csp/commstime/commstime.cfs", "--offer", "pty"))
-        self.assertIn("--offer: another program is the host of one run, but --seeds asks for 3 runs",
+        self.assertIn("--offer: another program can be the host of one run only, but --seeds asks for 3 runs",
                       refusal(self.file, "--offer", "pty", "--seeds", "3"))
 
     def netlist(self, text):

@@ -47,7 +47,7 @@ class Disassemble(unittest.TestCase):
     def test_wrong_positions_and_files_are_refused(self):
         for words, message in ((["--from", "x"], "--from: \"x\" is not a position: write 1135, or +0046F as in the output"),
                                (["--until", "-3"], "\"-3\" is not a position"),
-                               (["--from", "131"], "code.btl: the range from position 131 to before 131 has no byte: the file has 131 "
+                               (["--from", "131"], "code.btl: the range from position 131 to 131, end excluded, has no byte: the file has 131 "
                                                    "bytes"),
                                (["--processor", "T212"], "T212 not in {T414,T425,T400,T800,T805}")):
             run = self.disassembled(FILE, *words)

@@ -120,7 +120,7 @@ class Trends(unittest.TestCase):
         run = placedpar("identify", both, servo)
         self.assertEqual(run.returncode, 1, run.stdout)
         self.assertIn(f"{servo}: the compliance of the boom is found from the servo-valve's voltage, but in {both} from the "
-                      "spool: expected one source in all records, chosen by --areas-from", run.stderr)
+                      "spool: expected one source in all records; choose it by --areas-from", run.stderr)
         self.trend([both, servo], "--areas-from", "servo")
 
     def test_wrong_use_is_refused(self):
