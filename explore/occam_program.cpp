@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::array names_of_checks = {"usage", "alias", "range", "all"};
 
-/// Returns whether the option --no-checks names a check. Throws UserError if it names an unknown one.
+/// Returns whether the option --no-checks names a check. Throws UserError if the option names an unknown check.
 bool leaves_out(const OccamOptions& options, std::string_view name) {
     bool found = false;
     std::string_view rest = options.no_checks;
@@ -111,7 +111,7 @@ bool is_occam(const std::filesystem::path& path) {
 
 namespace {
 
-/// Reads and checks a program, with a procedure around its main procedure if that one uses a terminal.
+/// Reads and checks a program, with a procedure around its main procedure if the main procedure uses a terminal.
 OccamCheck checked_program(const std::filesystem::path& path, const std::vector<std::filesystem::path>& folders,
                            const OccamOptions& typed, const WarningSink& warn) {
     const std::shared_ptr<const SourceFile> file = loaded(path);

@@ -63,9 +63,9 @@ CheckedFile check_program(const std::filesystem::path& path, const CheckOptions&
     for (const auto& file : program.program->files)
         if (file != source.file && !file->path().starts_with('<'))
             checked.included.push_back(file->path());
-    checked.summary =
-        fmt::format("{}: no errors; {}\n", path.string(),
-                    program.main ? fmt::format("PROC {} would be run", program.main->name) : "it has no procedure");
+    checked.summary = fmt::format("{}: no errors; {}\n", path.string(),
+                                  program.main ? fmt::format("PROC {} would be run", program.main->name)
+                                               : "the file has no procedure");
     return checked;
 }
 

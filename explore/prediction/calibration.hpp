@@ -46,8 +46,8 @@ struct Calibration {
     std::optional<MessageCosts> ranks; ///< set if ranks were measured
     MeasuredCost oversleeping;         ///< how much longer a pause of a rank lasts than requested
 
-    /// Returns whether threads or ranks that are awake take so long to answer that they fall asleep. Other programs
-    /// then use the cores, and the costs predict nothing.
+    /// Returns whether threads or ranks that are awake take so long to answer that they fall asleep. This happens if
+    /// other programs use the cores; the costs then predict nothing.
     bool is_disturbed() const;
 };
 

@@ -181,7 +181,7 @@ private:
         if (std::ranges::count_if(word, [](char each) { return (each & 0xC0) != 0x80; }) > most) // counts the
                                                                                                  // characters of UTF-8
             report(node.source().begin,
-                   fmt::format("\"{}\" is too long to stand above a figure: expected at most {} letters", word, most));
+                   fmt::format("\"{}\" is too long as a heading: expected at most {} letters", word, most));
         return word;
     }
 

@@ -29,8 +29,8 @@ void require_possible(const std::vector<std::string>& measures, const Study&, co
 
 /// Makes runs of a study, one after the other, and keeps the data that they share. The kinds and the parsed netlist are
 /// made once, a network once for each combination, and the records of measurement once for each seed. If the events on
-/// the machine do not depend on the seed, these are also simulated once for each combination (RecordedRun). A problem's
-/// objective is computed once for each genome (RememberedProblem).
+/// the machine do not depend on the seed, the machine is also simulated only once for each combination (RecordedRun). A
+/// problem's objective is computed once for each genome (RememberedProblem).
 class StudyWorker {
 public:
     /// REQUIRES: the study outlives this object.
@@ -40,7 +40,7 @@ public:
 
     /// Makes a run; returns nothing if it was interrupted.
     std::optional<StudyOutcome> outcome_of(const StudyRun&, Interruption&);
-    /// Returns the number of runs that were repeated without the machine.
+    /// Returns the number of runs that were repeated without simulating the machine.
     std::uint64_t repeated() const { return repeated_; }
 
 private:

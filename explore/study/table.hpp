@@ -34,7 +34,7 @@ struct StudyRow {
     bool interval = false; ///< whether two rows below give the 95 % intervals of the figures
     std::vector<Origin> origins = {};
     std::optional<Judge> judge = {}; ///< empty: the judge that the table's `against` names
-    Overrides relative_to = {};      ///< each measure is divided by the measure of a run that has these settings and
+    Overrides relative_to = {};      ///< each measure is divided by the measure of a run that has these settings and is
                                      ///< otherwise the same
 };
 

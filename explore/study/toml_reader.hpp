@@ -162,7 +162,7 @@ protected:
         return node.value_or(false);
     }
 
-    /// Returns a table of numbers from 0 to 1e12. `example` is the hint if it is another thing.
+    /// Returns a table of numbers from 0 to 1e12. `example` is the error's hint if the node is not such a table.
     std::map<std::string, double> numbers(const toml::node& node, const char* example) {
         std::map<std::string, double> all;
         const toml::table* table = node.as_table();
