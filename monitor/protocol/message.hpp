@@ -17,7 +17,7 @@ namespace placedpar::monitor {
 inline constexpr int protocol_version = 1;
 
 enum class Role : unsigned char { control, watch };
-/// Selects the samples after which a connection gets estimates: all samples, samples for which the search made
+/// Selects the samples after which a connection receives estimates: all samples, samples for which the search made
 /// generations, or no samples.
 enum class Answers : unsigned char { all, moved, none };
 

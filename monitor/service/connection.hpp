@@ -31,15 +31,15 @@ public:
         std::function<void(Connection&, std::string_view)> line;
         /// Returns the protocol's error line for the reason why the connection will be closed.
         std::function<std::string(const std::string& wrong, const std::string& right)> refusal;
-        /// Learns that the connection has closed; no handler is called after it.
+        /// Called when the connection has closed; no handler is called afterwards.
         std::function<void(Connection&)> closed;
     };
 
     Connection(Socket socket, const ServiceLimits& limits, Handlers handlers);
 
     void start();
-    /// Sends a line, which includes its newline. A client with more than `queue_bytes` waiting gets an error and is
-    /// closed.
+    /// Sends a line, which includes its newline. A client with more than `queue_bytes` waiting receives an error, and
+    /// its connection is closed.
     void send(std::string_view line);
     /// Sends the waiting output, then closes the connection. Input that still arrives is discarded.
     void finish();
