@@ -18,7 +18,7 @@ struct Manifest {
     std::uint64_t seed;
     Overrides overrides;
     ReadOptions read = {};
-    Time until = Time::max(); ///< virtual time at which the run was to be stopped
+    Time until = Time::max(); ///< time limit of the run, in virtual time
     std::optional<std::uint64_t> shuffle = {};
 };
 

@@ -100,7 +100,7 @@ void Timeline::program_turns(const ProgramTurn& turn, Time now) {
     use_links(lane);
 }
 
-/// Notes a wait for links. A link is its own partner.
+/// Notes a wait for links. The partner of such a wait is the link itself.
 void Timeline::use_links(const ProgramLane& lane) {
     for (const Awaited& each : lane.awaited)
         if (each.channel == each.partner)
