@@ -18,7 +18,7 @@ using Action = std::function<ExitCode()>;
 struct Command {
     const char* name;
     const char* about; ///< the command's line in --help
-    int place;         ///< order in --help; multiples of ten leave room between commands
+    int place;         ///< position in --help; multiples of ten leave room for further commands
     /// Declares the options of the subcommand and returns its action. `typed` is the whole command line, for manifests.
     Action (*declare)(Options& command, const std::string& typed);
     /// Returns the possible values of the command's argument, for completion by a shell; null if the argument is a file
@@ -26,7 +26,7 @@ struct Command {
     std::vector<std::string> (*values)() = nullptr;
 };
 
-/// Returns the commands that every program has: those in the folder `commands`, except further_commands().
+/// Returns the commands that every program has: the commands in the folder `commands`, except further_commands().
 std::vector<Command> program_commands();
 /// Returns the additional commands of placedpar, which need parts of PlacedPar that other programs do not link.
 std::vector<Command> further_commands();

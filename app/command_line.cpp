@@ -41,7 +41,8 @@ std::vector<Command>& commands_of_program() {
     return all;
 }
 
-/// Returns the version text. It also names the program, because a program with its own kinds may have its own version.
+/// Returns the version text. The text also names the program, because a program with its own kinds may have its own
+/// version.
 std::string version_of_program() {
     return program_name() == "placedpar" ? "placedpar " + version_text()
                                          : fmt::format("{} (PlacedPar {})", program_name(), version_text());
@@ -109,7 +110,8 @@ bool takes_settings_as_arguments(const DeclaredCommand& command) {
     return std::ranges::find(command.options, "SETTING", &DeclaredOption::label) != command.options.end();
 }
 
-/// Says how the command sets a value of the netlist, for users who typed it in another way; "" if it does not set any.
+/// Says how the command sets a value of the netlist, for users who typed the value in another way; "" if the command
+/// sets no values.
 std::string how_to_set(const DeclaredCommand& command, const std::string& setting) {
     if (takes_settings_as_arguments(command))
         return fmt::format("values of the netlist are set without an option: {}", setting);

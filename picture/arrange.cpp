@@ -207,8 +207,8 @@ public:
     }
 
 private:
-    /// Returns the block with the most wires to the group. If several blocks have as many wires, returns the block with
-    /// the most nodes, and of several such blocks the block declared first.
+    /// Returns the block with the most wires to the group. If several blocks have this number of wires, returns the
+    /// block with the most nodes; if these numbers are also equal, the block declared first.
     std::size_t next_block(const Group& group) const {
         auto rank = [&](const Block& block) {
             auto first = static_cast<std::ptrdiff_t>(block.nodes.front());

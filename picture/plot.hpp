@@ -26,8 +26,9 @@ struct Series {
     Stroke stroke = Stroke::line;
     std::optional<int> colour = std::nullopt; ///< one of the eight colours; nullopt: the default colour for the index
                                               ///< of the series in the panel
-    /// Intervals of y, and of x, at each point, drawn as bars with caps. An empty list means no intervals, and NaN no
-    /// interval at this point. If several series have intervals of y at the same x, they are shifted slightly apart.
+    /// Intervals of y, and of x, at each point, drawn as bars with caps. An empty list means no intervals; NaN means no
+    /// interval at this point. If several series have intervals of y at the same x, the series are shifted slightly
+    /// apart.
     std::vector<Interval> intervals = {}, x_intervals = {};
 };
 

@@ -12,7 +12,7 @@
 
 namespace placedpar {
 
-/// Holds what is needed to repeat a run.
+/// Holds the data that are needed to repeat a run.
 struct Manifest {
     std::string command; ///< the command as it was typed
     std::uint64_t seed;

@@ -28,7 +28,7 @@ private:
 /// An open SQLite database. Its functions and its statements' functions throw DatabaseError. Not thread-safe.
 class Database {
 public:
-    /// Opens the database. If `make` is true, creates the file if it does not exist.
+    /// Opens the database. If `make` is true and the file does not exist, creates the file.
     explicit Database(const std::filesystem::path& path, bool make = true);
 
     /// Executes any number of statements without parameters, and discards their results.

@@ -147,8 +147,8 @@ void add_options(Options& command, MonitorOptions& options) {
     add_diagnosis(command, settings.diagnosis);
 }
 
-/// Returns a search that does what `identify --way thesis --on` does. Tries it on a made-up record. Throws UserError if
-/// the netlist cannot search.
+/// Returns a search that does what `identify --way thesis --on` does. Tries the search on an artificial record. Throws
+/// UserError if the netlist cannot search.
 auto search_on(const NetlistAsked& netlist, const ServiceSettings& settings) {
     IdentificationWay way = thesis_way();
     way.search.population = settings.diagnosis.search.population;
@@ -217,8 +217,8 @@ Action declare(Options& command, const std::string&) {
 
 namespace placedpar {
 
-/// Serves until SIGINT or SIGTERM. Prints its addresses on standard output, and messages for the operator on standard
-/// error.
+/// This command serves until SIGINT or SIGTERM. It prints its addresses on standard output, and messages for the
+/// operator on standard error.
 extern const Command monitor_command{
     .name = "monitor",
     .about = "Serves the on-line diagnosis to control systems over TCP",

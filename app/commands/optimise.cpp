@@ -38,7 +38,7 @@ struct OptimiseOptions {
     std::optional<std::uint64_t> seed, population, generations;
     std::optional<Time> until;
     bool random = false, exhaustive = false;
-    std::string results; ///< "": named after the study
+    std::string results; ///< "": the file is named after the study
     std::string csv, svg;
     std::vector<std::string> price;
     std::size_t jobs = 0;

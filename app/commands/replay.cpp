@@ -36,7 +36,7 @@ constexpr std::uint64_t most_seeds = 1'000'000; ///< our choice: a number typed 
 struct ReplayOptions {
     std::string experiment, json, plots, resume;
     std::uint64_t seed = 1;
-    std::size_t seeds = 0; ///< 0: the experiment's own number
+    std::size_t seeds = 0; ///< 0: the experiment's default number of seeds
     std::string against = "expected";
     bool yes = false;
 };

@@ -78,7 +78,7 @@ void require_report_outputs(const ReportOptions& options, const std::filesystem:
                         "--page");
 }
 
-/// Throws UserError for a measure that no run has, if any run completed.
+/// Throws UserError for a measure that no run has, if at least one run completed.
 void require_measured(const StudySummary& summary, StudyResults& results) {
     std::optional<StudyFigures> figures;
     results.for_each([&](const StudyRun&, const StudyOutcome& outcome) {

@@ -56,7 +56,8 @@ struct RunOptions {
     std::size_t seeds = 1; ///< number of consecutive seeds, beginning with `seed`
     bool watch = false, yes = false;
     bool listing = false, step = false, analyse = false; ///< reports about transputers that execute their own code
-    std::string offer;                           ///< where the host's link is offered to another program; "": nowhere
+    std::string offer;                           ///< address at which the host's link is offered to another program;
+                                                 ///< "": not offered
     std::shared_ptr<Ranks> ranks;                ///< ranks of a native run; null without mpirun
     std::shared_ptr<CheckpointFile> checkpoints; ///< null without the option
     std::shared_ptr<NativeTrace> native_trace;   ///< null unless a native run is recorded

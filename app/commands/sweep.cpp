@@ -38,7 +38,7 @@ struct SweepOptions {
     ReadOptionsTyped read;
     std::optional<std::uint64_t> seed, seeds;
     std::optional<Time> until;
-    std::string results; ///< "": named after the study
+    std::string results; ///< "": the file is named after the study
     std::size_t jobs = 0;
     bool yes = false, any_version = false;
 };
@@ -174,8 +174,7 @@ bool make_missing_runs(const Study& study, const SweepOptions& options, StudyRes
             return false;
     sweep.try_measures(interruption);
     missing = sweep.missing();
-    SweepProgress progress(asked,
-                           asked.runs - std::min(missing.runs, asked.runs)); // includes the runs of try_measures()
+    SweepProgress progress(asked, asked.runs - std::min(missing.runs, asked.runs)); // with runs of try_measures()
     std::function<bool(bool)> serve;
     if (others) {
         others->begin(sweep, results.source());

@@ -40,7 +40,8 @@ struct WalkedGeneration {
     std::size_t number; ///< counted from 1
     std::vector<Genome> population = {};
     std::vector<double> fitness = {};
-    std::vector<double> spins = {};        ///< positions of the roulette, 0 to 1; empty if no fitness is positive
+    std::vector<double> spins = {};        ///< random positions on the roulette wheel, 0 to 1; empty if no fitness is
+                                           ///< positive
     std::vector<std::size_t> parents = {}; ///< indices in the population; empty if no fitness is positive
     std::vector<Genome> reproduced = {};
     std::vector<Mating> matings = {}; ///< mating of strings 0 and 1, of strings 2 and 3, ...

@@ -62,7 +62,8 @@ public:
                 };
                 set(TrendValue::compliance, FaultHypothesis::compliance, health, units.compliance_in3_per_psi);
                 set(TrendValue::leak, FaultHypothesis::leak, 0, units.leak_in3_per_s_psi);
-                if (deviations.front().by[index_of(FaultHypothesis::offset)] != 0) // areas as read have no offset
+                if (deviations.front().by[index_of(FaultHypothesis::offset)] != 0) // areas that are measured directly
+                                                                                   // have no offset
                     set(TrendValue::offset, FaultHypothesis::offset, 0, units.offset_in);
             }
     }

@@ -117,7 +117,8 @@ boost::json::object answers_json(const SearchAnswers& answers, std::span<const S
             {"answers", std::move(all)}};
 }
 
-/// Returns whether sensors read the samples in time. Throws UserError if they read with another period.
+/// Returns whether sensors read the samples in time. Throws UserError if the period of the sensors differs from
+/// `period_s`.
 bool has_sensors(const Network& network, double period_s) {
     auto sensors = std::ranges::find(network.processes, "ga.sensors", &ProcessInstance::kind);
     if (sensors == network.processes.end())

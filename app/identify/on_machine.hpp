@@ -25,9 +25,9 @@ ExitCode run_on_machine(const ProcessSearch& search, const identification::Ident
                         boost::json::object& json);
 
 /// Runs an identification as run_on_machine() does, without printing. The run takes samples as fast as it can, unless
-/// ga.sensors reads them. The time of the answer is computed as if the machine began each sample when the sample is
-/// taken, or later if it was still busy, and needed as long for it as in the run. Throws UserError if there is no
-/// answer, or if the period of ga.sensors differs from `period_s`.
+/// ga.sensors reads them. The time of the answer is computed for a machine that needs as much time for each sample as
+/// in the run. Such a machine cannot begin a sample before the sample is taken, nor before it has finished the
+/// preceding sample. Throws UserError if there is no answer, or if the period of ga.sensors differs from `period_s`.
 identification::AnswerInTime answer_in_time(const ProcessSearch& search,
                                             const identification::ComplianceSearch& prepared, double period_s,
                                             std::uint64_t seed);

@@ -19,7 +19,7 @@ using namespace identification;
 namespace {
 
 struct TrendValueName {
-    std::string_view name, unit, key; ///< `key`: in JSON
+    std::string_view name, unit, key; ///< `key`: name in JSON
 };
 
 const TrendValueName& named(TrendValue value) {

@@ -42,8 +42,8 @@ int mpi_length(std::size_t bytes) {
     return static_cast<int>(bytes);
 }
 
-/// Receives letters into memory that MPI knows in advance, because a letter that MPI has to buffer takes several times
-/// as long. MPI fills the places in the order of arrival, so only one place at a time is checked.
+/// Receives letters into memory that MPI knows in advance: a letter that MPI must buffer first takes several times as
+/// long as such a letter. MPI fills the places in the order of arrival, so only one place at a time is checked.
 class MpiMail final : public RankMail {
 public:
     explicit MpiMail(const mpi::communicator& world) : own_world_(world, mpi::comm_duplicate) {

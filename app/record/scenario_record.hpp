@@ -17,7 +17,7 @@ const hydraulics::RecordScenario& scenario_called(std::string_view name);
 
 std::vector<std::string> names_of_scenarios();
 
-/// Returns the scenario's parameters on a machine, after applying --noise and --set. A value is a number in the
+/// Returns the scenario's parameters for a machine, after applying --noise and --set. A value is a number in the
 /// parameter's own unit, or a number with another unit of the same quantity: "4.1e-11 m^3/Pa". Throws UserError for an
 /// unknown noise level or name, for a value that is not a number or has a unit of another quantity, and for a value
 /// outside the parameter's range.

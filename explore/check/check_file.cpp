@@ -69,7 +69,8 @@ CheckedFile check_program(const std::filesystem::path& path, const CheckOptions&
     return checked;
 }
 
-/// Returns the first run of a study for which the condition holds; nothing if it is not among the first runs.
+/// Returns the first run of a study for which the condition holds; nothing if the condition holds for none of the first
+/// runs.
 std::optional<StudyRun> first_run(const Study& study) {
     constexpr std::uint64_t most_tried = 10'000;
     const StudyRuns runs(study);

@@ -12,7 +12,7 @@
 
 namespace placedpar {
 
-/// Returns whether the name of a file is that of a study.
+/// Returns whether the file is a study, by its name.
 bool is_study(const std::filesystem::path&);
 
 /// The options with which a file is checked. Options for other languages have no effect.

@@ -176,7 +176,8 @@ private:
 
     void try_changes() {
         std::vector<Attempt> attempts;
-        result_.alone.reserve(result_.settings.size() + result_.structure.size() + 3); // attempts point into it
+        result_.alone.reserve(result_.settings.size() + result_.structure.size() + 3); // the attempts have pointers to
+                                                                                       // its elements
         for (const SettingDifference& each : result_.settings)
             if (each.elements.empty())
                 add(attempts, what_of(each), each.set,

@@ -34,7 +34,8 @@ Network load_compared(const ComparedRun&);
 /// A run of network A, after A was made equal to B in one of the differences.
 struct OneChange {
     std::string what;   ///< "clock of t[0]: 20000000 in A, 10000000 in B"
-    Overrides set = {}; ///< settings that make the change; empty if the structure or the run's settings change
+    Overrides set = {}; ///< settings that make the change; empty if the change is in the structure or in the run's
+                        ///< settings
     Ending ending = Ending::interrupted;
     Time time{};
     std::string refused = ""; ///< first line of the refusal; "" if the netlist was accepted

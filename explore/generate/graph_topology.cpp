@@ -102,8 +102,8 @@ void require_edges(const Graph& graph, const std::shared_ptr<const SourceFile>& 
                      hint);
 }
 
-/// Builds each node of more than four edges from two processors, which a wire joins. The first processor gets three
-/// edges, the second processor the others.
+/// Builds each node of more than four edges from two processors, which a wire joins. The first processor has three
+/// edges of the node, the second processor the others.
 void split_nodes(Graph& graph) {
     constexpr std::size_t edges_of_first = links_of_a_node - 1;
     const auto edges = edges_by_node(graph);

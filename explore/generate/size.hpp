@@ -31,7 +31,7 @@ Box box_of(const TopologyRequest&);
 /// Returns the product of the numbers that --size gives.
 std::size_t product_of_size(const TopologyRequest&);
 
-/// Throws UserError with the text "size 7: " and the reason.
+/// Throws UserError with a text such as "ring of size 7: " and the reason.
 [[noreturn]] void refuse_size(const TopologyRequest&, const std::string& why);
 
 } // namespace placedpar::generate

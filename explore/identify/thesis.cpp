@@ -44,7 +44,7 @@ bool uses_spool(const Record& record, const Question& question) {
            areas_from(record.channels(), Link::boom, question.areas_from) != AreasFrom::areas;
 }
 
-/// A record and the question about it.
+/// A record, and the settings for its identification.
 struct Case {
     Parameters machine;
     LoadedRecord loaded;

@@ -45,7 +45,7 @@ std::string include_of(const std::filesystem::path& path) {
 /// Gives access to the costs in a calibration file.
 class StatedCosts {
 public:
-    /// Throws UserError if the file cannot be read, or is not an include.
+    /// Throws UserError if a netlist cannot include the file.
     explicit StatedCosts(std::filesystem::path path) : path_(std::move(path)), include_(include_of(path_)) {
         const ReadResult read = read_netlist_text(include_, devices_);
         if (!read.network)

@@ -127,7 +127,7 @@ StudySource source_of(const Study& study, const Network& network) {
     StudySource source{study.netlist, {{study.netlist, text_of_file(study.netlist)}}, options_of(study)};
     for (const std::string& path : network.included_paths)
         source.texts.emplace_back(path, text_of_file(path));
-    for (const Node& node : network.nodes) // the bytes themselves are not text
+    for (const Node& node : network.nodes) // a hash, because the bytes are not text
         if (!node.boot_file.empty())
             source.texts.emplace_back(node.boot_file, hex(boot_hash(node)));
     return source;

@@ -12,9 +12,9 @@ std::string print_summary(const StudySummary&);
 std::string summary_csv(const StudySummary&);
 /// Returns a table in long form, with a row for each run: its settings, its seed, how it ended, and its measures.
 std::string runs_csv(const StudySummary&);
-/// Returns a table of rank tests: for each setting that varies, and each combination of the others, whether its values
-/// affect each measure. Returns "" if no combination was run with several seeds, or if figures do not depend on the
-/// seed.
+/// Returns a table of rank tests. For each setting that varies, and each combination of the other settings, a test says
+/// whether the values of the setting affect a measure. Returns "" if no combination was run with several seeds, or if
+/// figures do not depend on the seed.
 std::string print_rank_tests(const StudySummary&);
 
 /// Plots the measures over the axis `over`. If `over` is "", chooses the axis with the most values among the axes that

@@ -23,7 +23,7 @@ struct StudyTolerance {
 /// A row of a table. Each list is empty or has a member for each column.
 struct StudyRow {
     StudyVariant runs;
-    std::string measure = ""; ///< the row's figure, as a measure of the study; "": `figure` gives it
+    std::string measure = ""; ///< the row's figure, as a measure of the study; "" if `figure` states the row's figure
     StudyExpression figure{
         ""}; ///< expression of the settings, the measures by their last names, and the rows above by their names
     std::string unit = "";

@@ -1,6 +1,6 @@
 #pragma once
 
-// Without this macro, Debian's package needs a library to be linked.
+// Without this macro, a program that uses Debian's package must link a library.
 #define TOML_HEADER_ONLY 1
 // With assertions off, the parser tells the compiler to assume the asserted conditions, and the text "[(set]" violates
 // such a condition. With this macro, which neither asserts nor assumes, the parser reports the error in such a text.

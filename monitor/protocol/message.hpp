@@ -10,8 +10,8 @@
 
 namespace placedpar::monitor {
 
-/// These types are the messages that a control system may send, one JSON object a line (docs/guides/monitor.md). The
-/// parts about the excavator are converted to the types of identification/on_line/inputs.hpp. "Machine" is the
+/// These types are the messages that a control system may send, one JSON object on each line (docs/guides/monitor.md).
+/// The parts about the excavator are converted to the types of identification/on_line/inputs.hpp. "Machine" is the
 /// protocol's word for an excavator under diagnosis.
 
 inline constexpr int protocol_version = 1;

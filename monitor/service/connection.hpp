@@ -52,7 +52,7 @@ public:
     /// Closes the connection immediately.
     void close();
 
-    /// Returns whether the connection takes and sends no more lines.
+    /// Returns whether the connection neither accepts nor sends further lines.
     bool finishing() const { return finishing_ || closed_; }
     std::size_t lines() const { return lines_; }
     std::size_t queued_bytes() const { return waiting_.size() + writing_.size() + held_; }

@@ -47,7 +47,7 @@ public:
 
     ServiceSnapshot snapshot() const;
 
-    /// Returns the number of clients, without those that are about to be closed.
+    /// Returns the number of clients, without clients that are about to be closed.
     std::size_t clients() const { return clients_.size(); }
 
 private:

@@ -67,7 +67,7 @@ private:
         std::optional<Time> stopped = {};   ///< time at which the process stopped computing; empty while the process
                                             ///< computes
         std::optional<Time> last_end = {};  ///< end of its last slice
-        Time waited_since{};                ///< begin of its last wait
+        Time waited_since{};                ///< beginning of its last wait
         std::size_t partner = Tracks::none; ///< track of the partner of the present wait
         std::vector<MessageEnd> here = {};  ///< ends of messages that belong to the next slice with a duration
         std::vector<std::uint64_t> arriving = {}; ///< messages that end the present wait
