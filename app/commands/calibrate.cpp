@@ -112,7 +112,7 @@ ExitCode calibrate_computer(const CalibrateOptions& options) {
 
 Action declare_calibrate(Options& command, const std::string&) {
     auto options = std::make_shared<CalibrateOptions>();
-    command.add("FILE", options->netlist, "a netlist, whose problems are measured; default: all problems")
+    command.add("FILE", options->netlist, "a netlist whose problems are measured; without it all problems are measured")
         .check(not_a_name);
     command.add_list("--problem", options->problems, "PROBLEM",
                      "measures this problem, too, such as \"costly(work = 100)\"; may be repeated");

@@ -129,7 +129,9 @@ struct CompletionOptions {
 
 Action declare_completion(Options& command, const std::string&) {
     auto options = std::make_shared<CompletionOptions>();
-    command.add("SHELL", options->shell, fmt::format("prints a script: source <({} completion bash)", program_name()))
+    command
+        .add("SHELL", options->shell,
+             fmt::format("prints a script for this shell, to be used by: source <({} completion bash)", program_name()))
         .required()
         .check(refuse_shell)
         .type("bash|zsh");

@@ -81,7 +81,7 @@ std::optional<std::string> find_pandas() {
 
 constexpr std::array runtime_parts{
     RuntimePart{"examples", "replay, serve, and the commands of the documents", find_examples,
-                "set PLACEDPAR_EXAMPLES to the folder"},
+                "set PLACEDPAR_EXAMPLES to the folder with the examples"},
     RuntimePart{"gnuplot", "plots of run, report, replay, optimise, identify", find_gnuplot,
                 "apt-get install gnuplot-nox"},
     RuntimePart{"mpirun", "run --native, sweep and calibrate on ranks", find_mpirun, "apt-get install openmpi-bin"},

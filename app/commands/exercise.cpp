@@ -25,9 +25,9 @@ struct ExerciseOptions {
 void list_exercises() {
     for (const Exercise& each : exercises())
         print_out(fmt::format("{:>4}  {}\n", each.number, each.title()));
-    print_out(fmt::format("\n{0} exercise NUMBER prints a program to start from, {0} exercise NUMBER FILE checks "
-                          "yours.\n",
-                          program_name()));
+    print_out(fmt::format(
+        "\n{0} exercise NUMBER prints a program to start from, {0} exercise NUMBER FILE checks your program.\n",
+        program_name()));
 }
 
 ExitCode check_program(const Options& command, const ExerciseOptions& options) {

@@ -79,7 +79,7 @@ Action declare_manual(Options& command, const std::string&) {
 
 extern const Command manual_command{
     .name = "manual",
-    .about = "Prints the manual page, for man -l -",
+    .about = "Prints the manual page, which man -l - displays",
     .place = 120,
     .declare = declare_manual,
 };

@@ -67,10 +67,10 @@ void add_limits(Options& command, ServiceLimits& limits) {
     auto add = [&](const char* name, auto& value, const char* type, Bounds bounds, const char* about) {
         add_number(command, "Limits", name, value, type, bounds, about);
     };
-    add("--max-clients", limits.clients, "N", {1, 65536}, "simultaneous connections");
-    add("--max-machines", limits.machines, "N", {1, 1e6}, "machines known at the same time");
+    add("--max-clients", limits.clients, "N", {1, 65536}, "number of simultaneous connections");
+    add("--max-machines", limits.machines, "N", {1, 1e6}, "number of machines known at the same time");
     add("--max-clients-per-peer", limits.clients_per_peer, "N", {1, 65536},
-        "simultaneous connections from one address");
+        "number of simultaneous connections from one address");
     add("--max-machines-per-peer", limits.machines_per_peer, "N", {1, 1e6},
         "number of machines that one address may be the first to announce");
     add("--max-takeovers", limits.takeovers_per_peer, "N", {1, 1e6},
@@ -84,11 +84,11 @@ void add_limits(Options& command, ServiceLimits& limits) {
     add("--max-line", limits.line_bytes, "BYTES", {100, 1 << 24}, "longest message");
     add("--max-queue", limits.queue_bytes, "BYTES", {1 << 14, 1 << 30},
         "largest number of bytes that wait to be sent to one client");
-    add("--hello-timeout", limits.hello_s, "S", timeouts, "longest time from the connection to the hello");
+    add("--hello-timeout", limits.hello_s, "S", timeouts, "longest time between the connection and the client's hello");
     add("--line-timeout", limits.line_s, "S", timeouts, "longest time from the first byte of a line to the last");
-    add("--idle-timeout", limits.idle_s, "S", timeouts, "longest time without a line");
-    add("--stall-timeout", limits.stall_s, "S", timeouts, "longest time in which the client reads nothing");
-    add("--closing-timeout", limits.closing_s, "S", timeouts, "time for a client to read the last message");
+    add("--idle-timeout", limits.idle_s, "S", timeouts, "longest time in which a client sends no line");
+    add("--stall-timeout", limits.stall_s, "S", timeouts, "longest time in which a client reads nothing");
+    add("--closing-timeout", limits.closing_s, "S", timeouts, "time that a client has to read the last message");
 }
 
 void add_diagnosis(Options& command, DiagnosisSettings& diagnosis) {
@@ -98,12 +98,12 @@ void add_diagnosis(Options& command, DiagnosisSettings& diagnosis) {
     WindowSettings& window = diagnosis.search.window;
     add("--population", diagnosis.search.population, "N", {3, 10000}, "number of individuals in each population");
     add("--bits", diagnosis.bits, "N", {4, 16}, "number of bits that code one compliance");
-    add("--window", window.length, "N", {1, exact_fitness_terms}, "samples in the window");
-    add("--trials", window.trials, "N", {1, 1000}, "generations for each sample");
+    add("--window", window.length, "N", {1, exact_fitness_terms}, "number of samples in the search's window");
+    add("--trials", window.trials, "N", {1, 1000}, "number of generations for each sample");
     add("--gate", diagnosis.gate.slope_psi_per_s, "PSI/S", {0, 1e6},
         "an estimate is frozen while the rms slope of the pressure is less than this");
     add("--inconsistent-over", diagnosis.inconsistent_over, "FRACTION", {0.01, 100},
-        "estimates are flagged if the population sets differ by more than this fraction");
+        "estimates are flagged if those of two population sets differ by more than this fraction");
     add("--stale-after", diagnosis.stale_after_s, "S", {0.01, 1e9},
         "estimates that are older than this are not used in cross-checks");
 }
@@ -127,7 +127,7 @@ void add_options(Options& command, MonitorOptions& options) {
         "port for HTTP: a page for browsers, /metrics and /healthz; default: no "
         "HTTP");
     add_file(command, "--unix", settings.unix_path,
-             "listen on this socket file; listen on a port only if --port is given, "
+             "listens on this socket file; listens on a port only if --port is given, "
              "too",
              "PATH");
     add_file(command, "--token-file", settings.token_file, "file with the token that clients must send");

@@ -268,7 +268,7 @@ ExitCode optimise(const OptimiseOptions& typed) {
 }
 
 void add_search_size(Options& command, OptimiseOptions& options) {
-    add_count(command, "--seed", options.seed, "seed of the search's random numbers; default: the study's");
+    add_count(command, "--seed", options.seed, "seed of the search's random numbers; default: the study's seed");
     add_number(command, "--population", options.population, 4, StudySearch::most_population,
                "number of machines in a generation");
     add_number(command, "--generations", options.generations, 1, StudySearch::most_generations,

@@ -112,7 +112,7 @@ void require_printed(const Experiment& experiment, const ReplayOptions& options)
             having.push_back(each.name);
     if (options.against == "printed" && !experiment.has_printed)
         throw UserError(fmt::format(
-            "--against printed has no effect on {}, whose expected figures are the printed ones; it applies to {}",
+            "--against printed has no effect on {}, whose expected figures are the printed ones; it affects {}",
             experiment.name, fmt::join(having, ", ")));
 }
 
@@ -196,13 +196,13 @@ Action declare_replay(Options& command, const std::string& typed) {
              "FOLDER");
     add_number(command, "--seeds", options->seeds, 1, most_seeds,
                "number of seeds, for experiments that run several; default: the "
-               "experiment's own number");
+               "number that the experiment states");
     add_file(command, "--resume", options->resume,
              "keeps finished runs in this file, and skips the runs that it already has");
     command
         .add("--against", options->against,
-             "if a printed figure of the thesis differs from the figure that follows from its measurements, the one to "
-             "compare with: printed, or expected (the one that follows)")
+             "figures to compare with, where the thesis prints a figure that does not follow from its own "
+             "measurements: printed, or expected (the figure that follows)")
         .one_of({"expected", "printed"})
         .show_default();
     command.add_flag("--yes", options->yes, "starts any number of runs without asking");

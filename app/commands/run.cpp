@@ -308,7 +308,7 @@ std::optional<Network> load(RunOptions& options, const Options& command) {
 
 void say_begin(const RunOptions& options) {
     if (options.checkpoints && options.checkpoints->begin() > 0)
-        print_error(fmt::format("placedpar: continues after generation {} of {}\n", options.checkpoints->begin(),
+        print_error(fmt::format("placedpar: continues from {1}, after generation {0}\n", options.checkpoints->begin(),
                                 options.checkpoint));
 }
 

@@ -41,7 +41,9 @@ ExitCode start(const ServeOptions& options) {
 Action declare(Options& command, const std::string&) {
     auto options = std::make_shared<ServeOptions>();
     ServiceSettings& settings = options->settings;
-    command.add("--address", settings.address, "address to listen on; other computers need a token").show_default();
+    command
+        .add("--address", settings.address, "address to listen on; needs --token-file if other computers can reach it")
+        .show_default();
     add_number(command, "--port", settings.port, 0, 65535, "port to listen on; 0: any free port, which is printed")
         .show_default();
     add_file(command, "--token-file", settings.token_file, "file with the token that browsers must send as a password");

@@ -263,7 +263,7 @@ Action declare_sweep(Options& command, const std::string&) {
         .check(not_a_name);
     command
         .add("SETTING", options->settings,
-             "NAME=VALUES: values to try, in all combinations: slaves=0..7 linkspeed=5M,10M")
+             "NAME=VALUES: values to try, in all combinations, such as slaves=0..7 linkspeed=5M,10M")
         .type("");
     command.add_list("--measure", options->measures, "MEASURE",
                      "a measure to report, such as time, master.T_exe or max(slave.T_c); may be repeated");

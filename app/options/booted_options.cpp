@@ -41,7 +41,7 @@ std::string not_a_size(const std::string& text) {
 
 std::string not_memory_cycles(const std::string& text) {
     const std::optional<std::uint64_t> cycles = parse_number<std::uint64_t>(text);
-    return cycles && *cycles >= 1 && *cycles <= 1000 ? "" : fmt::format("{}: expected from 1 to 1000 cycles", text);
+    return cycles && *cycles >= 1 && *cycles <= 1000 ? "" : fmt::format("{}: expected 1 to 1000 cycles", text);
 }
 
 /// Returns the character that a letter after a backslash means; nothing if it has no meaning.

@@ -24,7 +24,7 @@ namespace {
 void require_port(const ProcessKind& kind, const std::string& port, Direction direction, const char* option) {
     const PortDescription* found = kind.port(port);
     if (!found || found->direction != direction)
-        throw UserError(fmt::format("{} has no {} \"{}\" to connect with its neighbours; name the port with {} "
+        throw UserError(fmt::format("{} has no {} \"{}\" for connections with neighbours; name the port with {} "
                                     "PORT",
                                     kind.name, direction == Direction::output ? "output" : "input", port, option));
 }

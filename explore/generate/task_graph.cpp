@@ -83,7 +83,7 @@ private:
     void add_name(const TextRow& row, const TextCell& cell) {
         constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
         if (cell.text.empty() || cell.text.size() > 60 || cell.text.find_first_not_of(allowed) != std::string::npos)
-            fault(row, cell, fmt::format("\"{}\" cannot name a task", cell.text),
+            fault(row, cell, fmt::format("\"{}\" cannot be the name of a task", cell.text),
                   "a name has 1 to 60 letters, digits and underscores");
         if (!numbers_.emplace(cell.text, numbers_.size()).second)
             fault(row, cell, fmt::format("the task \"{}\" is listed twice", cell.text), "give each task its own name");

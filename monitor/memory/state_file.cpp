@@ -101,7 +101,7 @@ void StateFile::open(StateContent& content) {
     history_.emplace(*database_, most_history_);
     const std::uint64_t expected = read_ledger(), found = read_machines(content) + history_->check();
     if ((found & sum_mask) != expected)
-        refuse_damaged("its rows do not match its ledger");
+        refuse_damaged("its rows do not match the sum of their checksums");
     read_messages(content);
     content.last_message = ledger_.last;
     statements_ = std::make_unique<Statements>(*database_);
@@ -164,12 +164,12 @@ void StateFile::put_copy_in_place() {
 std::uint64_t StateFile::read_ledger() {
     store::Statement row(*database_, "SELECT settings, trimmed, last, sum, checksum FROM ledger");
     if (!row.step())
-        refuse_damaged("its ledger is empty");
+        refuse_damaged("its table \"ledger\" is empty");
     const std::string was = row.text(0);
     ledger_ = {unsigned_of(row.integer(1)), unsigned_of(row.integer(2))};
     const std::uint64_t sum = unsigned_of(row.integer(3));
     if (ledger_checksum(was, ledger_.trimmed, ledger_.last, sum) != row.integer(4))
-        refuse_damaged("its ledger has a wrong checksum");
+        refuse_damaged("its table \"ledger\" has a wrong checksum");
     if (was != settings_)
         throw OtherFile(fmt::format("the file was written with {}, but this monitor has {}; use the same "
                                     "options, or another --state file",

@@ -36,7 +36,7 @@ Timeline::Timeline(Tracks& tracks, const TraceWindow& window, TraceWriter& write
 std::string Timeline::why_empty() const {
     if (window_.from == Time{} || *end_ > window_.from)
         return "";
-    return fmt::format("the run ended at {}, before the trace was to begin at {}", to_string(*end_),
+    return fmt::format("the run ended at {}, but the trace would begin at {}", to_string(*end_),
                        to_string(window_.from));
 }
 

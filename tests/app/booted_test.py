@@ -314,7 +314,7 @@ generations = 3
                 (["--memory", "9" * 30 + "M"], f'--memory: "{"9" * 30}M" is not a size such as 32K or 2M\n'),
                 (["--memory", "17592186044416M"], "--memory: 17592186044416M" + size),
                 (["--memory", "4G"], '--memory: "4G" is not a size such as 32K or 2M\n'),
-                (["--memorycycles", "1001"], "--memorycycles: 1001: expected from 1 to 1000 cycles\n"),
+                (["--memorycycles", "1001"], "--memorycycles: 1001: expected 1 to 1000 cycles\n"),
                 (["--keys", "a\\q"], "placedpar: --keys: \\ must be followed by r (the return key), n, t, e (the escape key) or \\\n"),
                 (["--host-folder", "none"], 'placedpar: cannot use "none" as the host\'s folder: No such file or directory\n'),
                 (["--", "x" * 508], "placedpar: the program's command line has 508 bytes; a reply of the host's server can hold 507\n")):
