@@ -71,7 +71,7 @@ public:
     Option add_list(const std::string& name, std::vector<std::string>& values, const std::string& type,
                     const std::string& about);
     Option add_flag(const std::string& name, bool& value, const std::string& about);
-    void add_footer(const std::string& text); ///< shown in help below the options
+    void add_footer(const std::string& text); ///< help shows the text below the options
 
     /// Returns whether the option was typed. REQUIRES: the command line has been parsed.
     bool is_given(const std::string& name) const;

@@ -111,7 +111,7 @@ bool is_occam(const std::filesystem::path& path) {
 
 namespace {
 
-/// Reads and checks a program, with a procedure around its main procedure if the main procedure uses a terminal.
+/// Reads and checks a program. If its main procedure uses a terminal, adds a procedure that calls the main procedure.
 OccamCheck checked_program(const std::filesystem::path& path, const std::vector<std::filesystem::path>& folders,
                            const OccamOptions& typed, const WarningSink& warn) {
     const std::shared_ptr<const SourceFile> file = loaded(path);

@@ -24,7 +24,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t individuals = 20; // in the searches that are measured
+constexpr std::size_t individuals = 20; // in each search that is measured
 
 /// The kinds of one thread, with problems of their own.
 struct KindsToMeasure {
