@@ -16,7 +16,7 @@ enum class Stroke {
     line,   ///< a line with the dashes of its colour; solid if dashes have a meaning in the panel
     dashes, ///< dashes that have a meaning in the panel
     points,
-    plain ///< a line without symbols or dashes, such as stairs
+    plain ///< a line without symbols or dashes, for example a step curve
 };
 
 /// Texts are plain, without markup: "in³/s", not "in^3/s".

@@ -61,7 +61,7 @@ public:
         (bind_one(++index, values), ...);
         return *this;
     }
-    /// Goes to the next row, and returns whether there is one.
+    /// Moves to the next row; returns false if there are no more rows.
     bool step();
     /// Binds the parameters and executes the statement.
     template <typename... Values>

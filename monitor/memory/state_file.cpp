@@ -59,7 +59,7 @@ StateFile::StateFile(const fs::path& path, const std::string& settings, std::uin
         create_state_file(path_, settings_);
     }
     lock();
-    path_ = fs::canonical(path_); // SQLite puts its own file beside the file, not beside a link
+    path_ = fs::canonical(path_); // SQLite puts its journal beside the file itself, not beside a link to the file
     std::error_code another_owner;
     fs::permissions(path_, fs::perms::owner_read | fs::perms::owner_write, another_owner);
     auto refuse = [&](const std::string& why) {
