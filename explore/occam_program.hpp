@@ -22,7 +22,7 @@ struct OccamOptions {
 };
 
 /// Returns the options for the code of a netlist's processes. Throws UserError for an unknown check, and for a check of
-/// the text, which a netlist cannot turn off.
+/// a program's text, because a netlist cannot turn off such a check.
 CompileChoices choices_of(const OccamOptions&);
 
 /// Returns the checks that these options do not turn off. Throws UserError for an unknown check.
@@ -42,7 +42,7 @@ CompiledOccam compile_occam(const std::filesystem::path&, std::span<const std::s
 
 /// The transputer on which a program without a netlist runs.
 struct ProgramMachine {
-    std::string processor = "T800", memory = "2M"; ///< REQUIRES: a model's name, and a size
+    std::string processor = "T800", memory = "2M"; ///< REQUIRES: `processor` is the name of a model, `memory` a size
     std::uint64_t memory_cycles = 3;
     OccamOptions occam = {};
 };

@@ -28,7 +28,8 @@ struct PolicyParameter {
 
 /// The result of a query by name: an aspect, with all or some of its policies and forms.
 struct PolicyQuery {
-    Noun noun; ///< the aspect, with all its policies and forms, or only those that the name matches
+    Noun noun; ///< the aspect, with all its policies and forms, or with only the policies and forms that the name
+               ///< matches
     std::vector<std::string> written; ///< each policy as a netlist writes it, with the numbers in the name
     std::vector<PolicyParameter> parameters;
 };

@@ -115,7 +115,7 @@ std::string print_stops(const std::vector<ProgramUse>& programs) {
             out +=
                 fmt::format("{} stopped at {}: {}, at {}\n", stop.process, stop.place, stop.error, to_string(stop.at));
         if (const std::uint64_t others = program.count_of_stops - program.stops.size(); others > 0)
-            out += fmt::format("{}: {} more stopped\n", program.name, counted(others, "process"));
+            out += fmt::format("{}: errors also stopped {}\n", program.name, counted(others, "process", "processes"));
     }
     return out.empty() ? "" : "\n" + out;
 }
@@ -413,7 +413,8 @@ boost::json::value fingerprint_json(const RunReport& report) {
     return boost::json::value(hex(report.result.fingerprint));
 }
 
-/// Prints how the run has ended. Other processes may wait for ever for what a halted processor would have done.
+/// Prints how the run has ended. If a processor has halted, its halt is named instead of the deadlock that it may have
+/// caused.
 std::string print_ending(const RunReport& report) {
     const Ending ending = report.result.ending;
     if (ending != Ending::interrupted && std::ranges::any_of(report.programs, &ProgramUse::halted))

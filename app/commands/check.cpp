@@ -46,7 +46,7 @@ ExitCode check(const CheckCommandOptions& options) {
 Action declare_check(Options& command, const std::string&) {
     auto options = std::make_shared<CheckCommandOptions>();
     add_netlist(command, options->netlist);
-    command.add("--format", options->format, "text, or JSON for programs: every error with its place and hint")
+    command.add("--format", options->format, "output format: text, or JSON with the place and hint of every error")
         .one_of({"text", "json"})
         .show_default();
     add_occam(command, options->occam);

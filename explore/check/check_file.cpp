@@ -63,13 +63,14 @@ CheckedFile check_program(const std::filesystem::path& path, const CheckOptions&
     for (const auto& file : program.program->files)
         if (file != source.file && !file->path().starts_with('<'))
             checked.included.push_back(file->path());
-    checked.summary =
-        fmt::format("{}: no errors; {}\n", path.string(),
-                    program.main ? fmt::format("PROC {} would be run", program.main->name) : "it has no procedure");
+    checked.summary = fmt::format("{}: no errors; {}\n", path.string(),
+                                  program.main ? fmt::format("PROC {} would be run", program.main->name)
+                                               : "the file has no procedure");
     return checked;
 }
 
-/// Returns the first run of a study for which the condition holds; nothing if it is not among the first runs.
+/// Returns the first run of a study for which the condition holds; nothing if the condition holds for none of the first
+/// runs.
 std::optional<StudyRun> first_run(const Study& study) {
     constexpr std::uint64_t most_tried = 10'000;
     const StudyRuns runs(study);

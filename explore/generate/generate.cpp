@@ -24,7 +24,7 @@ namespace {
 void require_port(const ProcessKind& kind, const std::string& port, Direction direction, const char* option) {
     const PortDescription* found = kind.port(port);
     if (!found || found->direction != direction)
-        throw UserError(fmt::format("{} has no {} \"{}\" to connect with its neighbours; name the port with {} "
+        throw UserError(fmt::format("{} has no {} \"{}\" for connections with neighbours; name the port with {} "
                                     "PORT",
                                     kind.name, direction == Direction::output ? "output" : "input", port, option));
 }
@@ -58,7 +58,7 @@ Job job_of(const TopologyRequest& request, const Catalogue& catalogue, const Top
     if (request.job == "islands")
         return request.topology == "figure-e2" ? islands_with_slaves(statements) : islands(topology, statements);
     if (lower_case(request.job).ends_with(".csv") && !request.problem.empty())
-        throw UserError(fmt::format("--problem {} has no effect on the tasks of {}, which search for nothing",
+        throw UserError(fmt::format("--problem {} has no effect on the tasks of {}, which do not search",
                                     request.problem, request.job));
     if (lower_case(request.job).ends_with(".csv"))
         return tasks_of_file(request.job, topology.nodes, topology);
@@ -128,11 +128,11 @@ std::string command_of(const TopologyRequest& request) {
     return request.problem.empty() ? text : text + " --problem " + shell_word(request.problem);
 }
 
-/// Throws UserError if a name that the user typed cannot stand in a comment.
+/// Throws UserError if a name that the user typed cannot be written in a comment.
 void require_comment(const std::string& comment) {
     const std::string_view inside = std::string_view(comment).substr(0, comment.rfind("*/"));
     if (inside.find("*/") != inside.npos || has_errors(check_source("the netlist", comment).problems))
-        throw UserError("the names of files and of the problem stand in a comment of the netlist, so they cannot have "
+        throw UserError("names of files and problems are written in a comment of the netlist, so they cannot contain "
                         "\"*/\" or control characters; rename the file");
 }
 

@@ -44,7 +44,7 @@ bool uses_spool(const Record& record, const Question& question) {
            areas_from(record.channels(), Link::boom, question.areas_from) != AreasFrom::areas;
 }
 
-/// A record and the question about it.
+/// A record, and the settings for its identification.
 struct Case {
     Parameters machine;
     LoadedRecord loaded;
@@ -57,7 +57,7 @@ struct Case {
 
 std::string print_calibration(const std::optional<SpoolOffset>& found) {
     if (!found)
-        return "spool offset: not calibrated, because the record has no second of steady motion\n";
+        return "spool offset: not calibrated, because the record has less than a second of steady motion\n";
     return fmt::format("spool offset: {:+.5f} in, standard error {:.5f}, from {} samples of steady motion\n",
                        found->offset_in, found->deviation_in, found->samples);
 }

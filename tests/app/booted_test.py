@@ -145,7 +145,7 @@ class Booted(unittest.TestCase):
                          'placedpar: 5000: a link is offered at "pty", "tcp:PORT" or "tcp:ADDRESS:PORT"\n')
         self.assertIn("tcp:192.0.2.1:0: Cannot assign requested address", refusal(self.file, "--offer", "tcp:192.0.2.1:0"))
         self.assertIn("so it has no link to a host", refusal(EXAMPLES / "csp/commstime/commstime.cfs", "--offer", "pty"))
-        self.assertIn("--offer: another program is the host of one run, but --seeds asks for 3 runs",
+        self.assertIn("--offer: another program can be the host of one run only, but --seeds asks for 3 runs",
                       refusal(self.file, "--offer", "pty", "--seeds", "3"))
 
     def netlist(self, text):
@@ -314,7 +314,7 @@ generations = 3
                 (["--memory", "9" * 30 + "M"], f'--memory: "{"9" * 30}M" is not a size such as 32K or 2M\n'),
                 (["--memory", "17592186044416M"], "--memory: 17592186044416M" + size),
                 (["--memory", "4G"], '--memory: "4G" is not a size such as 32K or 2M\n'),
-                (["--memorycycles", "1001"], "--memorycycles: 1001: expected from 1 to 1000 cycles\n"),
+                (["--memorycycles", "1001"], "--memorycycles: 1001: expected 1 to 1000 cycles\n"),
                 (["--keys", "a\\q"], "placedpar: --keys: \\ must be followed by r (the return key), n, t, e (the escape key) or \\\n"),
                 (["--host-folder", "none"], 'placedpar: cannot use "none" as the host\'s folder: No such file or directory\n'),
                 (["--", "x" * 508], "placedpar: the program's command line has 508 bytes; a reply of the host's server can hold 507\n")):

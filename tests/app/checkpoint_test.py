@@ -91,7 +91,7 @@ class Checkpoints(unittest.TestCase):
         begin = self.stop_in_the_middle(ISLANDS)
         log = self.file.with_name("log.csv")
         run = placedpar("run", ISLANDS, "--checkpoint", self.file, "--log", log)
-        self.assertIn(f"placedpar: continues after generation {begin} of {self.file}\n", run.stderr)
+        self.assertIn(f"placedpar: continues from {self.file}, after generation {begin}\n", run.stderr)
         rows = log.read_text(encoding="utf-8").splitlines()
         numbers = {int(row.split(",")[rows[0].split(",").index("generation")]) for row in rows[1:]}
         self.assertEqual(min(numbers), begin + 1)

@@ -108,7 +108,7 @@ class Generate(unittest.TestCase):
             for tasks in ("all*/tasks.csv", "tasks\x07.csv"):
                 run = generated(tasks)
                 self.assertEqual((run.returncode, run.stdout), (1, ""), tasks)
-                self.assertIn("stand in a comment of the netlist", run.stderr)
+                self.assertIn("are written in a comment of the netlist", run.stderr)
             run = generated("tasks.csv", "--problem", "ackley")
             self.assertEqual((run.returncode, run.stdout), (1, ""))
             self.assertIn("--problem ackley has no effect on the tasks of tasks.csv", run.stderr)

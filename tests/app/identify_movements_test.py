@@ -295,7 +295,7 @@ class Movements(unittest.TestCase):
         head, rows = rows_of(STEP)
         rest = placedpar("identify", self.write(head, [[f"{0.02 * i:.2f}", *rows[0][1:]] for i in range(100)]))
         self.assertEqual(rest.returncode, 1)
-        self.assertIn("no movement in 100 samples", rest.stderr)
+        self.assertIn("no movement was found in 100 samples", rest.stderr)
         bare = self.write(["time [s],boom.angle [deg]"], [[f"{0.02 * i:.2f}", str(i)] for i in range(20)])
         self.assertIn("no channel boom.inlet_pressure; it has boom.angle", placedpar("identify", bare).stderr)
 

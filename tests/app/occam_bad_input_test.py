@@ -8,7 +8,7 @@ from program import placedpar
 
 # A file, the command, and what is printed. A process in a file without errors is compiled by `check`.
 MESSAGES = (
-    ("", "check", "FILE: no errors; it has no procedure\n"),
+    ("", "check", "FILE: no errors; the file has no procedure\n"),
     ("", "run", "placedpar: FILE: the file has no PROC that can be run\n"),
     ("VAL x IS 1:\n", "run", "placedpar: FILE: the file has no PROC that can be run\n"),
     ('#INCLUDE "test.occ"\n', "check", 'the file "test.occ" includes or uses itself\n'),

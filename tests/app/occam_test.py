@@ -47,7 +47,7 @@ class Programs(unittest.TestCase):
             file = pathlib.Path(folder) / "ring.btl"
             done = placedpar("compile", program, "-o", file)
             self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertRegex(done.stdout, r"ring\.btl: \d+ bytes for a T800; the source lines of its code are in .*ring\.lines\n")
+            self.assertRegex(done.stdout, r"ring\.btl: \d+ bytes for a T800; the code's source lines are in .*ring\.lines\n")
             self.assertEqual(self.run_program(file), self.run_program(program))
 
     def test_standard_input_is_compiled_and_warned_of_once(self):
@@ -191,7 +191,7 @@ PROC hello (CHAN OF SP fs, ts)
         done = self.run_text(text)
         self.assertEqual(done.returncode, 1)
         needed = int(re.search(r"test\.occ: the program needs (\d+) bytes of memory, but the transputer has 2M\n"
-                               r"hint: --memory \d+M\n", done.stderr).group(1))
+                               r"hint: use --memory \d+M\n", done.stderr).group(1))
         self.assertLess(needed, 200_000_000)
         done = self.run_text(text, "--memory", f"{(needed + 1023) // 1024}K")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
@@ -256,12 +256,12 @@ PROC main (CHAN OF SP fs, ts)
         text = "PROC main ()\n  [300000]INT a:\n  a[0] := 1\n:\n"
         done = self.run_text(text, "--memory", "1M")
         self.assertEqual((done.returncode, done.stdout), (1, ""))
-        self.assertRegex(done.stderr, r"test\.occ: the program needs 12\d{5} bytes of memory, but the transputer has 1M\nhint: --memory 2M\n")
+        self.assertRegex(done.stderr, r"test\.occ: the program needs 12\d{5} bytes of memory, but the transputer has 1M\nhint: use --memory 2M\n")
         self.assertEqual(self.run_text(text, "--memory", "2M").returncode, 0)
         million = "PROC main ()\n  PAR i = 0 FOR 1000000\n    INT x:\n    x := i\n:\n"
         done = self.run_text(million)
         self.assertEqual((done.returncode, done.stdout), (1, ""))
-        memory = re.search(r"hint: --memory (\d+M)\n", done.stderr).group(1)
+        memory = re.search(r"hint: use --memory (\d+M)\n", done.stderr).group(1)
         self.assertEqual(self.run_text(million, "--memory", memory).returncode, 0)
 
     def test_a_program_gets_all_values_of_a_sample(self):

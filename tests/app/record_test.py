@@ -312,7 +312,7 @@ class Jobs(unittest.TestCase):
             self.assertIn(run.returncode, (0, 1), run.stderr)
 
     def test_the_job_belongs_to_one_scenario(self):
-        said = "--job job.toml: links takes no job; the scenario excavator does"
+        said = "--job job.toml: the scenario links takes no job; the scenario excavator does"
         run = placedpar("record", "links", "--job", "job.toml", folder=self.folder)
         self.assertEqual((run.returncode, run.stderr), (1, f"placedpar: {said}\n"))
         run = placedpar("record", "excavator", "--job", self.job, "--set", "fault.leak=1")
