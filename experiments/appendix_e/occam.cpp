@@ -156,7 +156,7 @@ Cell cell_of_generations(const char* row, const std::string& column, const Print
 /// strings as ga.master. The congruential generator needs less time.
 struct SearchOfCluster {
     const char* name;
-    const char* numbers; ///< the random numbers, as a word for the report
+    const char* numbers; ///< name of the generator of random numbers
     const char* population;
     const char* generator;
     bool has_strings_of_cpp;
