@@ -37,7 +37,7 @@ constexpr std::array ways_to_compile{
     WayToCompile{"mode stop", {.model = transputer::Model::t800, .mode = occam::ErrorMode::stop}},
 };
 
-/// A program, the result that it prints, and its times if INMOS's occam compiler 2.01 has compiled it in each of the
+/// A program, the result that it prints, and its times when compiled by INMOS's occam compiler 2.01 in each of the
 /// three ways. The times are in ticks of 64 us, measured on the emulated T800 with all memory on the chip.
 struct ProgramOfInmos {
     const char* name;

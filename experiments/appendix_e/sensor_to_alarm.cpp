@@ -33,8 +33,8 @@ constexpr std::array stages_shown{StageShown{"host", "from_sensors", "1: bus mas
                                   StageShown{"alarm", "from_host", "4: Sun to the other bus master"},
                                   StageShown{"alarm", "from_sensors", "sensors to alarm, mean of all samples"},
                                   StageShown{"alarm", "longest_from_sensors", "  the longest"}};
-constexpr std::size_t first_stage = 2; // index of the first stage in the figures of a run; before it are two figures:
-                                       // whether the alarm was raised, and the bus's load
+constexpr std::size_t first_stage = 2; // index of the first stage in the figures of a run; the two figures before it
+                                       // are whether the alarm was raised, and the bus's load
 
 Figures run_to_alarm(const AlarmCase& way, const ReplayContext& context, std::uint64_t seed) {
     ReplayContext own = context;

@@ -254,7 +254,8 @@ Comparison searches_of_configurations() {
     return comparison;
 }
 
-/// Counts the unknown states of branch #1: a flow into each cylinder, a flow past it, and a pressure at each junction.
+/// Counts the unknown states of branch #1: for each link, the flow into the cylinder, the flow past the cylinder, and
+/// the pressure at the junction.
 Comparison states_of_branch_1() {
     Comparison comparison{.name = "unknown internal states of branch #1 (appendix B)", .judged = true};
     std::size_t states = 3 * circuit_of(Configuration::a, {Link::bucket, Link::boom}).size();

@@ -29,10 +29,11 @@ constexpr ModulusRow known_moduli[]{
     {.air_fraction = .10, .exponent = 1.4, .modulus_kpsi = {5.0, 58.2, 119.1, 175.0}},
 };
 
-/// The absolute pressures at which the mixture's compliance is a given multiple of oil's, also computed independently.
+/// The absolute pressures at which the mixture's compliance is a given multiple of oil's compliance, also computed
+/// independently.
 struct ComplianceRow {
     const char* name;
-    double share; ///< modulus of the mixture relative to the oil's
+    double share; ///< modulus of the mixture divided by the modulus of oil
     std::array<double, 4> psia;
 };
 

@@ -54,8 +54,8 @@ double more_flow_percent(const SteadyFlowPoint& point, double spool_error_in, co
     return 100 * (flow_in3_per_s(point, spool_error_in, constants) / flow_in3_per_s(point, 0, constants) - 1);
 }
 
-/// Returns the flow at this spool and pressure, by a parabola through the three entries that the thesis's table has for
-/// the pressure.
+/// Returns the flow at this spool position and pressure, by a parabola through the three entries that the thesis's
+/// table has for the pressure.
 double tabled_in3_per_s(double spool_in, double inlet_psi) {
     std::vector<SteadyFlowPoint> column;
     std::ranges::copy_if(table_2_6(), std::back_inserter(column),

@@ -41,7 +41,7 @@ Figures course_of(const BoomData& data, const FallingSearch& search, std::uint64
             generations.back().best_error_in3_per_s / generations.front().best_error_in3_per_s};
 }
 
-/// Tests the claim "the Error was decreasing monotonically", taken as "the Error rises in at most 1 % of the
+/// Tests the claim "the Error was decreasing monotonically", taken to mean "the Error rises in at most 1 % of the
 /// generations". The claim is expected to hold only without noise and with an elite.
 Comparison falling_claims(const ReplayContext& context, const char* name, const BoomMotion& motion) {
     std::vector<Claim> claims, ends;

@@ -90,8 +90,8 @@ Comparison fault_comparison(const char* where, const RecordSource& source, const
     return comparison;
 }
 
-/// Compares the growth of the compliance that a leak causes with known values. The compliance is computed by least
-/// squares from samples in which the pressure rises.
+/// Compares the growth of the compliance due to a leak with known values. The compliance is computed by least squares
+/// from samples in which the pressure rises.
 Comparison leak_comparison() {
     Comparison comparison{
         .name = "scenario A without noise: growth of C by least squares while the pressure rises, if the model knows "

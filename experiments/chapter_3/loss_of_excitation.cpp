@@ -53,8 +53,8 @@ void add_shares(Comparison& comparison, const char* row, const Runs& runs) {
                                   both_within_ten_percent(runs, each.generation, trials_a_sample), 0));
 }
 
-/// Compares the shares of records in which both compliances are still within 10 % with known shares. In the thesis the
-/// compliances become wrong after generation 425.
+/// Compares the simulation with known figures: the shares of records in which both compliances are still within 10 %.
+/// In the thesis the compliances become wrong after generation 425.
 Comparison share_comparison(const TwoLinkMotion& motion, const Runs& plain, const Seeds& shown) {
     Comparison comparison{
         .name = fmt::format(

@@ -80,8 +80,8 @@ std::vector<double> excess(const std::vector<Figures>& runs, std::size_t window)
     return differences;
 }
 
-/// Tests the claim "From trial and error in the experiments, 10 was found to be the best window size" (3.4), taken as
-/// "no other window has a smaller error in the same record". The claim is expected to fail for longer windows.
+/// Tests the claim "From trial and error in the experiments, 10 was found to be the best window size" (3.4), taken to
+/// mean "no other window has a smaller error in the same record". The claim is expected to fail for longer windows.
 Comparison best_window_claims(const WindowPlant& plant, const std::vector<Figures>& runs) {
     std::vector<Claim> claims;
     for (std::size_t i = 0; i < std::size(lengths); ++i)

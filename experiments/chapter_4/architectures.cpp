@@ -51,7 +51,7 @@ double crossover_in(const StudyReplay& study, const Comparison& table, int alpha
 /// Returns the number of processors as crossover() does, for the speedups of equation 4.9.
 double crossover_by_formula(int alpha) {
     std::vector<Point> hybrid;
-    for (int processors = 1; processors <= 1000; ++processors) // per island
+    for (int processors = 1; processors <= 1000; ++processors) // processors of each island
         hybrid.push_back({1.0 * hybrid_islands * processors, hybrid_islands * formula_4_9(alpha, processors)});
     return crossover(most_islands, hybrid);
 }

@@ -52,7 +52,7 @@ double whole_pipelined(int alpha, int processors) {
     return (1 + 1.0 / alpha) / *std::ranges::max_element(parts);
 }
 
-/// Returns the times of a generation, with breeding as the unit.
+/// Returns the times of a generation, in units of the breeding time.
 GenerationTimes times_at(int alpha, double communication) {
     return {.evaluating = 1.0 * alpha, .breeding = 1, .communication = communication};
 }
@@ -74,7 +74,7 @@ Overrides overrides_of(const SpeedupPoint& point) {
     return overrides;
 }
 
-/// Runs the netlist; the run of each SpeedupPoint is made once.
+/// Runs the netlist once for each SpeedupPoint, and keeps the reports.
 class SpeedupRuns {
 public:
     explicit SpeedupRuns(const ReplayContext& context) : context_(context) {}

@@ -44,9 +44,9 @@ Comparison maximisation_table(const std::vector<TaskStudy>& studies) {
     return comparison;
 }
 
-/// Tests the claim "as small as 6 without affecting the measured convergence rate", taken as "islands of 6 need at most
-/// a tenth more generations than one population". Functions with a target that few runs reach are left out, since their
-/// medians have no meaning.
+/// Tests the claim "as small as 6 without affecting the measured convergence rate", taken to mean "islands of 6 need at
+/// most a tenth more generations than one population". Functions with a target that few runs reach are left out, since
+/// their medians have no meaning.
 std::vector<Claim> maximisation_claims(const std::vector<TaskStudy>& studies) {
     std::vector<Claim> claims;
     for (const TaskStudy& study : studies)
@@ -71,7 +71,8 @@ PlantIslands islands_on_plant(std::size_t population, double noise) {
     return plant;
 }
 
-/// Tests the claim "at least 20", taken as "islands of 24 follow as well as one population, and islands of 6 do not".
+/// Tests the claim "at least 20", taken to mean "islands of 24 follow as well as one population, and islands of 6 do
+/// not".
 std::vector<Claim> identification_claims(const std::vector<PlantStudy>& studies) {
     auto more_error = [&](std::size_t than, std::size_t of) {
         return less(studies[of].errors_after(), studies[than].errors_after());

@@ -30,8 +30,9 @@ struct SequentialStudies {
 };
 
 /// Tests the claim "The variance of the estimated parameter seemed to be reduced slightly ... no other indication of
-/// any significant improvement". "Slightly" is taken as at most a third. "No significant improvement" is taken as a
-/// delay that is at most ten generations shorter: a greater difference would be visible in a figure of 600 generations.
+/// any significant improvement". "Slightly" is taken to mean at most a third. "No significant improvement" is taken to
+/// mean that the delay is at most ten generations shorter: a greater difference would be visible in a figure of 600
+/// generations.
 std::vector<Claim> claims_of(const SequentialStudies& studies, double noise) {
     auto delay = [](const PlantStudy& study) { return study.of(0, Tracking::delay_20); };
     auto deviation = [](const PlantStudy& study) { return study.of(0, Tracking::deviation_after); };

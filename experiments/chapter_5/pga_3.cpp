@@ -36,10 +36,10 @@ private:
     }
 };
 
-/// Tests three claims. "Window size 10 and 30 started responding at 250 and 300" is taken as at least 40 generations
-/// earlier: 50 as stated, minus 10 for reading the figure by eye. "A window size 30 could filter out noise much better"
-/// is taken as at most half the deviation. "No observable improvement on tracking" is taken as at most 10 generations
-/// earlier.
+/// Tests three claims. "Window size 10 and 30 started responding at 250 and 300" is taken to mean at least 40
+/// generations earlier: 50 as stated, minus 10 for reading the figure by eye. "A window size 30 could filter out noise
+/// much better" is taken to mean at most half the deviation. "No observable improvement on tracking" is taken to mean
+/// at most 10 generations earlier.
 std::vector<Claim> claims_of(const WindowStudies& studies) {
     auto delay = [](const PlantStudy& study, std::size_t track) { return study.of(track, Tracking::delay_20); };
     auto deviation = [&](std::size_t track) { return studies.distributed.of(track, Tracking::deviation_after); };

@@ -37,9 +37,9 @@ std::vector<TrackRow> rows_of(const PlantStudy& study, const std::vector<std::st
     return rows;
 }
 
-/// Tests the claim "Reduced the response delay from 100 generations to 50", taken as at least 40 generations less: 50
-/// as stated, minus 10 for reading the figure by eye. Also tests the claim that with noise the deviation is "very
-/// similar" to window 30, taken as at most a third more. A rule must also track better than a random choice of the
+/// Tests the claim "Reduced the response delay from 100 generations to 50", taken to mean at least 40 generations less:
+/// 50 as stated, minus 10 for reading the figure by eye. Also tests the claim that with noise the deviation is "very
+/// similar" to window 30, taken to mean at most a third more. A rule must also track better than a random choice of the
 /// island. No rule is expected to gain 40 generations. Only "row" is expected to track better than the random choice,
 /// and its deviation is greater in strong noise.
 std::vector<Claim> claims_of(const PlantStudy& study, const std::string& rule) {

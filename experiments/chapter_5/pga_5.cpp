@@ -34,10 +34,10 @@ private:
     }
 };
 
-/// Tests the claim "Actually outperformed GA in tracking parameter changes and had smaller variance". It is taken as a
-/// lag that is at least ten generations shorter, which is visible in a figure, and any smaller deviation. The rule
-/// "row" is expected to track better than the genetic algorithm of the thesis, but not better than a genetic algorithm
-/// of equal cost. With "row" the deviation is expected to be smaller only at low noise.
+/// Tests the claim "Actually outperformed GA in tracking parameter changes and had smaller variance". The claim is
+/// taken to mean that the lag is at least ten generations shorter, which is visible in a figure, and that the deviation
+/// is smaller. The rule "row" is expected to track better than the genetic algorithm of the thesis, but not better than
+/// a genetic algorithm of equal cost. With "row" the deviation is expected to be smaller only at low noise.
 void add_claims(std::vector<Claim>& claims, const RivalStudies& studies, const std::string& rule,
                 const PlantStudy& rival) {
     const bool is_row = rule == "row", is_of_equal_cost = &rival == &studies.equal_cost;

@@ -41,9 +41,9 @@ Comparison evaluations_table(const std::vector<TaskStudy>& studies) {
     return comparison;
 }
 
-/// Tests the claim "The global population size plays a significant role", taken as "400 individuals need at least a
-/// fifth more evaluations than 100". Functions with a target that few runs reach are left out, since their medians have
-/// no meaning.
+/// Tests the claim "The global population size plays a significant role", taken to mean "400 individuals need at least
+/// a fifth more evaluations than 100". Functions with a target that few runs reach are left out, since their medians
+/// have no meaning.
 std::vector<Claim> size_claims(const std::vector<TaskStudy>& studies) {
     std::vector<Claim> claims;
     for (const TaskStudy& study : studies)
@@ -60,8 +60,8 @@ PlantIslands one_population(std::size_t population, double noise) {
     return sized(single_ga(noise), fmt::format("{} individuals", population), {population}, {30});
 }
 
-/// Tests the claim "Good performance can be obtained from small global population size of 100". It is taken as two
-/// conditions: 100 individuals find the pole, and 400 individuals reduce the lag by at most ten generations and the
+/// Tests the claim "Good performance can be obtained from small global population size of 100". The claim is taken to
+/// mean that 100 individuals find the pole, and that 400 individuals reduce the lag by at most ten generations and the
 /// error by at most .01.
 std::vector<Claim> plant_claims(const std::vector<PlantStudy>& studies) {
     return {{"error after, 100 individuals", "", studies[2].errors_after(), {}, found_pole},

@@ -45,7 +45,7 @@ struct ReplayContext {
     std::function<void(const std::string&)> progress; ///< called with the progress as text; may throw an exception to
                                                       ///< end the experiment
     WarningSink warn;                                 ///< called with the warnings of netlists
-    Interruption& interruption;                       ///< ends the runs of netlists
+    Interruption& interruption;                       ///< when requested, ends the runs of netlists
     StudyResults& results;                            ///< earlier results of a study; new results are added
     std::size_t seeds = 0;                            ///< number of seeds of a study: see kit/seed_runs.hpp
     bool printed = false; ///< whether to judge by the figures that the thesis prints, even where other figures are

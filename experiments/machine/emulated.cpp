@@ -247,7 +247,7 @@ double cycles_of_commstime() {
     return cycles_for_each(10'000, t800.word(5));
 }
 
-/// Sends the bytes that boot a transputer to it over a link.
+/// Sends a transputer, over a link, the bytes that boot it.
 class BootBytes final : public transputer::ByteEnd {
 public:
     explicit BootBytes(const Assembly& program) : bytes_{static_cast<std::uint8_t>(program.bytes.size())} {
@@ -278,8 +278,8 @@ constexpr const char* in_parallel = R"(
    joined: ldc 0
 )";
 
-/// Returns a program that outputs a message over link 1, inputs a message over link 1, or does both in parallel. The
-/// program stores the ticks that this takes in word 5 of its workspace.
+/// Returns a program that outputs a message over link 1, inputs a message over link 1, or does both in parallel. In
+/// word 5 of its workspace, the program stores the ticks that the exchange takes.
 std::string exchange_of(bool outputs, bool inputs) {
     const std::string out = fmt::format("ldl 4; mint; ldnlp 1; ldc {}; out", message_bytes);
     const std::string in = fmt::format("ldl 4; mint; ldnlp 5; ldc {}; in", message_bytes);

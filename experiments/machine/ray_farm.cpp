@@ -29,7 +29,7 @@ using hardware::Router;
 using hardware::RouterCosts;
 using hardware::RouterLink;
 
-/// A message of the farm's protocol. occam outputs each part of `out ! tag; x; y` as its own message.
+/// A message of the farm's protocol. occam outputs each part of `out ! tag; x; y` as a separate message.
 struct FarmWords {
     enum class Tag : std::int8_t { stop, render, patch, note, data } tag = Tag::data;
     std::uint32_t words = 1;

@@ -26,7 +26,7 @@ struct BoomData {
 
 /// A step of the boom's velocity to 4 deg/s. The constants of the machine come from `excavator.csv`, except for the
 /// values set here. A spool offset does not change the motion: the controller computes the voltage by equation A.1,
-/// which has the same error as the readings, so the spool still moves to the right place.
+/// which has the same error as the readings, so the spool still moves to the intended position.
 struct BoomMotion {
     BoomPlant plant = BoomPlant::simple;
     hydraulics::MeasurementNoise noise = hydraulics::no_noise;

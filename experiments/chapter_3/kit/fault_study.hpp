@@ -37,7 +37,8 @@ struct RecordSource {
 hydraulics::Record record_of(const PlantFault& fault, const RecordSource& source, std::uint64_t seed);
 
 /// Runs one search with Gray code and one elite individual. The search uses the samples in which the pressure rises,
-/// without the first two. The search does not know the fault: it assumes the parameters of `excavator.csv`.
+/// except the first two of these samples. The search does not know the fault: it assumes the parameters of
+/// `excavator.csv`.
 identification::SearchRun search_faulty(const hydraulics::Record& record, hydraulics::AreasFrom from,
                                         std::uint64_t seed);
 /// Returns the last answer of search_faulty(), in in^3/psi.

@@ -20,7 +20,7 @@ public:
     /// only if the source has a servo-valve.
     SimulatedExcavator(const RecordSource& source, hydraulics::AreasFrom from, std::uint64_t seed);
 
-    /// Returns the links that move, in configuration a.
+    /// Returns the links that move. The configuration is always a.
     hydraulics::LinkSet links() const;
     double period_s() const { return source_.period_s; } ///< time between readings
 

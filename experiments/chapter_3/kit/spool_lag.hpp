@@ -7,8 +7,9 @@ namespace placedpar {
 
 /// These functions compute the effect of a wrong a_0 on experiment 2.
 
-/// Returns the a_0 for which least squares over the samples of the pressure rise, with the spool computed from the
-/// voltage, gives this compliance. Throws UserError if no a_0 from .75 to 4 times the machine's own a_0 gives it.
+/// Returns the a_0 for which least squares gives this compliance. The fit uses the samples in which the pressure rises,
+/// with the spool computed from the voltage. Throws UserError if no a_0 from .75 to 4 times the machine's own a_0 gives
+/// this compliance.
 double lag_that_finds(double compliance_in3_per_psi, const BoomData& data);
 
 /// Plots the compliance over the assumed a_0 for each machine, and marks the two compliances that the thesis found.

@@ -33,8 +33,8 @@ struct TwoErrors {
 };
 TwoErrors errors_of(std::span<const double> compliance_in3_per_psi);
 
-/// Returns the settings of thesis 3.2 with two changes: there is one elite individual, and the first two samples after
-/// the valve opens are left out.
+/// Returns the settings of section 3.2 of the thesis with two changes: there is one elite individual, and the first two
+/// samples after the valve opens are left out.
 identification::IdentificationWay elite_way();
 /// Returns elite_way() with Gray code.
 identification::IdentificationWay gray_way();

@@ -14,7 +14,8 @@ namespace {
 
 using Errors = std::vector<float>; ///< index: the string as a binary number
 
-constexpr double same_error = 1e-3; ///< two readings of one plant, such as beta and -beta, differ only by rounding
+constexpr double same_error = 1e-3; ///< strings that stand for the same plant, such as with beta and -beta, have errors
+                                    ///< that differ only by rounding
 
 Genome string_numbered(std::size_t number, std::size_t bits) {
     Genome genome(bits);

@@ -28,7 +28,7 @@ private:
     std::vector<double> products_; ///< for each pair of channels, the sum of their products over the window
 };
 
-/// Properties of the fitness landscape of a reading, over all its strings. Percentages are of all strings.
+/// Properties of a reading's fitness landscape. Percentages are of all strings.
 struct LandscapeFacts {
     double fit_percent;     ///< strings with positive fitness sum(B - e^2)
     std::size_t minima;     ///< strings that no change of one bit improves
