@@ -120,9 +120,9 @@ Comparison table_6_2() {
             judged_cell(row, "most from nearer parent", "", count(differ / 2), count(found.from_nearer), 0, 0));
         comparison.add(compared_cell(row, "most from own parent", "", count(differ / 2), count(found.from_own), 0));
     }
-    comparison.notes = "own parent: the parent A0 of the offspring A1 in equation 6.5. \"0 to integer(n/2) from A0, B0 "
+    comparison.notes = "own parent: A0 for the offspring A1 in equation 6.5. \"0 to integer(n/2) from A0, B0 "
                        "respectively\" holds for the nearer "
-                       "parent, but not for the own parent\n";
+                       "parent, not for the own one\n";
     return comparison;
 }
 
