@@ -14,7 +14,8 @@ namespace {
 constexpr std::size_t bootstrap_samples = 2000;
 constexpr double outside = 0.05;
 
-/// Returns the interval of a statistic of `count` runs drawn with replacement, by their indices.
+/// Returns the 95 % interval of a statistic of `count` runs that are drawn with replacement. The statistic is computed
+/// from the indices of the drawn runs.
 template <class Statistic>
 Interval bootstrap(std::size_t count, Statistic statistic) {
     RandomStream random(0, "bootstrap");
