@@ -76,8 +76,8 @@ public:
     std::size_t count() const;
     /// Throws UserError if count() exceeds the population.
     void validate_for(std::size_t population) const;
-    /// Returns the indices of the individuals that leave. Throws as validate_for(). REQUIRES: every fitness is a finite
-    /// number.
+    /// Returns the indices of the individuals that leave. Throws what validate_for() throws. REQUIRES: every fitness is
+    /// a finite number.
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
 };
 

@@ -149,7 +149,7 @@ void require_policy_fits(const PolicyDescription& added, std::string_view noun,
         return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' || c == '-';
     };
     if (added.name.empty() || !std::ranges::all_of(added.name, may_be_in_a_name))
-        refuse("a name is made of a to z, 0 to 9, \".\" and \"-\"");
+        refuse("a name may contain only a to z, 0 to 9, \".\" and \"-\"");
     if (added.name == "usual" || std::ranges::count(known, added.name, &PolicyDescription::name) > 0)
         refuse(fmt::format("this name is taken: choose another name, such as \"own.{}\"",
                            added.name.substr(added.name.rfind('.') + 1)));
