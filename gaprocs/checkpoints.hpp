@@ -19,9 +19,9 @@ struct SearchCheckpoint {
 
 /// Keeps the states of all searches of a run, so that a later run can continue from them. The later run skips the
 /// generations that the first run has made: the searches of the later run receive the same samples, but evaluate,
-/// exchange and breed nothing until the generation of their checkpoint. From there, their generations equal those of an
-/// unbroken run, bit for bit. If islands exchange asynchronously, the generations may differ, because emigrants that
-/// are under way are not stored.
+/// exchange and breed nothing until the generation of their checkpoint. From there, their generations equal the
+/// generations of an unbroken run, bit for bit. If islands exchange asynchronously, the generations may differ, because
+/// emigrants that are under way are not stored.
 ///
 /// The functions may be called by several threads at once.
 class Checkpoints {

@@ -141,8 +141,9 @@ struct IslandsResult {
 };
 
 /// Runs the islands over a record, without a simulated machine. The islands continue from checkpoints as
-/// run_traditional() does. Unless the schedule is asynchronous, the generations then equal those of an unbroken run,
-/// bit for bit. Throws what Islands, IslandsSettings::validate_for(), require_channels() and SearchProgress throw.
+/// run_traditional() does. Unless the schedule is asynchronous, the generations then equal the generations of an
+/// unbroken run, bit for bit. Throws what Islands, IslandsSettings::validate_for(), require_channels() and
+/// SearchProgress throw.
 IslandsResult run_islands(const SearchProblem& problem, std::span<const Sample> record, const IslandsSettings& settings,
                           std::vector<RandomStream> streams, SearchObserver* observer = nullptr,
                           Checkpoints* checkpoints = nullptr);

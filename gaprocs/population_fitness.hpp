@@ -17,10 +17,10 @@
 namespace placedpar {
 
 /// Sets sums[i] to the sum of individual i's terms over the samples. Computes several individuals at once.
-/// `parameters_from.operator()<width>(i)` returns the parameters of individual i and the following ones, as a container
-/// of Lanes. `terms(parameters)` takes these parameters as a std::span of Lanes. It returns a function that is called
-/// with one sample after another, and that returns the terms of this sample. The sums have the same bits as in a loop
-/// over single individuals, because an operation on Lanes rounds like the same operation on a double
+/// `parameters_from.operator()<width>(i)` returns the parameters of individual i and the following individuals, as a
+/// container of Lanes. `terms(parameters)` takes these parameters as a std::span of Lanes. It returns a function that
+/// is called with one sample after another, and that returns the terms of this sample. The sums have the same bits as
+/// in a loop over single individuals, because an operation on Lanes rounds like the same operation on a double
 /// (runtime/vector_width.hpp).
 template <typename ParametersFrom, typename Samples, typename Terms>
 void sum_in_lanes_from(const ParametersFrom& parameters_from, const Samples& samples, const Terms& terms,

@@ -62,7 +62,7 @@ struct RandomAcceptance {
 
 /// Replaces the individual outside the elite with the least Representation::distance() from the immigrant. For binary
 /// strings this is the number of different bits. Among equally distant individuals it replaces the least fit, and among
-/// equally fit individuals the one with the lowest index. Draws no number.
+/// equally fit individuals the individual with the lowest index. Draws no number.
 struct AlikeAcceptance {
     static constexpr std::string_view name = "alike",
                                       about = "the most similar individual outside the elite is replaced",

@@ -33,8 +33,8 @@ struct Noun {
     std::vector<Form> forms = {};
 };
 
-/// Returns all aspects: first the aspects of one population, then those of islands, of a pair of searches, and of a
-/// farm.
+/// Returns all aspects: first the aspects of one population, then the aspects of islands, of a pair of searches, and of
+/// a farm.
 std::vector<Noun> policy_nouns();
 
 } // namespace placedpar

@@ -65,8 +65,9 @@ struct PolicyDescription {
 
 /// A policy that was read from a text, with its numbers.
 struct NamedPolicy {
-    std::size_t index;           ///< index of the policy among the known policies
-    std::vector<double> numbers; ///< values of all numbers of the policy; default values for those that the text omits
+    std::size_t index; ///< index of the policy among the known policies
+    std::vector<double>
+        numbers; ///< values of all numbers of the policy; a number that the text omits has its default value
 };
 
 /// Reads a policy from a text such as "name", "name(2)" or "name(number = 2, 3.5)". Throws a UserError that says what

@@ -88,8 +88,8 @@ struct RankingReproduction {
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
 };
 
-/// Chooses each parent by a tournament: the best of `size` individuals, drawn with replacement; among equals the one
-/// drawn first.
+/// Chooses each parent by a tournament: the best of `size` individuals, drawn with replacement; among equals the
+/// individual drawn first.
 struct TournamentReproduction {
     static constexpr std::string_view
         name = "tournament",

@@ -126,8 +126,8 @@ private:
         }
     }
 
-    /// Compares this island's problem, coding and exchanges with those of the first island in its group. Islands of a
-    /// group exchange with each other, directly or through other islands.
+    /// Compares this island's problem, coding and exchanges with the problem, coding and exchanges of the first island
+    /// in its group. Islands of a group exchange with each other, directly or through other islands.
     void check_neighbours_agree() {
         const ProcessInstance& first = instance(archipelago_.part_of(number_).front());
         for (const char* parameter : {"problem", "coding"})

@@ -138,7 +138,7 @@ struct Costly : OverBox<Costly> {
         about = "Rastrigin's function, computed `work` times so that an evaluation takes as long as needed";
     static constexpr std::size_t usual_dimensions = 2, usual_bits = 16;
     static constexpr double low = -5.12, high = 5.12;
-    std::size_t work = 1; ///< computations in each evaluation
+    std::size_t work = 1; ///< number of computations in each evaluation
     static constexpr auto numbers() {
         return std::tuple_cat(OverBox::numbers(), std::tuple(PolicyNumber{"work", &Costly::work, 1, 1e9,
                                                                           "number of computations of the function"}));
