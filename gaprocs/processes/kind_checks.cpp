@@ -144,9 +144,9 @@ private:
                  fmt::format("trials = {}", advice.trials));
         if (advice.bias != 0 && !given("bias") && !is_as_before("bias"))
             warn("",
-                 fmt::format(
-                     "bias = {:g} was chosen for \"boom\"; it swamps the errors of \"{}\", so fitness hardly varies",
-                     number("bias"), text("problem")),
+                 fmt::format("bias = {:g} was chosen for the problem \"boom\"; it is so much larger than the errors of "
+                             "\"{}\" that fitness hardly varies",
+                             number("bias"), text("problem")),
                  fmt::format("bias = {:g}", advice.bias));
     }
 

@@ -40,8 +40,8 @@ std::vector<Parameter> parameters_of(std::string_view text) {
         NamedCells cells = named_cells(row);
         const Unit* unit = unit_named(cells.unit.text);
         if (!unit || unit->factor != 1)
-            throw std::logic_error(fmt::format(
-                "excavator.csv:{}: the unit is not the unit that units.hpp lists for a quantity", row.line));
+            throw std::logic_error(
+                fmt::format("excavator.csv:{}: expected a unit whose factor in units.hpp is 1", row.line));
         parameters.push_back({cells.name.text, number_in(cells.value, row.line, faults), cells.unit.text,
                               cells.mark.text, cells.source.text});
     }

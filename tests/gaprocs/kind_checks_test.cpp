@@ -119,7 +119,7 @@ TEST_CASE("settings that do not suit the record give one warning each") {
           "hint: trials = 3\n");
     std::string said = said_with("");
     CHECK(said.find("warning: trials = 5, but") != std::string::npos);
-    CHECK(said.find("warning: bias = 400 was chosen for \"boom\"") != std::string::npos);
+    CHECK(said.find("warning: bias = 400 was chosen for the problem \"boom\"") != std::string::npos);
     CHECK(said.find("hint: bias = 10\n") != std::string::npos);
 }
 
