@@ -29,7 +29,7 @@ std::vector<double> front_fitness(std::span<const Merit>);
 struct FrontIndividual {
     Genome genome;
     std::vector<double> parameters;
-    std::vector<double> objectives; ///< in the problem's own sign
+    std::vector<double> objectives; ///< as the problem computes them, not negated
 };
 
 struct FrontResult {

@@ -175,7 +175,7 @@ private:
     }
 
     std::vector<UncertainValue> series_;
-    double zero_; ///< was subtracted from all values
+    double zero_; ///< number that was subtracted from all values
     std::map<std::size_t, double>
         probabilities_; ///< probability of each change, by the index of the first estimate after it
 };

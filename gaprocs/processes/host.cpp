@@ -161,7 +161,8 @@ private:
     }
 
     static constexpr std::size_t no_more = std::numeric_limits<std::size_t>::max();
-    static constexpr std::uint32_t finding_bytes = 16; ///< sample, time and a parameter of 8 bytes
+    static constexpr std::uint32_t finding_bytes =
+        16; ///< 4 bytes for the sample's number, 4 for the time, 8 for a parameter
 
     ProcessEnvironment& environment_;
     const RecordedProblem& recorded_;
