@@ -22,7 +22,7 @@ enum class FlagKind : unsigned char {
     vacuum,        ///< a pressure is below vacuum
     frozen,        ///< the pressure's reading stays constant, then jumps
     falls,         ///< the piston retracts while oil flows in
-    unconfirmed,   ///< least squares finds another compliance, or one with a large standard error
+    unconfirmed,   ///< least squares finds another compliance, or a compliance with a large standard error
     impossible,    ///< physically impossible readings, such as single outliers
     leak_or_offset ///< a leak or an offset; the record does not tell which
 };
@@ -44,7 +44,7 @@ struct LeastSquares {
     friend bool operator==(const LeastSquares&, const LeastSquares&) = default;
 };
 
-/// The relative standard error above which a compliance is flagged. The value is ours: with a standard error of 10 %,
+/// The relative standard error above which a compliance is flagged. We chose this value: with a standard error of 10 %,
 /// one answer in three is wrong by more than 10 %.
 inline constexpr double uncertain_share = 0.1;
 
@@ -59,8 +59,8 @@ Flag upper_bound_flag();
 Flag uncertain_flag(double compliance_in3_per_psi, double standard_error_in3_per_psi);
 
 /// Returns a flag unless the answer is confirmed. The answer is confirmed if its distance from the reference, plus two
-/// standard errors of the reference, is at most 10 % of the reference. The limits are ours, tuned on simulated machines
-/// of all configurations. `samples` describes the samples of the reference in words.
+/// standard errors of the reference, is at most 10 % of the reference. We chose these limits, and tuned them on
+/// simulated machines of all configurations. `samples` describes the samples of the reference in words.
 std::optional<Flag> unconfirmed_flag(double compliance_in3_per_psi, const LeastSquares& reference,
                                      std::string_view samples);
 

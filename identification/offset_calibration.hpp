@@ -8,7 +8,7 @@
 namespace placedpar::identification {
 
 /// Criteria of steady motion, in which pressure and velocity hardly change, so that the flow balance of equation 3.3
-/// holds with C dP/dt near 0. All values are ours.
+/// holds with C dP/dt near 0. We chose all values.
 struct SteadyMotion {
     double duration_s = 1;
     double drift_psi = 8;             ///< largest difference between the mean pressures of the motion's two halves

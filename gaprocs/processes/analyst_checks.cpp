@@ -51,8 +51,8 @@ private:
     }
 
     void check_steps() {
-        const char* why = "an analyst compares the best individuals of the same generation; only islands that exchange "
-                          "in step report these";
+        const char* why = "an analyst compares best individuals of the same generation: its islands must exchange with "
+                          "each other, and not asynchronously";
         if (!schedule_of(instance(first_island())).in_step())
             return refuse("", "islands with an asynchronous schedule are not all in the same generation", why);
         Archipelago archipelago(network_);

@@ -127,10 +127,9 @@ Farm::Settings read_farm_settings(const ProcessEnvironment& environment) {
     settings.results_in_order = settings.split != Split::demand && environment.text("results") == "chain";
     settings.measurements_every_generation = environment.text("measurements") == "generation";
     if (settings.slaves >= size(environment, "population"))
-        throw UserError(fmt::format("slaves = {}, but a population of {} has work for {} "
-                                    "slaves at the most, because the master evaluates, too",
-                                    settings.slaves, environment.integer("population"),
-                                    environment.integer("population") - 1));
+        throw UserError(fmt::format(
+            "slaves = {}, but a population of {} has work for at most {} slaves, because the master also evaluates",
+            settings.slaves, environment.integer("population"), environment.integer("population") - 1));
     return settings;
 }
 

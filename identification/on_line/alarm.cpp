@@ -64,8 +64,8 @@ void check_branch(LinkSet branch, const PerLink<LinkVerdict>& verdicts, std::vec
     if (first && first != AlarmKind::sensor &&
         std::ranges::all_of(links, [&](Link link) { return kind(link) == first; })) {
         alarms.push_back({AlarmKind::branch, branch,
-                          fmt::format("{} and {} have the same fault ({}): check what they share, their pump and "
-                                      "the supply of their valves",
+                          fmt::format("{} and {} have the same fault ({}): check the parts that they share, the pump "
+                                      "and the supply of the valves",
                                       name_of(links[0]), name_of(links[1]), name_of(*first))});
         return;
     }

@@ -22,8 +22,8 @@ struct SetAnswer {
     std::vector<LinkIdentified> links; ///< in the order of links_of()
 };
 
-/// The search of one population set over all its samples, in whatever configurations of the main valve they were taken.
-/// The population is kept from one round to the next. Rounds and weights are those of whole_search.hpp.
+/// The search of one population set over all its samples, from all configurations of the main valve. The population is
+/// kept from one round to the next. Rounds and weights work as in whole_search.hpp.
 class SetSearch {
 public:
     static constexpr std::size_t fewest_samples = 10; ///< a set with fewer samples is not searched
@@ -32,7 +32,8 @@ public:
 
     /// Adds a sample in the order of the circuit of this configuration. Keeps the last 1,024 samples.
     void add(hydraulics::Configuration, hydraulics::CircuitSample sample);
-    /// Makes the generations of a round if there are enough samples, and new ones since the last round.
+    /// Makes the generations of a round if there are enough samples, and if samples have been added since the last
+    /// round.
     void round();
     /// Makes the rounds that are still missing and returns the answer, or nullopt if there are too few samples.
     std::optional<SetAnswer> answer();

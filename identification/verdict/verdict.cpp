@@ -18,11 +18,11 @@ namespace {
 constexpr std::array<std::string_view, 9> verdict_names{
     "sound", "compliance", "leak", "offset", "drift", "leak or offset", "sensor", "not enough evidence", "cannot tell"};
 
-/// The error that remains in a mean of any number of movements, in units; ours.
+/// The error that remains in a mean of any number of movements, in units; our choice.
 constexpr double mean_repeats_within = 0.05;
 
-/// The standard deviation, in units, of each deviation among healthy machines of a kind. For the compliance it is about
-/// as for a uniform distribution within 10 % of the mean.
+/// The standard deviation, in units, of each deviation among healthy machines of a kind. For the compliance, it is
+/// about the standard deviation of a uniform distribution within 10 % of the mean.
 constexpr double kind_within = 0.3;
 
 /// Returns the distribution of a kind's healthy deviations. A healthy link's small leak hardly changes when the valve

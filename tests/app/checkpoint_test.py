@@ -174,7 +174,7 @@ class Refusals(unittest.TestCase):
         stored = json.loads(self.file.read_text(encoding="utf-8"))
         for generation in (10000, 2 ** 64 - 1):
             self.file.write_text(json.dumps({**stored, "generation": generation}), encoding="utf-8")
-            self.assertIn("the checkpoint is from a generation after the last generation of this search, 80: ",
+            self.assertIn("this search ends with generation 80, before the generation of the checkpoint: ",
                           self.refused())
 
     def test_of_searches_whose_results_no_checkpoint_holds(self):
@@ -194,7 +194,7 @@ class Refusals(unittest.TestCase):
             self.file.write_text(text, encoding="utf-8")
             self.assertIn("this is not a checkpoint of a search", self.refused())
         self.file.write_text(good.replace('"population": [', '"population": ["01",'), encoding="utf-8")
-        self.assertIn("the checkpoint does not hold 15 strings of this search", self.refused())
+        self.assertIn("the checkpoint belongs to another search: expected 15 strings of this search's representation", self.refused())
         self.file.unlink()
         self.file.mkdir()
         self.assertIn("Is a directory", self.refused())

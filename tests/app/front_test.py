@@ -57,7 +57,7 @@ class Front(unittest.TestCase):
     def test_a_netlist_names_the_command(self):
         run = placedpar("generate", "ring", "--size", 4, "--problem", ZDT1)
         self.assertEqual(run.returncode, 1)
-        self.assertIn(f"front '{ZDT1}' finds the front; in Python, search_front() does", run.stderr)
+        self.assertIn(f"front '{ZDT1}' finds the front; in Python, search_front() finds it", run.stderr)
 
 
 if __name__ == "__main__":

@@ -268,11 +268,11 @@ PROC main (CHAN OF SP fs, ts)
         cluster = EXAMPLES / "occam/genetic/cluster.cfs"
         done = placedpar("check", cluster, "--set", "record.sample_bytes=16")
         self.assertEqual(done.returncode, 1)
-        self.assertIn('sample_bytes = 16, but the program of "t[0]" gets all values of a sample', done.stderr)
-        self.assertIn("hint: set it to 40, the length of the values as REAL64", done.stderr)
+        self.assertIn('sample_bytes = 16, but the program of "t[0]" must receive all values of a sample', done.stderr)
+        self.assertIn("hint: set sample_bytes to 40, the length of all values as REAL64", done.stderr)
         done = placedpar("check", cluster, "--set", "record.problem=sphere")
         self.assertEqual(done.returncode, 1)
-        self.assertIn('"sphere" has no record, but the program of "t[0]" waits for its samples', done.stderr)
+        self.assertIn('"sphere" has no record, but the program of "t[0]" waits for samples', done.stderr)
 
     def test_errors_have_places(self):
         for command in ("run", "check"):

@@ -185,7 +185,7 @@ class BadInput(InFolder):
         self.sweep(*too_short)
         for measure, about in (("host.accurate_after", "time after which the fittest estimate stays accurate; absent if the last "
                                                        "estimate is not accurate"),
-                               ("max(master[0].T_exe)", "mean time of a generation with a full window; this time and the other times are absent if the window was never full")):
+                               ("max(master[0].T_exe)", "mean time of a generation with a full window; all times are absent if the window was never full")):
             told = f'placedpar: no run measured "{measure}": {about}'
             self.assertTrue(self.sweep(*too_short, "--measure", measure, code=1).startswith(told))
             reported = placedpar("report", "kept", "--measure", measure, folder=self.folder)
