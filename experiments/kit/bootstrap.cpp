@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace placedpar {
 
@@ -17,6 +18,8 @@ constexpr double outside = 0.05;
 /// Returns the interval of a statistic of `count` runs drawn with replacement, by their indices.
 template <class Statistic>
 Interval bootstrap(std::size_t count, Statistic statistic) {
+    if (count < least_runs_for_interval)
+        return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     RandomStream random(0, "bootstrap");
     std::vector<double> found;
     std::vector<std::size_t> drawn(count);

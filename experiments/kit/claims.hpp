@@ -26,7 +26,7 @@ struct Claim {
 };
 
 /// Returns `holds` if the whole 95 % interval of the median is within the bounds, `fails` if no part of it is,
-/// otherwise `undecided`.
+/// otherwise `undecided`, so that a claim is never decided by fewer runs than an interval needs.
 ClaimVerdict verdict_of(const Claim&);
 
 /// Returns the medians with their intervals as cells, and the verdicts as notes. The table is judged. A claim that is

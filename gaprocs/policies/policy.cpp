@@ -52,8 +52,8 @@ std::size_t index_of(std::string_view name, const std::vector<PolicyDescription>
     if (found != names.end())
         return static_cast<std::size_t>(found - names.begin());
     auto guess = did_you_mean(name, names);
-    throw UserError(
-        fmt::format("it is one of {}{}", fmt::join(texts_of(known), ", "), guess.empty() ? "" : "; " + guess));
+    throw UserError(fmt::format("\"{}\" is not one of {}{}", name, fmt::join(texts_of(known), ", "),
+                                guess.empty() ? "" : "; " + guess));
 }
 
 double read_number(std::string_view text, const PolicyNumberDescription& number) {

@@ -43,7 +43,7 @@ void check_initial(const std::string& text) {
     try {
         InitialPopulation::named(text);
     } catch (const UserError& no_policy) {
-        throw UserError(fmt::format("no file has this name; as a policy {}", no_policy.what()));
+        throw UserError(fmt::format("no file has this name; {}", no_policy.what()));
     }
 }
 
