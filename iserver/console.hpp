@@ -13,7 +13,8 @@ namespace placedpar::iserver {
 bool write_to_screen(std::string_view text);
 
 /// The terminal on which PlacedPar was started, or the files and pipes that stand in for it. Keys are read as INMOS's
-/// server for Unix reads them: each at once, without echo, Enter as 13. Lines are edited and echoed by the terminal.
+/// server for Unix reads them: each at once, without echo, Enter as 13. In a file or pipe, a newline stands for Enter.
+/// Lines are edited and echoed by the terminal.
 class Console : public Terminal {
 public:
     /// While the console waits for input, it asks several times a second whether the program was interrupted. If so,

@@ -119,7 +119,7 @@ void require_printed(const Experiment& experiment, const ReplayOptions& options)
 void require_study(const Experiment& experiment, const ReplayOptions& options) {
     if (experiment.seeds == 0 && (options.seeds != 0 || !options.resume.empty()))
         throw UserError(
-            fmt::format("{} does not run several seeds, so --seeds and --resume have no effect", experiment.name));
+            fmt::format("{} has a fixed number of runs, so --seeds and --resume have no effect", experiment.name));
     if (options.resume.empty())
         return;
     if (is_standard_stream(options.resume))

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace placedpar {
 
@@ -18,6 +19,8 @@ constexpr double outside = 0.05;
 /// from the indices of the drawn runs.
 template <class Statistic>
 Interval bootstrap(std::size_t count, Statistic statistic) {
+    if (count < least_runs_for_interval)
+        return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     RandomStream random(0, "bootstrap");
     std::vector<double> found;
     std::vector<std::size_t> drawn(count);

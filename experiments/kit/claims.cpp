@@ -77,10 +77,11 @@ const char* name_of(ClaimVerdict verdict) {
 
 ClaimVerdict verdict_of(const Claim& claim) {
     Interval interval = median_interval(claim.values);
-    bool low = agrees(claim, interval.low), high = agrees(claim, interval.high);
-    if (low && high)
+    if (agrees(claim, interval.low) && agrees(claim, interval.high))
         return ClaimVerdict::holds;
-    return low || high || agrees(claim, median(claim.values)) ? ClaimVerdict::undecided : ClaimVerdict::fails;
+    const bool overlaps =
+        interval.high >= claim.at_least.value_or(interval.high) && interval.low <= claim.at_most.value_or(interval.low);
+    return overlaps ? ClaimVerdict::undecided : ClaimVerdict::fails;
 }
 
 Comparison claims_comparison(std::string name, const std::vector<Claim>& claims, Judge judge) {

@@ -26,7 +26,7 @@ struct Claim {
 };
 
 /// Returns `holds` if the whole 95 % interval of the median is within the bounds, `fails` if the whole interval is
-/// outside the bounds, otherwise `undecided`.
+/// outside the bounds, otherwise `undecided`. So a claim is never decided by fewer runs than an interval needs.
 ClaimVerdict verdict_of(const Claim&);
 
 /// Returns a judged table of the claims, with the medians and their intervals as cells, and the verdicts as notes. A

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <tuple>
 
 namespace placedpar::generate {
 
@@ -50,17 +51,32 @@ Job job_of_kind(const TopologyRequest& request, const Catalogue& catalogue, cons
                         has_problem(*kind) ? problem.each : "");
 }
 
+/// Throws UserError if the request names ports, but none of the kind of one process for each processor.
+void refuse_ports(const TopologyRequest& request) {
+    const TopologyRequest usual;
+    for (auto [option, said, unsaid] :
+         {std::tuple("--output", &request.output, &usual.output), std::tuple("--input", &request.input, &usual.input)})
+        if (*said != *unsaid)
+            throw UserError(
+                fmt::format("{} {} has no effect: it names a port of the kind that --job KIND places on each "
+                            "processor, but the job is {}",
+                            option, *said, request.job));
+}
+
 Job job_of(const TopologyRequest& request, const Catalogue& catalogue, const Topology& topology,
            const RecordedProblem* problem) {
     const ProblemStatements statements = statements_of(request.problem, problem);
+    const bool is_file = lower_case(request.job).ends_with(".csv");
+    if (request.job == "farm" || request.job == "islands" || is_file)
+        refuse_ports(request);
     if (request.job == "farm")
         return farm(topology, statements);
     if (request.job == "islands")
         return request.topology == "figure-e2" ? islands_with_slaves(statements) : islands(topology, statements);
-    if (lower_case(request.job).ends_with(".csv") && !request.problem.empty())
+    if (is_file && !request.problem.empty())
         throw UserError(fmt::format("--problem {} has no effect on the tasks of {}, which do not search",
                                     request.problem, request.job));
-    if (lower_case(request.job).ends_with(".csv"))
+    if (is_file)
         return tasks_of_file(request.job, topology.nodes, topology);
     return job_of_kind(request, catalogue, topology, statements);
 }

@@ -24,6 +24,8 @@ void BootHost::serve() {
             return;
         answer(request);
     }
+    if (state_ == iserver::ServerState::waits_for_input && !abandoned_)
+        wait_for_link(Activity::inputting); // for ever, since the request gets no reply
 }
 
 /// Answers a request. The reply to the last one is sent, too, but the host does not wait until the program has taken

@@ -26,8 +26,8 @@ public:
     /// REQUIRES: request_time >= 0.
     BootHost(std::vector<std::uint8_t> file, Answering, Time request_time);
 
-    /// Boots and serves; the body of the host's process. Returns when the program has exited, when no input is left for
-    /// it, or when it sends a packet that cannot be read.
+    /// Boots and serves; the body of the host's process. Returns when the program has exited, or when it sends a packet
+    /// that cannot be read. Waits for ever when the program asks for input and none is left.
     void serve();
 
     /// Ends serve(): a transputer has stopped.

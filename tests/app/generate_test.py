@@ -89,7 +89,8 @@ class Generate(unittest.TestCase):
             for words in ("torus --size 4x4", "ring --size 0", "hypercube --size 12", "moebius --size 8", "ring --size -3",
                           "tree --size 9 --branches 4", "mesh --size 4", "ring", "ring --size 8 --job nobody", "ring --size 8 --host sun",
                           "ring --size 8 --problem rastrign", "torus --size 2x2x2",
-                          "ring --size 4 --job csp.identity --output out --input in --problem sphere"):
+                          "ring --size 4 --job csp.identity --output out --input in --problem sphere",
+                          "ring --size 4 --output out", "ring --size 4 --job farm --input in"):
                 run = placedpar("generate", *words.split(), "-o", path)
                 self.assertEqual((run.returncode, run.stdout), (1, ""), words)
                 self.assertTrue(run.stderr.startswith("placedpar: ") or run.stderr.startswith("--"), run.stderr)

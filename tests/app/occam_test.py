@@ -60,11 +60,11 @@ class Programs(unittest.TestCase):
             self.assertIn(" <standard input>\n", (pathlib.Path(folder) / "h.lines").read_text(encoding="ascii"))
             self.assertEqual(self.run_program(file), "h\n")
 
-    def run_text(self, text, *options, command="run"):
+    def run_text(self, text, *options, command="run", typed=None):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "test.occ"
             file.write_text(text, encoding="ascii")
-            return placedpar(command, file, *options)
+            return placedpar(command, file, *options, typed=typed)
 
     def test_reports_name_places_of_the_program(self):
         deadlock = self.run_text("""PROC stuck ()
@@ -164,6 +164,46 @@ PROC hello (CHAN OF SP fs, ts)
         self.assertRegex(done.stdout, r"deadlock at \d+\.\d+ ms")
         self.assertIn("waits; an earlier request for a key found no key", done.stdout)
         self.assertRegex(done.stdout, r"root\.\d+:5 +inputs")
+
+    def test_a_line_from_a_pipe_ends_where_the_return_key_is_pressed(self):
+        done = self.run_text("""#INCLUDE "hostio.inc"
+PROC ask (CHAN OF SP fs, ts, []INT memory)
+  #USE "hostio.lib"
+  [20]BYTE line:
+  INT length:
+  BYTE result:
+  SEQ
+    so.read.line (fs, ts, length, line, result)
+    so.write.string.nl (fs, ts, [line FROM 0 FOR length])
+    so.exit (fs, ts, sps.success)
+:
+""", typed="one\ntwo\n")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue(done.stdout.startswith("one\n"), done.stdout)
+
+    def test_a_program_that_waits_for_a_key_after_the_last_one_waits_for_ever(self):
+        done = self.run_text("""#INCLUDE "hostio.inc"
+PROC ask (CHAN OF SP fs, ts, []INT memory)
+  #USE "hostio.lib"
+  BYTE key, result:
+  SEQ
+    SEQ i = 0 FOR 2
+      so.getkey (fs, ts, key, result)
+    so.exit (fs, ts, sps.success)
+:
+""", "--keys", "a")
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertIn("waits for a key, but the input has ended", done.stdout)
+
+    def test_the_exit_code_tells_success_from_any_other_status(self):
+        for status, code in (("sps.success", 0), ("sps.failure", 1), ("INT32 7", 1)):
+            done = self.run_text(f"""#INCLUDE "hostio.inc"
+PROC leave (CHAN OF SP fs, ts, []INT memory)
+  #USE "hostio.lib"
+  so.exit (fs, ts, {status})
+:
+""")
+            self.assertEqual(done.returncode, code, done.stdout + done.stderr)
 
     def test_a_program_without_a_host_ends_with_success(self):
         done = self.run_text("PROC main ()\n  INT x:\n  x := 1\n:\n")

@@ -194,7 +194,7 @@ class Replay(unittest.TestCase):
     def test_what_is_no_study_has_no_seeds_to_count(self):
         run = placedpar("replay", "table-e1", "--seeds", 3)
         self.assertEqual((run.returncode, run.stdout), (1, ""))
-        self.assertIn("table-e1 does not run several seeds", run.stderr)
+        self.assertIn("table-e1 has a fixed number of runs, so --seeds and --resume have no effect", run.stderr)
 
     def test_table_e2_is_within_its_tolerances(self):
         run, document = replay("table-e2", self.folder)
