@@ -63,9 +63,9 @@ std::string hint_for(const std::string& text) {
         return "";
     const std::span<const std::uint8_t> bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
     const std::string why_not = why_not_bootable(bytes);
-    return why_not.empty() ? "placedpar run takes a file that boots a transputer; a netlist names it: use \"FILE\" for "
-                             "root;"
-                           : why_not;
+    return why_not.empty()
+               ? "this file boots a transputer: placedpar run executes it; in a netlist, write use \"FILE\" for root;"
+               : why_not;
 }
 
 bool is_standard_input(const SourceFile& file) { return file.path() == shown_input("-"); }
@@ -128,7 +128,7 @@ std::string render(const ReadResult& result) { return render(result.diagnostics)
 /// The results of reading and parsing the text, which overrides do not change, and the options for all networks.
 struct ParsedNetlist::Syntax {
     struct Content {
-        std::string (*translate_hint)(const std::string&) = nullptr; ///< as of MadeNetlist
+        std::string (*translate_hint)(const std::string&) = nullptr; ///< see MadeNetlist
         Statements statements = {};
         std::vector<std::string> included_paths = {};
         bool includes_toolset = false;
@@ -136,8 +136,8 @@ struct ParsedNetlist::Syntax {
 
     Syntax(const LoadedSource& source, const std::filesystem::path& path, const ReadOptions& options);
     Content parse(const ValChoice&, Reporter&) const;
-    /// Returns whether the netlist must be made again of a configuration in another language: only when it is made can
-    /// an option set a val.
+    /// Returns whether the netlist must be made again from a configuration in another language, because an option may
+    /// set a val of the configuration.
     bool is_made_again(const Overrides& overrides) const {
         return content.translate_hint && !overrides.empty() && !found.failed();
     }

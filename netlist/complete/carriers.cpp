@@ -94,8 +94,8 @@ private:
         return result;
     }
 
-    /// Returns the search for routes of this channel. Channels between processes that are code lead through other
-    /// processors than those of other processes.
+    /// Returns the search for routes of this channel. Channels between processes that are code may lead through
+    /// different processors than other channels.
     RouteSearch& search(const NetworkChannel& channel) {
         return is_between_code(c_.network, channel) ? *search_for_code_ : search_;
     }
@@ -122,7 +122,7 @@ private:
     }
 
     /// Places a channel to an edge, or to a processor's own code, on the connection. Refuses a connection that does not
-    /// join the channel's process to it.
+    /// lead from the channel's process there.
     void carry_to_edge(NetworkChannel& channel, std::size_t index, const Location& at) {
         const auto& connection = c_.network.connections[index];
         auto& outer = channel.from.at_edge() ? channel.from : channel.to;
@@ -140,7 +140,8 @@ private:
         ++load(channel.placement.route.front());
     }
 
-    /// Refuses two channels to a processor's own code on one direction of a wire: its program moves only bytes.
+    /// Refuses two channels to a processor's own code on one direction of a wire. The code sends and receives only
+    /// bytes, so it could not tell the channels apart.
     void check_channels_to_code() {
         std::map<std::pair<std::size_t, bool>, const NetworkChannel*> first;
         for (const auto& channel : c_.network.channels)
@@ -333,8 +334,8 @@ private:
         for (const auto& connection : c_.network.connections)
             for (auto [near, far] : {std::pair(connection.a, connection.b), std::pair(connection.b, connection.a)})
                 if (far.at_edge() && (edge == nowhere || far.node == edge))
-                    return fmt::format("\"{}\" is connected to {}: place the process there", node_name(far.node),
-                                       link_name(c_.network.nodes, near));
+                    return fmt::format("\"{}\" is connected to {}: place the process on that processor",
+                                       node_name(far.node), link_name(c_.network.nodes, near));
         auto link = c_.free_link(node);
         return link.empty() ? fmt::format("all links of \"{}\" are taken: connect one of its links to the edge "
                                           "instead",
@@ -392,7 +393,8 @@ private:
                                   c_.network.nodes[node].declared});
     }
 
-    /// Adds a note for each processor on the best route of other channels that cannot pass on a channel of code.
+    /// Adds a note for each processor that any other channel could pass through, but not a channel between processes
+    /// that are code.
     void add_obstacles(std::vector<SecondPlace>& places, std::size_t from, std::size_t to) {
         const std::vector<RouteHop> route = search_.best(from, to).value_or(std::vector<RouteHop>{});
         for (std::size_t i = 0; i + 1 < route.size(); ++i) {
@@ -406,7 +408,7 @@ private:
                      c_.network.nodes[node].declared});
             else
                 places.push_back(
-                    {fmt::format("\"{}\" cannot pass the channel on: \"{}\", which is not code, is placed here",
+                    {fmt::format("\"{}\" cannot pass the channel on: \"{}\", which is not in occam, is placed here",
                                  node_name(node), process->name),
                      process->placed});
         }

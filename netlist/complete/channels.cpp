@@ -101,8 +101,8 @@ private:
         c_.draft_channel.push_back(draft);
     }
 
-    /// Returns whether the two ports carry the same messages. Ports of code agree with one another if their protocols
-    /// do, and with a C++ type if its byte form is that of their protocol.
+    /// Returns whether the two ports carry the same messages. Two ports of code must have the same protocol. A port of
+    /// code agrees with a C++ type that has the byte form of the port's protocol.
     static bool agree(const PortDescription& a, const PortDescription& b) {
         if (a.type != b.type)
             return std::ranges::find(a.byte_types, b.bytes_as) != a.byte_types.end() ||
@@ -206,7 +206,7 @@ private:
             c_.reporter.error(placement.at,
                               fmt::format("the channel \"{}.{}\" leads to \"{}\", which executes its own code, {}",
                                           process.name, name, c_.network.nodes[node].name,
-                                          at_run_time ? "by a switch that is set during the run"
+                                          at_run_time ? "through a switch that is set during the run"
                                                       : fmt::format("from \"{}\", {}", here.name, here.kind->noun)),
                               "such a channel needs a wire between two processors, or from a workstation");
             return false;
@@ -347,7 +347,7 @@ private:
         return true;
     }
 
-    /// Refuses a port of fixed size of which fewer or more channels are connected.
+    /// Refuses a port of fixed size if another number of its channels is connected.
     void check_elements(std::size_t index, const ProcessKind& kind) {
         const DraftProcess& process = c_.draft.processes[index];
         for (const PortDescription& port : kind.ports) {

@@ -78,8 +78,8 @@ private:
     /// Returns the nodes on routes of least cost, sorted by distance from the hub, farthest first. Marks them in
     /// within_.
     std::vector<std::size_t> nodes_between(const Least& least, std::size_t other);
-    /// These two functions return whether a route through a node may use this link of the node: the link at which the
-    /// hop begins, or ends.
+    /// A hop leaves its first node by one link, and comes in at its second node by another. These two functions return
+    /// whether a route through that node may use the link.
     bool may_leave(const RouteHop&) const;
     bool may_come_in(const RouteHop& hop) const { return may_leave({hop.connection, !hop.from_a_to_b}); }
     RouteCost cost_of(const Step&, std::size_t to) const;
@@ -91,7 +91,7 @@ private:
     std::vector<bool>
         beyond_quota_; ///< at 2 * connection + from_a_to_b: whether this hop leaves its node by a link beyond the quota
     bool has_quotas_ = false; ///< some link is beyond a quota, so the cost of a route may depend on its direction
-    std::vector<bool> leads_through_;     ///< for each node
+    std::vector<bool> leads_through_;     ///< for each node: whether routes may lead through it
     std::vector<std::int64_t> routecost_; ///< for each node that passes channels on
     std::vector<std::optional<RouteCost>>
         distances_;                    ///< for each node: least cost found from here to the end of the route

@@ -133,8 +133,9 @@ std::size_t StatedRoutes::connection_to_partner(const StatedPlacement& place) co
     return *found;
 }
 
-/// Returns the way over a bus at a master's place. The way of an output leads to the next stated place or, from the
-/// last place, to the receiver. The way of an input comes from the sender.
+/// Returns the way over a bus for a placement at a master. If the channel's output is placed there, the way leads to
+/// the place that is stated next, or to the receiver if this place is the last. If the input is placed there, the way
+/// leads from the sender.
 std::size_t StatedRoutes::way_from_bus(const StatedPlacement& place) const {
     bool last = place.number + 1 == place.all.size();
     auto other = place.inputs() ? place.channel.from.node

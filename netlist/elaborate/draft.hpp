@@ -91,7 +91,7 @@ struct DraftWire {
     Location at;
 };
 
-/// `connect sun.bus[0] to vme.slot[1];`
+/// Holds a statement such as `connect sun.bus[0] to vme.slot[1];`.
 struct DraftAttachment {
     std::size_t node = nowhere, bus = nowhere;
     int slot = 1;
@@ -112,8 +112,8 @@ struct DraftChannel {
     Location at;
 };
 
-/// The statement `place p.out on t.link[2];`. For `... on edge;`, `where.link` is -1. For `... on vme;`, `where.node`
-/// is the bus, and `where.link` is `bus_port`.
+/// Holds a statement such as `place p.out on t.link[2];`. For `... on edge;`, `where.link` is -1. For `... on vme;`,
+/// `where.node` is the bus, and `where.link` is `bus_port`.
 struct DraftPlacement {
     LinkEnd where;
     Location at;
@@ -126,7 +126,7 @@ struct DraftFault {
     Location at;                      ///< place of the failing thing in the statement
 };
 
-/// `place c1 on c2;`
+/// Holds the statement `place c1 on c2;`.
 struct DraftConnectionPlacement {
     std::size_t wire = nowhere; ///< index of `c2`, the connection of a wire
     Location at;

@@ -28,13 +28,13 @@ public:
     Elaborator(const Catalogue& catalogue, const Statements& overrides, Reporter& reporter);
 
     void run(const Statements& statements);
-    /// Declares a val of a configuration in another language, which the names of the netlist may hide. Returns its
-    /// value, which an option may set.
+    /// Declares a val of a configuration in another language. A name in the netlist may hide the val. Returns the value
+    /// of the val: the value that an option sets, or `original`.
     Value choose_val(const std::string& name, const Value& original, const Location& at);
     /// Replaces programs by kinds, as the options `--use PROGRAM=KIND` say.
     void use(const ProgramKinds& kinds);
-    /// Reads the programs that are files of a language (FileKinds). The names of these programs become those by which
-    /// the catalogue knows the kinds.
+    /// Reads the programs that are source files (FileKinds), and replaces their names by the names of their kinds in
+    /// the catalogue.
     void read_files(const std::vector<std::filesystem::path>& folders);
     const Draft& draft() const { return draft_; }
     Draft take();

@@ -22,18 +22,18 @@ using Answering = std::function<iserver::Answer(iserver::ByteView request, std::
 /// requests until the program exits.
 class BootHost final : public transputer::ByteEnd {
 public:
-    /// `file`: empty if the program is there when the run begins. `request_time`: how long the host works on a request.
-    /// REQUIRES: request_time >= 0.
+    /// `file`: empty if the transputer already has its program when the run begins. `request_time`: how long the host
+    /// works on a request. REQUIRES: request_time >= 0.
     BootHost(std::vector<std::uint8_t> file, Answering, Time request_time);
 
-    /// Boots and serves; the body of the host's process. Returns when the program has exited, when no input is left for
-    /// it, or when it sends a packet that cannot be read.
+    /// Boots and serves; the body of the host's process. Returns when the program has exited, when it waits for input
+    /// and no input is left, or when it sends a packet that cannot be read.
     void serve();
 
     /// Ends serve(): a transputer has stopped.
     void abandon();
 
-    /// The results of serve().
+    /// These three functions return results of serve().
     iserver::ServerState state() const { return state_; }
     std::int32_t exit_status() const { return exit_status_; }
     /// Says why a packet could not be read; "" if all could.

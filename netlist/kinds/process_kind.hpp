@@ -30,12 +30,13 @@ struct PortDescription {
     std::string about;          ///< one line
     std::string formerly = "";  ///< the port's name in older netlists; "" if the name has never changed
     bool has_byte_form = false; ///< messages can travel to and from programs in a transputer's own code (HasByteForm)
-    std::type_index bytes_as = type; ///< the C++ type whose byte form theirs is: `type`, or ByteForm::SameAs
+    std::type_index bytes_as =
+        type; ///< the C++ type with the same byte form as the messages: `type`, or ByteForm::SameAs
     /// Lists the C++ types that have the same byte form as the messages. Only ports of code have them
     /// (ProcessKind::is_code).
     std::vector<std::type_index> byte_types = {};
     std::int64_t elements = 0; ///< number of channels of the port; 0: the netlist decides
-    bool to_host = false;      ///< leads to the host of the node if it is not connected; only of ports of code
+    bool to_host = false; ///< if the port is not connected, it leads to the host of the node; only for ports of code
 };
 
 /// Describes a quantity that a process of this kind measures and reports at the end of a run.

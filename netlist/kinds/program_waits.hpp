@@ -21,12 +21,13 @@ struct ProgramEnd {
 /// A process of a booted program that waits when nothing can happen any more.
 struct ProgramWait {
     StuckProcess process;
-    std::vector<ProgramEnd> awaited; ///< the other ends of its channels: it waits until a process comes to one of them
-    std::vector<ProgramEnd> ahead;   ///< the ends to which its own code would come next
+    std::vector<ProgramEnd>
+        awaited; ///< ends at which the process waits for a partner: the other ends of the channels that it uses now
+    std::vector<ProgramEnd> ahead; ///< the ends that its code would use next
 };
 
 /// Adds processes of booted programs to a report: the processes, their channels, and a cycle if the report has none. A
-/// cycle can lead over processes of programs and of the netlist.
+/// cycle can contain processes of programs and processes of the netlist.
 void add_program_waits(Deadlock&, const std::vector<ProgramWait>&, const Network&);
 
 } // namespace placedpar

@@ -42,7 +42,7 @@ struct NetlistSyntax {
 
     /// Returns the name that is declared or used at a place; null if there is none.
     const NetlistName* name_at(const Location&) const;
-    /// Returns the name that was declared last under this text; null if there is none.
+    /// Returns the last declaration of this name; null if there is none.
     const NetlistName* find(std::string_view name) const;
 };
 

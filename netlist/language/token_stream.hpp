@@ -11,8 +11,8 @@
 
 namespace placedpar {
 
-/// Limits the number of tokens. No sensible netlist reaches the limit; a chain of files that each include the next file
-/// twice would.
+/// Limits the number of tokens. No sensible netlist reaches the limit, but a chain of files could exceed it, if each
+/// file includes the next file twice.
 inline constexpr std::size_t most_tokens = 8'000'000;
 inline constexpr std::size_t most_includes = 1000;
 inline constexpr std::size_t most_included_bytes = 4 * largest_source_bytes;

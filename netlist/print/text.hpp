@@ -38,7 +38,7 @@ std::string print_list(const std::vector<std::string>& entries);
 /// Returns whether a wire leads to a transputer that executes its own code.
 bool is_used_by_code(const Network& network, const LinkConnection& wire);
 
-/// Says how a transputer that executes its own code gets it: "boots hello.btl", "boots over its links".
+/// Says where a transputer gets its own code from: "boots hello.btl", "boots over its links".
 std::string print_boot(const Node& node);
 
 } // namespace placedpar
