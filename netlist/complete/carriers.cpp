@@ -153,7 +153,7 @@ private:
                                       fmt::format("the channels \"{}\" and \"{}\" use the same direction of a wire to "
                                                   "\"{}\", which executes its own code",
                                                   known->second->name, channel.name, node_name(end->node)),
-                                      "place one of them on another link to this processor",
+                                      "place one of the channels on another link to this processor",
                                       {{"the first channel is placed here", known->second->connected}});
             }
     }
@@ -376,19 +376,20 @@ private:
         add_quotas(places, from, to);
         if (is_between_code(c_.network, channel))
             add_obstacles(places, from, to);
-        refuse(channel.connected,
-               fmt::format("the channel \"{}\" has no route: no wires through processors join \"{}\" and \"{}\"",
-                           channel.name, node_name(from), node_name(to)),
-               fmt::format("\"{}\" has {}; \"{}\" has {}{}", node_name(from), links_of(from), node_name(to),
-                           links_of(to), missing_wire(from, to)),
-               std::move(places));
+        refuse(
+            channel.connected,
+            fmt::format("the channel \"{}\" has no route: no chain of wires through processors joins \"{}\" and \"{}\"",
+                        channel.name, node_name(from), node_name(to)),
+            fmt::format("\"{}\" has {}; \"{}\" has {}{}", node_name(from), links_of(from), node_name(to), links_of(to),
+                        missing_wire(from, to)),
+            std::move(places));
     }
 
     /// Adds a note for each other processor whose `linkquota` excludes some of its wired links.
     void add_quotas(std::vector<SecondPlace>& places, std::size_t from, std::size_t to) const {
         for (std::size_t node = 0; node < c_.network.nodes.size(); ++node)
             if (node != from && node != to && search_.is_kept_by_quota(node))
-                places.push_back({fmt::format("\"{}\" leads channels through {} of its links (linkquota)",
+                places.push_back({fmt::format("\"{}\" passes channels on over only {} of its links (linkquota)",
                                               node_name(node), c_.network.nodes[node].integer("linkquota")),
                                   c_.network.nodes[node].declared});
     }

@@ -124,11 +124,12 @@ private:
                                      "a channel leads from an output to an input");
         const auto& edge = draft.a.process == nowhere ? draft.a : draft.b;
         const auto& process = draft.a.process == nowhere ? draft.b : draft.a;
-        c_.reporter.error(draft.b.at,
-                          fmt::format("the edge channel \"{}\" is an {} of the network, \"{}\" an {} of its process",
-                                      edge.port, word(c_.draft.edge_channels[edge.edge_channel].direction),
-                                      shown(process), word(direction)),
-                          "an input of the network leads to an input of a process, an output to an output");
+        c_.reporter.error(
+            draft.b.at,
+            fmt::format("the edge channel \"{}\" is an {} of the network, but \"{}\" is an {} of its process",
+                        edge.port, word(c_.draft.edge_channels[edge.edge_channel].direction), shown(process),
+                        word(direction)),
+            "connect an input of the network to an input of a process, and an output to an output");
     }
 
     ChannelEnd end_of(const DraftChannelEnd& end) const {
@@ -215,7 +216,7 @@ private:
             return true;
         c_.reporter.error(placement.at,
                           fmt::format("the channel \"{}.{}\" of the kind \"{}\" carries {}, which cannot travel as "
-                                      "bytes, but the code that \"{}\" executes can move only bytes",
+                                      "bytes, but the code that \"{}\" executes can send and receive only bytes",
                                       process.name, name, kind->name, port->protocol, c_.network.nodes[node].name),
                           "numbers, truth values, arrays and counted arrays of them, variants of all these, and the "
                           "packets of the csp kinds can travel as bytes");

@@ -193,7 +193,7 @@ private:
         const auto& attributes = c_.draft.connections[named];
         if (attributes.level || attributes.release) {
             c_.reporter.error(connection.connected,
-                              fmt::format("the attribute \"{}\" belongs to a connection to a bus",
+                              fmt::format("the attribute \"{}\" applies only to a connection to a bus",
                                           attributes.level ? "level" : "release"),
                               "such as connect sun.bus[0] to vme.slot[1] by ...;",
                               {{"declared here", attributes.declared}});

@@ -57,7 +57,8 @@ std::size_t Elaborator::device_end(const Reference& reference, const Found& foun
     auto node = element(reference, found);
     const DeviceKind& kind = *draft_.nodes[node].kind;
     if (kind.medium)
-        refuse(reference.field_at, fmt::format("a {} has slots: {}.slot[...]", draft_.nodes[node].type, reference.name),
+        refuse(reference.field_at,
+               fmt::format("a {} has only slots: write {}.slot[...]", draft_.nodes[node].type, reference.name),
                how_to_attach);
     if (kind.bus == BusRole::none)
         refuse(reference.field_at,

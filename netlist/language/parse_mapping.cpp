@@ -31,7 +31,7 @@ Reference Parser::parse_reference(std::string_view what, std::string_view part) 
 
 Reference Parser::parse_target() {
     auto target = parse_reference("a val, an attribute or a parameter", "an attribute or a parameter");
-    expect("=", "after the name of what to set");
+    expect("=", "after the name to be set");
     return target;
 }
 
