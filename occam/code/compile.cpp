@@ -83,7 +83,7 @@ Code Generator::generate(const Declaration& main) {
     return code;
 }
 
-/// `base`: the workspace pointer of the procedure, in words from the first one.
+/// `base`: the workspace pointer of the procedure, in words from the first workspace pointer of the program.
 std::vector<CodeChannel> Generator::channels_of_main(const Declaration& main, std::int64_t base) const {
     std::vector<CodeChannel> channels;
     const auto* const scope = std::get_if<Scope>(&std::get<Procedure>(main.form).body->form);

@@ -136,8 +136,8 @@ void Generator::priority_parallel(const Parallel& each) {
     clear_error();
 }
 
-/// The address of each component's workspace is known only at run time. It finds the variables around it by a static
-/// link.
+/// The addresses of the components' workspaces are known only at run time. A component finds the variables around the
+/// PAR by a static link.
 void Generator::replicated_parallel(const Process& p, const Parallel& each) {
     const Replicator& replicator = *each.replicator;
     const auto components = constant_of(replicator.count);

@@ -24,7 +24,7 @@ Configurer::Configurer(Program& program, const ValChoice& choose, Reporter& repo
     program_.has_channel_tables = true;
 }
 
-/// Makes the names HOST, HIGH and LOW visible; a configuration may declare them anew.
+/// Makes the names HOST, HIGH and LOW visible. A configuration may declare other things with these names.
 void Configurer::add_predefined() {
     const auto add = [&](const std::string& name, const Type* type) -> Declaration& {
         Declaration& declaration = *predefined_.emplace_back(std::make_unique<Declaration>());
@@ -114,7 +114,7 @@ void Configurer::refuse(const Process& process) {
     const char* const allowed = part_ == Part::network   ? allowed_in_network
                                 : part_ == Part::mapping ? allowed_in_mapping
                                                          : allowed_in_software;
-    reporter_.error(at(process.at), "this cannot stand in a configuration", allowed);
+    reporter_.error(at(process.at), "this statement is not allowed in a configuration", allowed);
 }
 
 void Configurer::form_of(Process&, Scope& scope) {
@@ -171,7 +171,7 @@ bool Configurer::execute_if(If& conditional) {
     return found;
 }
 
-/// Returns whether a condition was true, or wrong.
+/// Returns true if a condition was true or had an error.
 bool Configurer::execute_choices(If& conditional) {
     for (Choice& choice : conditional.choices) {
         const std::size_t mark = checker_.mark();

@@ -1,4 +1,4 @@
-// Values of constants: as a netlist has them, and as an option sets them.
+// These functions convert constants to values of netlists, and set the VALs that options change.
 
 #include "occam/check/constant.hpp"
 #include "occam/configuration/configurer.hpp"
@@ -53,7 +53,8 @@ void Configurer::choose(Declaration& val) {
         return;
     const Value chosen = choose_(netlist_name(val.name), *original, at(val.at));
     if (chosen != *original && !set_val(val, chosen))
-        checker_.report(val.at, fmt::format("the value that is set does not fit in {}", name_of(*val.type)), "");
+        checker_.report(val.at, fmt::format("the value that an option sets does not fit in {}", name_of(*val.type)),
+                        "");
 }
 
 /// Returns whether the value fits.

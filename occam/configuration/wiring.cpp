@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array processor_types = {"T805", "T801", "T800", "T425", "T414", "T400", "T225", "T222", "T212"};
 
-/// Returns the name of a type from a text such as "t800 ", where tables of texts have blanks.
+/// Returns the name of a type from a text such as "t800 ". Texts in a table may have blanks at the end.
 std::string type_in(const std::vector<std::uint8_t>& bytes) {
     std::string type(bytes.begin(), bytes.end());
     type.erase(type.find_last_not_of(' ') + 1);

@@ -16,7 +16,7 @@ namespace {
 
 using Path = std::filesystem::path;
 
-/// Returns the name of a file without its folders. Old files write `\`.
+/// Returns the name of a file without its folders. In old files, `\` separates the folders.
 std::string without_folders(const std::string& name) {
     const auto slash = name.find_last_of("/\\");
     return slash == std::string::npos ? name : name.substr(slash + 1);
@@ -92,7 +92,7 @@ FoundFile loaded(Reading& reading, const Path& path, std::string key, const Plac
     return {std::move(key), nullptr};
 }
 
-/// Returns whether a file may be opened within those that are open.
+/// Returns whether a file may be opened while the files in `reading.open` are open. Reports an error if not.
 bool may_open(Reading& reading, const std::string& key, const std::string& name, const Place& at) {
     const auto same = std::ranges::find(reading.open, key, &OpenFile::key);
     if (same != reading.open.end()) {
