@@ -125,7 +125,7 @@ void add_program_paths(Network& network, const Catalogue& catalogue) {
 
 std::string render(const ReadResult& result) { return render(result.diagnostics) + result.not_shown; }
 
-/// The results of reading and parsing the text, which overrides do not change, and the options for all networks.
+/// Holds the results of reading and parsing the text, which overrides do not change, and the options for all networks.
 struct ParsedNetlist::Syntax {
     struct Content {
         std::string (*translate_hint)(const std::string&) = nullptr; ///< see MadeNetlist

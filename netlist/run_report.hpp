@@ -22,7 +22,7 @@ struct ProcessUse {
         waits_since; ///< start of the last wait, if the process still waits at the end and never continues
 };
 
-/// The clock of a rank of a recorded native run, compared with rank 0's clock before and after the run.
+/// Compares the clock of a rank with rank 0's clock, before and after a recorded native run.
 struct RankClock {
     std::string name;               ///< "rank 1"
     std::chrono::nanoseconds ahead; ///< how far this clock was ahead of rank 0's clock before the run

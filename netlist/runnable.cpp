@@ -14,7 +14,7 @@ namespace placedpar {
 
 namespace {
 
-/// The processes that run one unknown program, or the channels that lead to one edge without a process.
+/// Lists the processes that run one unknown program, or the channels that lead to one edge without a process.
 struct Missing {
     std::vector<std::string> names;
     Location first;

@@ -8,7 +8,7 @@ namespace placedpar::serve {
 /// Size of the largest answer of a run, as JSON.
 inline constexpr std::size_t largest_answer_bytes = 24u << 20;
 
-/// The limits of a run. We chose the values.
+/// Holds the limits of a run. We chose the values.
 struct RunLimits {
     std::uint64_t seconds = 10;     ///< time limit; after this time the run is interrupted, and a little later killed
     std::uint64_t megabytes = 1024; ///< limit of the address space, of which the program itself needs about 100 Mbyte

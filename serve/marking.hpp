@@ -11,13 +11,13 @@
 
 namespace placedpar::serve {
 
-/// A task that many students have solved. Either `exercise` or `expected` is given.
+/// Describes a task that many students have solved. Either `exercise` or `expected` is given.
 struct MarkedTask {
     std::string exercise;                ///< number of an exercise of the course, such as "3.2"
     std::optional<std::string> expected; ///< output of a correct solution
 };
 
-/// The result of a submission.
+/// Holds the result of a submission.
 struct Mark {
     std::string file; ///< path below the folder of submissions
     /// "solved", "wrong output", "deadlock", "too long" (simulated), "too much output", "failed", "refused" (with

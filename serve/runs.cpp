@@ -80,7 +80,7 @@ std::string why_no_answer(int status, const RunLimits& limits) {
 
 } // namespace
 
-/// The process of one job.
+/// Controls the process of one job.
 class Runs::Process : public std::enable_shared_from_this<Process> {
 public:
     Process(Runs& runs, Waiting job)

@@ -21,7 +21,7 @@ struct ServiceSettings {
     QueueLimits queue;
 };
 
-/// The page on which netlists and programs in occam are edited and run.
+/// Serves the page on which users edit and run netlists and programs in occam.
 class Service {
 public:
     /// Listens. `say` receives messages for the operator. Throws UserError if the address, the port, the token or a

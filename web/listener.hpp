@@ -14,9 +14,9 @@ namespace placedpar::web {
 
 /// Describes the other end of a connection.
 struct Caller {
-    /// The party that limits apply to. It is an IPv4 address, or the 64-bit network of an IPv6 address. It is
-    /// "loopback" for all loopback addresses, since each local program can use millions of addresses. At a socket in
-    /// the file system, it is the user, such as "user 1000".
+    /// The party to which limits apply: an IPv4 address, or the 64-bit network of an IPv6 address. It is "loopback" for
+    /// all loopback addresses, since each local program can use millions of addresses. At a socket in the file system,
+    /// it is the user, such as "user 1000".
     std::string peer;
     std::string name; ///< name in messages, including the port
     std::string here; ///< the local address at which the connection arrived

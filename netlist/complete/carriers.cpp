@@ -122,7 +122,7 @@ private:
     }
 
     /// Places a channel to an edge, or to a processor's own code, on the connection. Refuses a connection that does not
-    /// lead from the channel's process there.
+    /// join the channel's process to this edge or processor.
     void carry_to_edge(NetworkChannel& channel, std::size_t index, const Location& at) {
         const auto& connection = c_.network.connections[index];
         auto& outer = channel.from.at_edge() ? channel.from : channel.to;

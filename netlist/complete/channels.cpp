@@ -144,7 +144,7 @@ private:
     }
 
     /// Adds the channel of a port that is not connected, but placed on a link to an edge or to a processor that
-    /// executes its own code. The INMOS tool accepts this form for edges, too.
+    /// executes its own code. INMOS's configurer icconf accepts this form for edges, too.
     void add_placed(std::size_t index, Direction direction, const std::string& name, const DraftPlacement& placement) {
         const auto& process = c_.draft.processes[index];
         std::size_t beyond = edge_behind(placement.where);

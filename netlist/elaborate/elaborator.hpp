@@ -41,7 +41,7 @@ public:
 
 private:
     using Category = DeclaredThings::Category;
-    /// Consecutive elements of one array in the draft.
+    /// Describes consecutive elements of one array in the draft.
     struct Elements {
         std::size_t first = 0, count = 0;
     };
@@ -180,7 +180,7 @@ private:
     std::map<std::pair<std::size_t, int>, Location> used_links_, used_crosspoints_;
     std::set<std::tuple<std::size_t, int, int>>
         crosspoints_; ///< node of the switch and its two links, the lower link first
-    /// An error to report later: a link has a second crosspoint.
+    /// Describes an error that is reported later: a link has a second crosspoint.
     struct CrosspointAgain {
         LinkEnd end;
         Location at, first;
@@ -197,7 +197,7 @@ private:
     // the names of vals in blocks.
     std::vector<std::pair<std::string, Constant>> vals_;
     std::set<std::string> vals_in_blocks_;
-    std::size_t host_ = nowhere; ///< the predefined edge, if the netlist has used it so far
+    std::size_t host_ = nowhere; ///< node of the predefined edge; nowhere until the netlist uses this edge
 };
 
 } // namespace placedpar

@@ -178,7 +178,7 @@ void Elaborator::use_for_all(const std::string& program, const Location& at) {
     draft_.default_used = at;
 }
 
-/// Names the bootable file of a node. Its path is relative to the folder of the netlist.
+/// Sets the bootable file of a node. The path of the file is relative to the folder of the netlist.
 void Elaborator::boot(const Reference& reference, const Found& found, const std::string& file, const Location& at) {
     Node& node = draft_.nodes[element(reference, found)];
     if (!node.boot_file.empty())

@@ -8,7 +8,7 @@
 
 namespace placedpar {
 
-/// The largest bootable file that is read.
+/// Limits the size of a bootable file.
 inline constexpr std::size_t largest_bootable_bytes = 64 * 1024 * 1024;
 
 /// Returns why these bytes cannot boot a transputer, and which tools make bootable files; "" if the bytes can. Only the

@@ -68,7 +68,7 @@ iserver::ServerOptions options_of(const HostServices& host, const Node& node) {
 
 } // namespace
 
-/// The host that boots the node: its terminal, its server, and its end of the link.
+/// Holds the parts of the host that boots the node: the terminal, the server, and the host's end of the link.
 struct BootedNode::Host {
     Host(const Network& network, const Node& node)
         : terminal(terminal_of(network.host)), server(options_of(network.host, node), *terminal),

@@ -21,8 +21,8 @@ class OutsideHost; // netlist/kinds/outside_host.hpp
 /// Returns the options of the server for a program that this file boots.
 iserver::ServerOptions server_options(const HostServices&, const std::string& file);
 
-/// A transputer in a run that executes its own code. If the netlist names a bootable file for it, a host at one of its
-/// links sends the file and serves the program.
+/// Simulates a transputer that executes its own code. If the netlist names a bootable file for the transputer, a host
+/// at one of its links sends the file and serves the program.
 class BootedNode final : public MachineNode {
 public:
     BootedNode(MachineParts&, std::size_t node);

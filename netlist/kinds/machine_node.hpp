@@ -44,9 +44,9 @@ struct CarrierPair {
 /// Adds the effects of a device's fault to the report. The function is empty if the fault only stops processes.
 using FaultEffects = std::function<void(FaultUse&)>;
 
-/// A node of the network in a run, made by its DeviceKind. The base class does nothing; a device overrides the
-/// functions that it needs. A device that takes time adds processes and hardware to the simulation. All devices outlive
-/// the simulation.
+/// Simulates a node of the network in a run. The node's DeviceKind makes it. The base class does nothing; a device
+/// overrides the functions that it needs. A device that takes time adds processes and hardware to the simulation. All
+/// devices outlive the simulation.
 class MachineNode {
 public:
     /// REQUIRES: the parts outlive this object.

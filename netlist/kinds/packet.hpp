@@ -10,7 +10,7 @@
 
 namespace placedpar {
 
-/// A message of the textbook processes (csp_kinds.hpp): a number, with a stated length on the wire.
+/// Holds a message of the textbook processes (csp_kinds.hpp): a number, and the length of the message on the wire.
 struct Packet {
     std::int64_t number = 0;
     std::uint32_t bytes = 4;

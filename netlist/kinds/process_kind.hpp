@@ -54,7 +54,7 @@ struct Complaint {
     bool warning = false; ///< the complaint is shown, but the netlist is accepted
 };
 
-/// A kind of process that a netlist can name in `use "kind" for process;`.
+/// Describes a kind of process, which a netlist can name in `use "kind" for process;`.
 struct ProcessKind {
     std::string name;  ///< such as "ga.master"
     std::string about; ///< a short paragraph
@@ -75,11 +75,11 @@ struct ProcessKind {
     /// Returns the Promela statements of a process of the kind. If empty, networks with such processes cannot be
     /// printed for Spin.
     PromelaStatements promela = {};
-    /// says that a program built on PlacedPar adds this kind: an exception from the kind or its processes is then an
-    /// error of that program, not a defect of PlacedPar
+    /// True if a program built on PlacedPar adds this kind. An exception from the kind or from its processes is then an
+    /// error of that program, not a defect of PlacedPar.
     bool is_own = false;
-    /// says that the kind is made of a file (FileKinds): its processes are code that their node executes, and the kind
-    /// has no body
+    /// True if the kind is made from a source file (FileKinds). Its processes are then code, which their node executes,
+    /// and the kind has no body.
     bool is_code = false;
     std::uint64_t text_hash = 0; ///< hash of the texts from which the kind is made; 0 if it is not made from a file
 

@@ -10,7 +10,7 @@ namespace placedpar {
 
 struct Network; // netlist/network/network.hpp
 
-/// An end of a channel that a booted program uses.
+/// Identifies an end of a channel that a booted program uses.
 struct ProgramEnd {
     std::string channel; ///< "root.#80000100", a direction of a link "root.link[2] -> worker.link[1]", or a channel of
                          ///< the netlist that leads to a process
@@ -18,7 +18,7 @@ struct ProgramEnd {
     auto operator<=>(const ProgramEnd&) const = default;
 };
 
-/// A process of a booted program that waits when nothing can happen any more.
+/// Describes a process of a booted program that still waits when nothing can happen any more.
 struct ProgramWait {
     StuckProcess process;
     std::vector<ProgramEnd>

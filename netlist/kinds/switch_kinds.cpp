@@ -1,4 +1,5 @@
-// Two kinds for a switch that is set during the run: the logic of the switch, and a program that sets the switch.
+// This file defines two kinds for a switch that is set during the run: the logic of the switch, and a process that sets
+// the switch.
 
 #include "netlist/kinds/csp_kinds.hpp"
 #include "netlist/kinds/description.hpp"

@@ -50,7 +50,7 @@ DeviceModel in_lower_case(DeviceModel model) {
     return model;
 }
 
-/// A TRAM, or one of the transputers on an evaluation board.
+/// Describes a TRAM, or one of the transputers on an evaluation board.
 struct Module {
     std::string name, chip;
     std::int64_t memory_bytes;
@@ -162,7 +162,7 @@ std::vector<AttributeDescription> transputer_attributes() {
     return attributes;
 }
 
-/// Returns the attributes of the INMOS tool that have no effect here.
+/// Returns the attributes that only icconf uses.
 std::vector<std::string> kept_attributes() {
     auto kept = attributes_of_the_real_tool();
     std::erase(kept, "linkquota");

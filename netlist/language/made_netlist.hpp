@@ -12,13 +12,13 @@
 
 namespace placedpar {
 
-/// The place in the original file of a part of a made text. The part extends to the next part.
+/// Says where a part of a made text comes from in the original file. The part extends to the next part.
 struct PartOrigin {
     std::size_t offset = 0; ///< offset of the first character of the part
     Location place;
 };
 
-/// A netlist that was made from a configuration in another language.
+/// Holds a netlist that was made from a configuration in another language.
 struct MadeNetlist {
     std::shared_ptr<const SourceFile> text; ///< null if the original text is a netlist itself, or has errors
     std::vector<PartOrigin> origins;        ///< in ascending order of offset; the first has offset 0

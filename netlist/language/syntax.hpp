@@ -89,7 +89,7 @@ struct Declarator {
     std::vector<ExpressionPointer> dimensions;
 };
 
-/// A channel's direction, or a parameter's type such as "int".
+/// Holds a channel's direction, or a parameter's type such as "int".
 using EntryType = std::variant<Direction, std::string>;
 
 /// Holds one entry of `interface (...)`: a channel end or a parameter.

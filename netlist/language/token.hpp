@@ -18,8 +18,8 @@ enum class TokenKind {
     end
 };
 
-/// An integer constant in both readings of its suffix: `20M` is 20971520 as a size and 20000000 as a frequency. Some
-/// attributes, such as `clock` and `linkspeed`, take the second reading (AttributeDescription::decimal_suffixes).
+/// Holds an integer constant in both readings of its suffix: `20M` is 20971520 as a size and 20000000 as a frequency.
+/// Some attributes, such as `clock` and `linkspeed`, take the second reading (AttributeDescription::decimal_suffixes).
 /// Constants keep both readings through `val`s and arithmetic.
 struct Integer {
     std::int64_t value = 0;

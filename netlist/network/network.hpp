@@ -40,7 +40,7 @@ struct Answer;      // iserver/server.hpp
 
 inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
-/// A device of some kind, or an edge. Wires connect nodes.
+/// Describes a node of the network: a device of some kind, or an edge. Wires connect nodes.
 struct Node {
     std::string name; ///< such as "t[0][1]"
     std::string type; ///< such as "T800", "C004" or "edge"; "T800" also for a B404, a module with a T800
@@ -49,7 +49,7 @@ struct Node {
     bool overlapped_acknowledge = true;                   ///< its links acknowledge a byte while the byte comes in
     bool floating_point_unit = true;                      ///< the processor has a floating-point unit, as a T800 has
     std::set<std::string, std::less<>> given = {};        ///< names of the attributes that the netlist gives
-    std::map<std::string, Value> other;                   ///< attributes of the INMOS tool, not used by a simulation
+    std::map<std::string, Value> other; ///< attributes that only icconf uses; no effect on a simulation
     Location declared;
     std::string boot_file = ""; ///< path of the bootable file that a host sends to the node; "" if none
     std::shared_ptr<const std::vector<std::uint8_t>> boot_bytes = nullptr; ///< contents of this file
@@ -74,7 +74,7 @@ struct LinkEnd {
     bool operator==(const LinkEnd&) const = default;
 };
 
-/// The passage of a connection through a crossbar switch, in the direction from end a to end b.
+/// Describes the passage of a connection through a crossbar switch, in the direction from end a to end b.
 struct SwitchCrossing {
     std::size_t node = nowhere;
     int from_link = 0, to_link = 0;
@@ -85,7 +85,7 @@ inline constexpr int bus_port = std::numeric_limits<int>::max();
 /// The link number of the link `config`, by which a switch is set during the run.
 inline constexpr int configuration_link = bus_port - 1;
 
-/// A device in a slot of a bus.
+/// Describes a device in a slot of a bus.
 struct BusAttachment {
     std::size_t node = nowhere, bus = nowhere;
     int slot = 1;
@@ -103,7 +103,8 @@ struct BusWay {
     std::size_t wire = nowhere; ///< connection at the link adapter; nowhere: the way ends in a bus master's memory
 };
 
-/// A wire between two links, with the switches that it passes, or a way over a bus. At most one end is at an edge.
+/// Describes a wire between two links, with the switches that it passes, or a way over a bus. At most one end is at an
+/// edge.
 struct LinkConnection {
     LinkEnd a, b;
     std::int64_t bits_per_second = 20'000'000;
@@ -129,7 +130,7 @@ struct WirePiece {
     bool operator==(const WirePiece&) const = default;
 };
 
-/// One entry of `interface (...)`, as the netlist declares it.
+/// Holds one entry of a declared `interface (...)`.
 struct DeclaredEntry {
     std::string type; ///< "input" or "output" for a channel end; "int", "char", "double" ... for a parameter
     std::string name;
@@ -138,7 +139,7 @@ struct DeclaredEntry {
     bool operator==(const DeclaredEntry&) const = default;
 };
 
-/// A connected port of a process. Optional ports that are not connected are not listed.
+/// Describes a connected port of a process. Optional ports that are not connected are not listed.
 struct PortBinding {
     std::string port; ///< such as "to_slaves" or "out[2]"; the kind's port is "to_slaves" or "out"
     Direction direction;
@@ -161,7 +162,7 @@ struct ProcessInstance {
     bool high_priority = false;
     std::size_t node = nowhere;
     std::vector<PortBinding> ports; ///< in the order of the kind's ports; for a stand-in, in the order of the interface
-    std::map<std::string, Value> other; ///< attributes of the INMOS tool, not used by a simulation
+    std::map<std::string, Value> other; ///< attributes that only icconf uses; no effect on a simulation
     Location declared;
 };
 
@@ -215,7 +216,7 @@ struct NetworkChannel {
 /// adapters of both channels. REQUIRES: both channels are broadcast.
 bool are_one_broadcast(const NetworkChannel&, const NetworkChannel&);
 
-/// A fault of a link or a device in a run.
+/// Describes a fault of a link or a device in a run.
 struct Fault {
     std::string kind;                                     ///< "silent", "halts"
     std::size_t node = nowhere;                           ///< the failing device, or the device with the failing link
@@ -239,7 +240,7 @@ struct SetByOption {
     std::vector<std::string> elements; ///< elements that have the attribute or parameter; empty: the name is a val
 };
 
-/// The services that the hosts of booted nodes offer to their programs.
+/// Describes the services that the hosts of booted nodes offer to their programs.
 struct HostServices {
     std::string folder = "";       ///< the only folder whose files a program can reach; "": none
     std::string command_line = ""; ///< arguments of the program
@@ -276,7 +277,7 @@ struct Network {
     std::size_t count_wires() const;
 };
 
-/// A compiled program that boots a node.
+/// Holds a compiled program that boots a node.
 struct CompiledProgram {
     std::shared_ptr<const std::vector<std::uint8_t>> bytes; ///< contents of a bootable file
     std::shared_ptr<const SourceFile> lines;                ///< the table of its source lines; null if there is none

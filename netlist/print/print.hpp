@@ -9,8 +9,8 @@
 namespace placedpar {
 
 /// Prints the network in the netlist language; the text reads back to the same network. Parameters keep the order of
-/// the netlist, and the toolset's include comes before the first use of its declarations, so the INMOS tool also
-/// accepts the text.
+/// the netlist, and the toolset's include comes before the first use of its declarations, so INMOS's configurer icconf
+/// also accepts the text.
 std::string print_cfs(const Network& network);
 /// Returns the text that is hashed. Neither the order of parameters nor the toolset's include changes this text.
 std::string canonical_form(const Network& network);

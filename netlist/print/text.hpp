@@ -16,7 +16,7 @@ std::string print_constant(const Value& value);
 std::string print_entry(std::string_view name, const Value& value);
 
 /// Returns the attributes that differ from those of the first element of the node's array, or from the kind's defaults
-/// if `first` is null; then the attributes that only the INMOS tool uses.
+/// if `first` is null; after these, the attributes that only icconf uses.
 std::vector<std::string> print_attributes(const Node& node, const Node* first = nullptr);
 
 /// Describes consecutive elements of one array, or a single thing.

@@ -18,7 +18,7 @@ struct OperatorTraits {
     bool gives_truth;
 };
 
-/// The operators in the order of Operator.
+/// Describes the operators, in the order of Operator.
 constexpr std::array<OperatorTraits, 27> operator_traits = {{
     {"+", Operands::numbers, false},      {"-", Operands::numbers, false},      {"*", Operands::numbers, false},
     {"/", Operands::numbers, false},      {"\\", Operands::numbers, false},     {"PLUS", Operands::integers, false},

@@ -104,8 +104,8 @@ void Generator::component(const Process& p, Frame& frame, Frame& parent) {
     level_->vector_most = std::max(level_->vector_most, most);
 }
 
-/// The component of high priority is started; the process itself becomes the component of low priority. The component
-/// that ends last continues after the PAR, and must then have low priority.
+/// Starts the component of high priority; the process itself becomes the component of low priority. The component that
+/// ends last continues after the PAR, and must then run at low priority.
 void Generator::priority_parallel(const Parallel& each) {
     const Label done = emitter_.new_label(), start = emitter_.new_label(), low = emitter_.new_label();
     join(done, is_main_ && !options_.awaits_high ? 1 : 2);

@@ -12,7 +12,7 @@ using transputer::Operation;
 
 namespace {
 
-/// The meaning of the errors of routines whose names have this ending.
+/// States what errors of the routines whose names have this ending mean.
 struct Errors {
     std::string_view name, meaning;
 };

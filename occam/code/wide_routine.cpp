@@ -9,7 +9,7 @@ using transputer::Operation;
 
 namespace {
 
-/// Words below the workspace of the caller that the routines need.
+/// Number of words that the routines need below the caller's workspace.
 constexpr int words_of_routine = 20;
 
 /// Loads the operands at the addresses in words 13 and 14 into words 0 to 3, as magnitudes with their signs in words 4

@@ -15,7 +15,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// The links over which a channel arrives at a node, and leaves it.
+/// Describes the links over which a channel arrives at a node and leaves the node.
 struct LinksOfChannel {
     std::optional<std::size_t> arrives_over, leaves_over; ///< connections
     int in = 0, out = 0;                                  ///< links
