@@ -111,7 +111,7 @@ void sort_by_place(std::vector<Diagnostic>& diagnostics) {
     });
 }
 
-/// Adds the files that kinds are made of to the paths of the network's inputs.
+/// Adds the source files of kinds to the paths of the network's inputs.
 void add_program_paths(Network& network, const Catalogue& catalogue) {
     std::set<std::string> known;
     for (const ProcessInstance& process : network.processes)
@@ -141,8 +141,8 @@ struct ParsedNetlist::Syntax {
     bool is_made_again(const Overrides& overrides) const {
         return content.translate_hint && !overrides.empty() && !found.failed();
     }
-    /// Returns no network if the reporter has errors. REQUIRES: the reporter already has the diagnostics of `found`,
-    /// unless the netlist is made again.
+    /// Returns the network; nothing if the reporter has errors. REQUIRES: the reporter already has the diagnostics of
+    /// `found`, unless the netlist is made again.
     std::optional<Network> network(const Catalogue&, const Overrides&, Reporter&, Declared&) const;
 
     std::shared_ptr<const SourceFile> file;

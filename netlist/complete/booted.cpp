@@ -41,7 +41,7 @@ bool has_host(const Network& network, std::size_t node) {
     return false;
 }
 
-/// Checks that the node can execute code. The file of `booted` boots it.
+/// Checks that the node can execute code. `booted` is the node whose bootable file boots this node.
 void check_type(Completion& c, const Node& node, const Node& booted) {
     check_executes(c, node, {{"the file is named here", booted.boot_stated}});
 }

@@ -15,8 +15,8 @@ namespace {
 
 /// Chooses what carries each channel. Channels that the netlist places come first; then each other channel takes the
 /// best route (RouteCost). Both groups keep the netlist's order. Between neighbours the best route is the wire with the
-/// fewest channels in that direction; among equal wires, the wire with the lowest link number at the sender. A channel
-/// to or from an edge takes one wire.
+/// fewest channels in the channel's direction; among equal wires, the wire with the lowest link number at the sender. A
+/// channel to or from an edge takes one wire.
 class Carriers {
 public:
     explicit Carriers(Completion& c)
@@ -107,7 +107,7 @@ private:
                                                [&](auto& hop) { return load(hop) > 1 && !is_shared(hop.connection); });
     }
 
-    /// Returns whether the connection is a way that carries any number of channels without packets.
+    /// Returns whether the connection is a way (BusWay) that can carry any number of channels without packets.
     bool is_shared(std::size_t connection) const {
         const auto& way = wires_[connection].over_bus;
         return way && c_.network.nodes[c_.network.attachments[way->master].bus].kind->medium->shares_ways;
@@ -173,8 +173,8 @@ private:
         channel.placement = {ChannelPlacement::Kind::link, std::move(route)};
     }
 
-    /// Returns the best route over these wires in this order. Throws StatementRefused, after reporting, if no route
-    /// exists.
+    /// Returns the best route that takes these wires in this order. Throws StatementRefused, after reporting, if no
+    /// route exists.
     std::vector<RouteHop> route_over(const NetworkChannel& channel, const std::vector<StatedRoute>& wires) {
         if (channel.from.node == nowhere || channel.to.node == nowhere)
             throw StatementRefused{}; // already reported

@@ -38,7 +38,8 @@ private:
         return end.process == nowhere ? end.port : c_.draft.processes[end.process].name + "." + end.port;
     }
 
-    /// Returns nothing, after reporting why, if the end's direction is unknown.
+    /// Returns the port and the direction of a channel's end; nothing, after reporting an error, if the direction is
+    /// unknown.
     std::optional<End> look_up(const DraftChannelEnd& end) {
         if (end.process == nowhere) {
             auto direction = c_.draft.edge_channels[end.edge_channel].direction;
@@ -231,8 +232,8 @@ private:
                           fmt::format("connect {}.{} to ...;", process.name, port));
     }
 
-    /// Refuses a channel that is placed on the link of a processor that executes its own code. Names the link at the
-    /// other end of the wire, if it is on the process's processor.
+    /// Refuses a channel that is placed on the link of a processor that executes its own code. If the other end of the
+    /// wire is on the process's processor, the hint names this end.
     void refuse_placed_at_code(const DraftProcess& process, const std::string& port, const DraftPlacement& placement) {
         const std::string channel = process.name + "." + port;
         auto wire = c_.connection_at.find({placement.where.node, placement.where.link});
@@ -294,8 +295,9 @@ private:
         return known != nullptr && known->optional;
     }
 
-    /// Reports an unconnected channel, unless it may follow from an error that was reported: a `connect` names the
-    /// channel and some `connect` was refused, or a `connect` names a channel that the process lacks.
+    /// Reports an unconnected channel, unless an error that was reported may be the cause. This is so if a `connect`
+    /// names the channel and some `connect` was refused, or if a `connect` names a channel that the process does not
+    /// have.
     void refuse_unconnected(std::size_t index, const Location& at, const std::string& port) {
         if (mentioned_.contains({index, std::string(base_name(port))}) ? refused_ : misnamed_.contains(index))
             return;

@@ -83,7 +83,7 @@ void check_code_type(Completion& c, const DraftProcess& process, const Node& nod
 } // namespace
 
 void mark_code_nodes(Completion& c) {
-    std::map<std::size_t, const DraftProcess*> code; // the first process that is code, by node
+    std::map<std::size_t, const DraftProcess*> code; // key: node; the first process on it that is code
     for (std::size_t i = 0; i < c.draft.processes.size(); ++i)
         if (const DraftProcess& process = c.draft.processes[i];
             c.kinds[i] && c.kinds[i]->is_code && process.node != nowhere)
@@ -305,7 +305,7 @@ private:
     Completion& c_;
     Network& n_;
     std::vector<bool> has_code_;                            ///< for each node: whether it has an image
-    std::set<std::pair<std::size_t, std::size_t>> refused_; ///< nodes
+    std::set<std::pair<std::size_t, std::size_t>> refused_; ///< pairs of nodes that were reported
 };
 
 } // namespace

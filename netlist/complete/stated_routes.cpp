@@ -112,7 +112,7 @@ std::size_t StatedRoutes::connection_at_link(const StatedPlacement& place) const
                                    name_of(place), link_of(place)));
 }
 
-/// Returns the connection that switches may make at the link and that leads to the channel's other process.
+/// Returns the connection that switches can make from the stated link to the node of the channel's other process.
 std::size_t StatedRoutes::connection_to_partner(const StatedPlacement& place) const {
     const ChannelEnd& partner = place.inputs() ? place.channel.from : place.channel.to;
     auto stated = c_.draft.placements.find({partner.process, partner.port});

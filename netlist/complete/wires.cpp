@@ -187,8 +187,8 @@ private:
         c_.network.pieces.push_back(std::move(piece));
     }
 
-    /// Adds the attributes of one piece of the wire. Returns false, after reporting, if the piece states another speed
-    /// than a preceding piece.
+    /// Adds the attributes of one piece of the wire. Returns false, after reporting, if the piece states a different
+    /// speed from a preceding piece.
     bool add_attributes(LinkConnection& connection, std::optional<std::int64_t>& speed, std::size_t named) {
         const auto& attributes = c_.draft.connections[named];
         if (attributes.level || attributes.release) {

@@ -126,7 +126,7 @@ void Elaborator::refuse_after_declaration(const Setting& setting, const Node& no
                                   : fmt::format("{} kinds {} lists its attributes", program_name(), node.type));
 }
 
-/// Attributes may follow a declaration, because they may differ among the elements of an array.
+/// Sets attributes of nodes that are already declared, so that the elements of an array can have different attributes.
 void Elaborator::set_nodes(const Elements& range, const std::vector<Setting>& settings) {
     for (std::size_t i = range.first; i < range.first + range.count; ++i)
         for (const Setting& setting : settings) {

@@ -56,7 +56,7 @@ private:
     }
 };
 
-/// Accepts cores, each in a slot of its own.
+/// Accepts a core if its slot is empty. Refuses all other devices.
 bool takes_core(const Attached& attached, const BusAttachment& core) {
     const auto refuse = [&](const std::string& message, const char* hint) {
         attached.reporter.error(core.connected, message, hint);

@@ -48,7 +48,7 @@ struct MeasurementDescription {
 
 /// Describes an error or a probable mistake in a process, found by the kind's own check.
 struct Complaint {
-    std::size_t process = 0; ///< the process at fault, which may be another than the checked process
+    std::size_t process = 0; ///< the process at fault, which may differ from the checked process
     std::string about; ///< the parameter or port at fault, whose place is shown; "": the place of the process is shown
     std::string message, hint;
     bool warning = false; ///< the complaint is shown, but the netlist is accepted
@@ -91,7 +91,7 @@ struct ProcessKind {
     std::string hint_at_port(std::string_view wanted) const;
 };
 
-/// A value for ProcessKind::is_determinate: every process of the kind is determinate.
+/// Serves as ProcessKind::is_determinate if every process of the kind is determinate.
 inline bool always(const Network&, std::size_t) { return true; }
 
 } // namespace placedpar

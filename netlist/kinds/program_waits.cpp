@@ -78,7 +78,7 @@ private:
         waiting_.push_back({path, awaited});
     }
 
-    /// Adds a process of the report, which follows the process whose component it is.
+    /// Adds a process of the report. In the report, a component comes after the process that started it.
     void add(const StuckProcess& process) {
         const auto parent = numbers_.find(process.path.substr(0, process.path.rfind('/')));
         if (parent != numbers_.end())

@@ -93,7 +93,7 @@ public:
     }
 
 private:
-    /// Channels of one broadcast, which share each message.
+    /// Holds the channels of one broadcast, which share each message.
     struct Broadcast {
         std::vector<std::size_t> channels;
         hardware::AdapterBroadcast* writer = nullptr;

@@ -195,7 +195,7 @@ struct Statement {
         form;
 };
 
-/// A function throws this exception, after reporting the error, if it cannot continue with a statement. The exception
+/// Functions throw this exception if they cannot continue with a statement. They report the error first. The exception
 /// is caught where the statement is executed or parsed.
 struct StatementRefused {};
 

@@ -21,8 +21,8 @@ inline constexpr std::size_t most_included_bytes = 4 * largest_source_bytes;
 /// directly or through others, is refused.
 class TokenStream {
 public:
-    /// Included files are looked for beside the file that includes them, then in `include_folders`. `origins` are those
-    /// of the main file (Lexer).
+    /// Included files are looked for beside the file that includes them, then in `include_folders`. `origins`: the
+    /// origins of the text in `main` (see Lexer).
     TokenStream(std::shared_ptr<const SourceFile> main, const std::filesystem::path& path, Reporter& reporter,
                 std::vector<std::filesystem::path> include_folders = {}, std::vector<PartOrigin> origins = {});
 

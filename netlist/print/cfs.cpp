@@ -83,7 +83,7 @@ public:
 
 private:
     /// Returns the path of a bootable file or, in the canonical form, the hash of its contents. The hash of the network
-    /// then changes if the program does, and stays if the file only moves.
+    /// then changes if the program changes, but not if the file only moves.
     std::string boot_file(const Node& node) const {
         return order_ == ParameterOrder::as_given ? print_constant(node.boot_file)
                                                   : fmt::format("{:016x}", boot_hash(node));
