@@ -174,7 +174,7 @@ void Checker::parameters(DeclarationList& list) {
     }
     declare(list);
     for (const DeclarationBox& each : list)
-        if (names[each->name] != each.get()) // declared twice: its type may have been meant for another parameter
+        if (names[each->name] != each.get()) // declared twice: its type is probably wrong, too
             each->type = mistaken();
 }
 
@@ -287,7 +287,7 @@ void Checker::declare(Declaration& declaration, Protocol& protocol) {
     } else {
         made.items = items_of(protocol.items.items);
         if (made.items.size() != protocol.items.items.size())
-            return; // reported; channels of this protocol are mistaken
+            return; // the error is reported; channels of this protocol have the type `mistaken`
     }
     protocol.meaning = shared_protocol(declaration, std::move(made));
 }

@@ -100,7 +100,7 @@ void Generator::wide_routine(WideRoutine which, const Wide& left, const Wide& ri
     call_moved(entry, moved);
     const char* const operation = which == WideRoutine::multiply ? "*" : which == WideRoutine::divide ? "/" : "\\";
     if (moved == 0)
-        wide_fails({.cell = a}, operation, {.cell = b}); // finds the operands from where the routine is called
+        wide_fails({.cell = a}, operation, {.cell = b}); // the operands are in the caller's workspace
     stack_ = 0;
     frame_->need_below(words_of_routine + moved);
     checked_ = true;

@@ -36,7 +36,7 @@ void count_names(const Frame& frame, NameCounts& counts) {
         count_names(each->main, counts);
 }
 
-/// Adds a name to others: "reader or writer".
+/// Adds a name to a list of names: "reader or writer".
 void add_name(std::string& names, const std::string& name) {
     constexpr std::size_t longest = 60;
     constexpr const char* others = " or others";

@@ -9,7 +9,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// Limits the statements, rounds and elements of a configuration, as a netlist is limited.
+/// Limits the number of statements, repetitions and elements of a configuration, as for a netlist.
 constexpr std::size_t most_steps = 1'000'000;
 
 constexpr const char* allowed_in_network = "NETWORK has DO, IF, SET and CONNECT";

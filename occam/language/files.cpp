@@ -39,7 +39,7 @@ std::vector<std::string> file_names(const std::string& name, FileUse use) {
     return {stem + ".occ", stem + ".module"};
 }
 
-/// Returns whether the name is the name of a library, which has no single source file beside it.
+/// Returns whether the name names a library, which has no single source file beside it.
 bool is_library(const std::string& name) { return lower_case(name).ends_with(".lib"); }
 
 std::vector<Path> folders_of(const Reading& reading, const Place& named_at) {

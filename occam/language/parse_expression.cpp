@@ -137,7 +137,7 @@ Expression Parser::parse_conversion(std::shared_ptr<TypeText> type) {
     return made(word, std::move(conversion));
 }
 
-/// Only names, segments, tables and strings have subscripts.
+/// Reads an operand. Names, segments, tables and strings may have subscripts.
 Expression Parser::parse_operand() {
     const bool is_in_parentheses = peek().is("(");
     Expression operand = parse_primary();
