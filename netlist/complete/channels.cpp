@@ -112,7 +112,7 @@ private:
     }
 
     void refuse_protocols(const DraftChannel& draft, const PortDescription& a, const PortDescription& b) {
-        c_.reporter.error(draft.at, fmt::format("the protocols differ: \"{}\" carries {}, \"{}\" carries {}",
+        c_.reporter.error(draft.at, fmt::format("the protocols differ: \"{}\" carries {}, but \"{}\" carries {}",
                                                 shown(draft.a), a.protocol, shown(draft.b), b.protocol));
     }
 
@@ -205,12 +205,13 @@ private:
         const bool at_run_time =
             c_.network.connections[c_.connection_at.at({placement.where.node, placement.where.link})].at_run_time;
         if (at_run_time || here.kind->executes == Execution::none) {
-            c_.reporter.error(placement.at,
-                              fmt::format("the channel \"{}.{}\" leads to \"{}\", which executes its own code, {}",
-                                          process.name, name, c_.network.nodes[node].name,
-                                          at_run_time ? "through a switch that is set during the run"
-                                                      : fmt::format("from \"{}\", {}", here.name, here.kind->noun)),
-                              "such a channel needs a wire between two processors, or from a workstation");
+            c_.reporter.error(
+                placement.at,
+                fmt::format("the channel \"{}.{}\" cannot lead to \"{}\", which executes its own code, {}",
+                            process.name, name, c_.network.nodes[node].name,
+                            at_run_time ? "through a switch that is set during the run"
+                                        : fmt::format("from \"{}\", {}", here.name, here.kind->noun)),
+                "such a channel needs a wire between two processors, or from a workstation");
             return false;
         }
         if (port == nullptr || port->has_byte_form)

@@ -195,7 +195,7 @@ private:
             c_.reporter.error(connection.connected,
                               fmt::format("the attribute \"{}\" applies only to a connection to a bus",
                                           attributes.level ? "level" : "release"),
-                              "such as connect sun.bus[0] to vme.slot[1] by ...;",
+                              "use the connection in a statement such as connect sun.bus[0] to vme.slot[1] by ...;",
                               {{"declared here", attributes.declared}});
             c_.wire_refused[connection.a.node] = c_.wire_refused[connection.b.node] = true;
             return false;

@@ -141,7 +141,7 @@ void Elaborator::perform(const Declaration& form, const Location&) {
 
 void Elaborator::declare_nodes(const NodeType& type, const Declaration& form) {
     if (type.needs_type)
-        refuse(form.type_at, "the type of the processor is missing", "processor (type = \"T800\") name;");
+        refuse(form.type_at, "the type of the processor is missing", "write processor (type = \"T800\") name;");
     for (const auto& name : form.names)
         declare(
             name, Category::node, draft_.nodes.size(),

@@ -27,7 +27,8 @@ std::vector<const Type*> Checker::results_of(const Declaration& routine) const {
 }
 
 void Checker::argument(Expression& expression, const Formal& formal, const std::string& of) {
-    const std::string role = formal.name.empty() ? "this parameter of " + of : "\"" + formal.name + "\" of " + of;
+    const std::string role =
+        formal.name.empty() ? "this parameter of " + of : "the parameter \"" + formal.name + "\" of " + of;
     if (is_data(*formal.type) && formal.passing == Parameter::Passing::value)
         return value_of(expression, formal.type, role);
     if (is_data(*formal.type)) {

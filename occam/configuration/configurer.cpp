@@ -12,10 +12,10 @@ namespace {
 /// Limits the number of statements, repetitions and elements of a configuration, as for a netlist.
 constexpr std::size_t most_steps = 1'000'000;
 
-constexpr const char* allowed_in_network = "NETWORK has DO, IF, SET and CONNECT";
-constexpr const char* allowed_in_mapping = "MAPPING has DO, IF and MAP";
+constexpr const char* allowed_in_network = "NETWORK can have only DO, IF, SET and CONNECT";
+constexpr const char* allowed_in_mapping = "MAPPING can have only DO, IF and MAP";
 constexpr const char* allowed_in_software =
-    "a configuration has PAR, IF, PROCESSOR, and instances of PROCs; write a PROC for the rest";
+    "a configuration can have only PAR, IF, PROCESSOR, and instances of PROCs; write a PROC for the rest";
 
 } // namespace
 

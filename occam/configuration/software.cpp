@@ -36,7 +36,8 @@ std::optional<Element> Configurer::node_of(Processor& processor) {
         return numbered_node(processor);
     const auto node = single(processor.number, Type::Kind::node, "a node");
     if (node && !processor.type.empty()) {
-        checker_.report(processor.number.at, "the type of a node is stated by SET", "leave the type out");
+        checker_.report(processor.number.at, "the type of a node is stated by SET, not by PROCESSOR",
+                        "leave the type out");
         return std::nullopt;
     }
     return node;

@@ -90,7 +90,7 @@ ProcessBox Parser::parse_body(const Word& head) {
         is_empty = false;
         const Word first = peek();
         if (body && !std::exchange(has_more, true) && !indentation_in_doubt_)
-            reading_.reporter.error(at(first), fmt::format("only one process can stand below \"{}\"", head.text),
+            reading_.reporter.error(at(first), fmt::format("only one process is allowed below \"{}\"", head.text),
                                     "put SEQ or PAR above both, and indent them by two blanks more",
                                     {{"the first process is here", reading_.location(body->at)}});
         Process process = parse_process();

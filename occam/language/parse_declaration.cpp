@@ -304,7 +304,7 @@ void Parser::parse_record(DataType& type, const Word& head) {
         parse_fields(type, record);
     });
     if (type.fields.empty() && !reading_.reporter.failed())
-        reading_.reporter.error(at(head), "a RECORD has at least one field");
+        reading_.reporter.error(at(head), "a RECORD must have at least one field");
 }
 
 void Parser::parse_fields(DataType& type, const Word& head) {

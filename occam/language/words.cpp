@@ -233,7 +233,8 @@ void WordScanner::take_character(Word& word) {
         return;
     }
     word.kind = WordKind::illegal;
-    error(start, "a character stands between two quotes: 'a', '*n', '*''", "text stands between double quotes");
+    error(start, "a character is written between two single quotes: 'a', '*n', '*''",
+          "write text between double quotes");
     if (const auto end = line_.find('\'', start + 1); end != std::string_view::npos)
         position_ = std::max(position_, end + 1);
 }
