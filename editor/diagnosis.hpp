@@ -34,7 +34,7 @@ private:
 };
 
 /// Returns the diagnostics in the format of the protocol, by the URI of their file. A diagnostic without a file, such
-/// as that of a study's setting, is reported at the beginning of the document.
+/// as a diagnostic about a study's setting, is reported at the beginning of the document.
 std::map<std::string, boost::json::array> diagnostics_json(const std::vector<Diagnostic>&, const Document&,
                                                            const Documents&);
 

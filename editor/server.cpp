@@ -397,7 +397,7 @@ struct LanguageServer::State {
     ProblemRegistry problems;
     Catalogue catalogue;
     Documents documents;
-    std::set<std::string> to_check; ///< URIs
+    std::set<std::string> to_check; ///< URIs of texts that have changed
     std::map<std::string, std::map<std::string, json::array>>
         published; ///< by URI of the checked text, then by URI of the file
     bool initialized = false, shut_down = false, ended = false;

@@ -29,10 +29,10 @@ struct Mark {
 };
 
 /// Returns the programs in occam (.occ) in the folder and its subfolders, as paths below the folder, sorted. Throws
-/// UserError if there is none, or if the folder cannot be read.
+/// UserError if the folder has no such program, or cannot be read.
 std::vector<std::filesystem::path> submissions_in(const std::filesystem::path& folder);
 
-/// Returns the names of the folders in the folder that have no submission inside, sorted.
+/// Returns the names of the subfolders of `folder` that contain no submission, sorted.
 std::vector<std::filesystem::path> folders_without_submission(const std::filesystem::path& folder,
                                                               const std::vector<std::filesystem::path>& submissions);
 

@@ -39,8 +39,8 @@ void connect(Stream& to_read, Stream& to_write) {
     to_write.assign(ends[1]);
 }
 
-/// Starts this program for one job. It inherits these ends as standard input and output, and no other file. Its
-/// standard error is discarded, because it could fill the operator's terminal or log.
+/// Starts a process of this program for one job. The process inherits `input` and `output` as standard input and
+/// output, and no other file. Its standard error is discarded, because it could fill the operator's terminal or log.
 pid_t start(int input, int output, const RunLimits& limits) {
     posix_spawn_file_actions_t actions;
     ::posix_spawn_file_actions_init(&actions);

@@ -17,7 +17,7 @@ struct ServiceSettings {
     std::string token_file;              ///< empty: no token is required
     std::vector<std::string> host_names; ///< further names by which browsers may call the service, besides `address`
     std::string keep;                    ///< folder in which the programs of runs are stored; empty: nothing is stored
-    std::filesystem::path examples;      ///< folder
+    std::filesystem::path examples;      ///< folder of the examples
     QueueLimits queue;
 };
 

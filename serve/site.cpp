@@ -46,7 +46,7 @@ std::string catalogue_json() {
     return json::serialize(kinds_json(known_kinds(problems)));
 }
 
-/// Throws std::invalid_argument if the job has the member and it is not a text.
+/// Throws std::invalid_argument if the job has this member, but the member is not a string.
 void require_text(const json::object& job, const char* name) {
     if (const json::value* found = job.if_contains(name); found && !found->is_string())
         throw std::invalid_argument(fmt::format("\"{}\" must be a string", name));

@@ -28,7 +28,7 @@ bool is_data(const Type&);
 /// Returns the type of the elements of an array with any number of dimensions. Returns any other type unchanged.
 const Type& innermost(const Type&);
 /// Returns whether a value of type `given` can be used where type `wanted` is required. A size that is unknown at
-/// compile time fits every size; the program compares them at run time.
+/// compile time fits every size; the program compares the sizes at run time.
 bool fits(const Type& wanted, const Type& given);
 
 /// Returns whether all operands of an expression are integer literals without a type.

@@ -17,11 +17,12 @@ namespace placedpar::occam {
 /// the program's names and types were checked without errors.
 ///
 /// - Parallel usage. A component of a PAR must not use variables that another component changes. Only one component may
-/// output to a channel, and only one may input from it. Elements of arrays are distinguished if their subscripts depend
-/// only on constants and on replicators with constant base and count: each value of the replicators is tried, up to a
-/// limit. - Aliases. Within the scope of an abbreviation, only the abbreviation's name may be used for the variable.
-/// Variables in the expression of a VAL abbreviation must not be changed. A parameter by reference must not overlap
-/// with another parameter, or with a variable that the PROC itself uses.
+///   output to a channel, and only one may input from it. Elements of arrays are distinguished if their subscripts
+///   depend only on constants and on replicators with constant base and count: each value of the replicators is tried,
+///   up to a limit.
+/// - Aliases. Within the scope of an abbreviation, only the abbreviation's name may be used for the variable. Variables
+///   in the expression of a VAL abbreviation must not be changed. A parameter by reference must not overlap with
+///   another parameter, or with a variable that the PROC itself uses.
 ///
 /// The program is visited once. The visit keeps a log of accesses. The accesses of a component of a PAR are a stretch
 /// of the log. A call adds the routine's accesses to variables outside of the routine.

@@ -384,7 +384,7 @@ private:
     Emitter emitter_;
     std::list<CodeBuffer> buffers_;
     std::list<Level> levels_;
-    std::unordered_map<const Declaration*, Storage> bindings_; ///< looked up only
+    std::unordered_map<const Declaration*, Storage> bindings_; ///< for look-up only; never iterated
     const Declaration* main_ = nullptr;
     bool is_main_ = false;    ///< the present code belongs to the main procedure itself
     bool is_library_ = false; ///< the present code belongs to a routine of predef.lib

@@ -57,7 +57,8 @@ struct Type {
     bool is(Basic b) const { return kind == Kind::basic && basic == b; }
 };
 
-/// Describes an item of a protocol: a value of `type`, or a counted array `count::[]element`, which follows its length.
+/// Describes an item of a protocol: a value of `type`, or a counted array `count::[]element`, which is sent as a length
+/// of type `count` and the elements.
 struct ProtocolItem {
     const Type* type = nullptr;  ///< for a counted array: the open array
     const Type* count = nullptr; ///< null unless the array is counted

@@ -10,11 +10,13 @@
 /// Makes processes in occam that carry messages of other processes between processors.
 ///
 /// A wire that carries several channels in one direction is shared. At each end of a shared wire run the following
-/// processes, all at high priority: - For each channel that leaves, a process inputs a message and puts the channel's
-/// number into a queue. It inputs the next message after the far end has reported that the message was taken. - One
-/// process outputs the messages in the queue, and reports that a message was taken at this end. - One process inputs
-/// the messages and reports from the far end. It never waits for a process of the user, so the wire never stops. - For
-/// each channel that arrives, a process outputs the messages to the receiving process.
+/// processes, all at high priority:
+/// - For each channel that leaves, a process inputs a message and puts the channel's number into a queue. It inputs the
+///   next message after the far end has reported that the message was taken.
+/// - One process outputs the messages in the queue, and reports that messages were taken at this end.
+/// - One process inputs the messages and reports from the far end. It never waits for a process of the user, so the
+///   wire never stops.
+/// - For each channel that arrives, a process outputs the messages to the receiving process.
 ///
 /// Each channel has at most one message under way. The queue therefore has room for all of them, and no channel waits
 /// for another channel. The processes share variables safely, since a process of high priority is not interrupted
