@@ -84,10 +84,10 @@ void recognise_occam(const std::shared_ptr<const SourceFile>& main, Reporter& re
         reporter.replace_all(found->at, "this is occam, but standard input is read as a netlist",
                              "write the program into a file whose name ends in .occ");
     else if (found)
-        reporter.replace_all(found->at,
-                             "this is occam; write the netlist in the configuration language of the C toolset "
-                             "(icconf)",
-                             found->hint);
+        reporter.replace_all(
+            found->at,
+            "this is occam, but a netlist is written in the configuration language of the C toolset (icconf)",
+            found->hint);
 }
 
 Declared declared_in(const Draft& draft) {
