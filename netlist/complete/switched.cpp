@@ -25,8 +25,8 @@ void refuse_sharing(Completion& c, const NetworkChannel& first, const NetworkCha
     c.reporter.error(second.connected,
                      fmt::format("{} the link \"{}\", which a switch connects during the run: \"{}\" and \"{}\"", what,
                                  link_name(c.network.nodes, link), first.name, second.name),
-                     "a link switched at run time has one outputting and one inputting process, with one channel each "
-                     "way for each partner",
+                     "a link switched at run time has one process that outputs and one that inputs; each of the two "
+                     "uses one channel for each partner",
                      {{"the other channel is connected here", first.connected}});
 }
 

@@ -1,4 +1,4 @@
-// Values of constants: as a netlist has them, and as an option sets them.
+// These functions convert constants to values of netlists, and set the VALs that options change.
 
 #include "occam/check/constant.hpp"
 #include "occam/configuration/configurer.hpp"

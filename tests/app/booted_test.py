@@ -342,7 +342,7 @@ generations = 3
         for command in (["check"], ["show"], ["explain"], ["sweep", "root.clock=20M,30M"]):
             done = placedpar(command[0], self.file, *command[1:])
             self.assertEqual(done.returncode, 1)
-            self.assertIn('hint: placedpar run takes a file that boots a transputer; a netlist names it: use "FILE" for root;',
+            self.assertIn('hint: this file boots a transputer: placedpar run executes it; in a netlist, write use "FILE" for root;',
                           done.stderr)
 
     def test_a_program_comes_from_a_pipe(self):

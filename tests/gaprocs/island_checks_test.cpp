@@ -81,8 +81,8 @@ std::string and_of_the_last(const std::string& first, const std::string& last) {
 
 TEST_CASE("the old names of an island's ports are refused with a hint to the new names") {
     auto text = said_of(islands_netlist(2, all(""), {}) + "connect island[0].ring_out to island[1].ring_in;\n");
-    check_says(text, "hint: it is called \"to_neighbours\" now");
-    check_says(text, "hint: it is called \"from_neighbours\" now");
+    check_says(text, "hint: its name is now \"to_neighbours\"");
+    check_says(text, "hint: its name is now \"from_neighbours\"");
 }
 
 TEST_CASE("rings are accepted, and so are islands that state topology = \"none\"") {

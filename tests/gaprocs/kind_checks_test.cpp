@@ -155,12 +155,12 @@ TEST_CASE("results that do not return to the process that sent the task are refu
 TEST_CASE("the old names of ports are refused with a hint to the new names") {
     auto text = refusal("to next", "connect slave[0].to_next to slave[1].from_master;");
     says(text, "error: the kind \"ga.slave\" of \"slave[0]\" has no channel \"to_next\"");
-    says(text, "hint: it is called \"to_slaves\" now");
+    says(text, "hint: its name is now \"to_slaves\"");
     says(refusal("from next", "connect slave[1].to_master to slave[0].from_next;"),
-         "hint: it is called \"from_slaves\" now");
+         "hint: its name is now \"from_slaves\"");
     const std::string interface = "process (interface (input from_master, output to_master, output to_next, input "
                                   "from_next)) older; use \"ga.slave\" for older; place older on t;";
-    says(refusal("host", interface), "hint: it is called \"to_slaves\" now");
+    says(refusal("host", interface), "hint: its name is now \"to_slaves\"");
 }
 
 TEST_CASE("a number of slaves that differs from the chain's, or exceeds the work, is refused") {

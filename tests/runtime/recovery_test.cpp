@@ -140,7 +140,7 @@ TEST_CASE("attempts are refused on channels that do not have a link of their own
     simulation.process("outputs", [&] { output_or_fail(c.out(), 1, Time{1ms}); });
     CHECK_THROWS_WITH_AS(
         simulation.run(),
-        "channel c travels in packets, which routers carry to their end: it cannot give up a message, nor be reset",
+        "channel c is carried in packets, which cannot be taken back: it cannot give up a message, nor be reset",
         std::logic_error);
 }
 

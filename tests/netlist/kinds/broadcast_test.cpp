@@ -203,7 +203,7 @@ TEST_CASE("a broadcast of different messages is an error with the process and it
         CHECK(each.find("3:45: process p/2 (test.shout)") != std::string::npos);
         CHECK(each.find("channel p.out[2] -> c[2].in is broadcast with p.out[0] -> c[0].in, but its message ") !=
               std::string::npos);
-        CHECK(each.find("hint: all channels on the bus carry one broadcast message") != std::string::npos);
+        CHECK(each.find("hint: all channels of a broadcast carry the same messages") != std::string::npos);
     }
     CHECK(longer.find("has 204 bytes, not 200 bytes") != std::string::npos);
     CHECK(other.find("differs") != std::string::npos);
