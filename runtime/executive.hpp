@@ -13,7 +13,7 @@
 namespace placedpar {
 
 /// The costs of a program's operations on an executive, in cycles of its clock. The program states its own work by
-/// compute().
+/// calls of compute().
 struct OperationCosts {
     // Every computation and every communication on a link uses the first members, so they are in the executive's first
     // cache line.
@@ -62,7 +62,7 @@ struct OperationCosts {
 ///
 /// An implementation must keep these rules:
 /// 1. make_ready(p) states that p can continue. The executive calls Kernel::enqueue(p) once, immediately or when p's
-/// turn comes. From the call of enqueue() on, p has the executive, and it continues at the same virtual time.
+/// turn comes. From the call of enqueue() on, p has the executive, and p continues at the same virtual time.
 /// 2. p keeps the executive until it leaves the executive, to wait or at its end. While it has the executive, p may
 /// compute.
 /// 3. If begin_computing(p) returns false, the executive calls Kernel::enqueue(p) once, when the work is done.
@@ -100,10 +100,10 @@ public:
 protected:
     Executive(std::string name, const OperationCosts& costs) : name_(std::move(name)), costs_(costs) {}
 
-    /// Returns how much longer the process must compute before its program continues. It is stored in the process, but
-    /// only the process's executive reads and writes it.
+    /// Returns how much longer the process must compute before its program continues. This time is stored in the
+    /// process, but only the process's executive reads and writes it.
     static Time& work_left(Process& p) { return p.work_left_; }
-    /// Returns the shape of the code of this work, which is stored in the same way.
+    /// Returns the shape of the process's current computation. It is stored in the process, too.
     static CodeShape& grain(Process& p) { return p.grain_; }
 
 private:

@@ -109,7 +109,8 @@ void Process::wait_for(Activity activity, std::span<const AnyChannel* const> cha
     finish_wait();
 }
 
-/// Begins a computation. Returns whether it is done at once. A process that is not placed computes in no time.
+/// Begins a computation. Returns whether the computation is already done. A process that is not placed computes in no
+/// time.
 inline bool Process::computes_at_once(Cycles cycles, const CodeShape& fineness) {
     kernel_.throw_if_unwinding();
     if (!executive_)

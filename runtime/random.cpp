@@ -155,7 +155,7 @@ void RandomStream::fill(std::span<result_type> numbers) {
         numbers = numbers.subspan(count);
     };
     take();
-    // Many numbers are computed directly into their places, which keeps wide registers busy.
+    // As many numbers as possible are computed directly into `numbers`, so that wide registers are used fully.
     if (const std::size_t straight = numbers.size() / ahead * ahead; straight > 0) {
         compute_blocks(counter_, key_, straight / 4, numbers.data());
         numbers = numbers.subspan(straight);

@@ -127,7 +127,7 @@ void AdapterProgram::FromLink::input(AnyChannel& channel, const SourceLocation& 
         if (!link.input_is_given_up())
             program.access();
         ended = LinkDirection::Ended::nothing;
-        if (!link.input_is_given_up() && link.can_be_read()) // // otherwise the sender has given up the message
+        if (!link.input_is_given_up() && link.can_be_read()) // otherwise the sender has given up the message
             ended = link.read_byte();
     }
 }

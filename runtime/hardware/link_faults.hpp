@@ -45,8 +45,8 @@ struct FaultEffect {
     std::optional<Hit> first, last;
 };
 
-/// A device on the path of a link that may stop packets. An example is a switch that is set during the run. While it
-/// begins or ceases to lead packets, it must hold a Link::WayChange.
+/// A device on the path of a link that may stop packets. An example is a switch that is set during the run. When the
+/// device begins or ceases to lead packets, it must hold a Link::WayChange.
 class SwitchPath {
 public:
     /// Returns whether packets from end a (else from end b) now reach the other end.

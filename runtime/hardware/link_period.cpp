@@ -134,7 +134,7 @@ void LinkPeriod::pass_periods(LinkPackets& packets, Time before) const {
             stream.due += by;
         if (std::uint32_t bytes = paces[i].bytes_a_period) {
             stream.bytes_left -= static_cast<std::uint32_t>(periods) * bytes;
-            // A byte that began before the first period may have begun at another distance.
+            // The start of a byte that began before the first period may not fit the period.
             bool extrapolated = stream.last_start < since && length <= longest_simple;
             stream.last_start = by + (extrapolated ? since + Time{paces[i].last_start} : stream.last_start);
         }

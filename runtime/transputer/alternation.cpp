@@ -22,7 +22,7 @@ bool is_after(Word time, Word other) { return signed_of(time - other) > 0; }
 
 } // namespace
 
-/// Returns whether a channel's partner waits for an input.
+/// Returns whether an input from the channel would find a message.
 bool Core::is_ready(Word channel) {
     if (const int link = link_input(channel); link >= 0)
         return links_.byte_waits(link);
@@ -53,7 +53,8 @@ void Core::disable_channel() {
     select(ready);
 }
 
-/// Selects the guard of a disable instruction if it is the first that is ready. A is its offset.
+/// Selects the guard of a disable instruction if it is the first ready guard. Register A holds the offset of the
+/// guarded process.
 void Core::select(bool ready) {
     const bool selected = ready && load(registers_.workspace) == alternative::none_selected;
     if (selected)

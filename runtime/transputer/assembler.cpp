@@ -62,7 +62,7 @@ std::size_t place_of(std::string_view mark, std::string_view text) {
     return text.size();
 }
 
-/// Removes and returns the text before the place. The character there is dropped, and so is the space around both.
+/// Removes and returns the text before the place. Drops the character at the place, and the space around both parts.
 std::string_view cut(std::string_view& text, std::size_t place) {
     const auto part = trimmed(text.substr(0, place));
     text = trimmed(text.substr(std::min(place + 1, text.size())));
@@ -137,7 +137,7 @@ private:
             bool has_label = false;
             const Word number = value(text, has_label);
             if (has_label)
-                fail(text, "a label has no address yet: write a sum of numbers and of names of numbers");
+                fail(text, "a label has no address yet: use only numbers and names of numbers");
             define(constants_, name, number);
             text = {};
         }
@@ -277,7 +277,7 @@ private:
                 return constant->second;
             const auto found = program_.labels.find(text);
             if (found == program_.labels.end())
-                fail(text, fmt::format("nothing has the name \"{}\"", text));
+                fail(text, fmt::format("no label and no number has the name \"{}\"", text));
             has_label = true;
             return found->second;
         }
@@ -290,7 +290,7 @@ private:
         return number;
     }
 
-    /// REQUIRES: `where` is a part of the line under way.
+    /// REQUIRES: `where` is a part of the current line.
     [[noreturn]] void fail(std::string_view where, const std::string& what) const {
         throw AssemblyError(what, line_, static_cast<std::size_t>(where.data() - line_begin_) + 1);
     }

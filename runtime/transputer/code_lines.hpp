@@ -29,14 +29,14 @@ struct CodeLinesError : std::runtime_error {
 ///     node NAME                          the rows that follow are for the node of this name
 ///     end                                the last row
 ///
-/// An address is hexadecimal, #80000170, or counts from MemStart, +#100. FILE, NAME and TEXT extend to the end of the
-/// line. Rows before the first `node` are for the node that the file boots. Empty lines and lines that begin with --
-/// are comments.
+/// An address is hexadecimal, such as #80000170, or an offset from MemStart, such as +#100. FILE, NAME and TEXT extend
+/// to the end of the line. Rows before the first `node` are for the node that the file boots. Empty lines and lines
+/// that begin with -- are comments.
 class CodeLines {
 public:
     CodeLines() = default;
-    /// Reads the rows for a node, "" for the node that the file boots; the other rows are checked, too. `memory_start`:
-    /// the address of MemStart. Throws CodeLinesError.
+    /// Reads the rows for a node, and checks the other rows, too. `node` is "" for the node that the file boots.
+    /// `memory_start`: the address of MemStart. Throws CodeLinesError if the table has an error.
     CodeLines(std::string_view table, std::string_view node, Word memory_start);
 
     /// Returns the place of code, "ring.occ:12:3", or its distance from the procedure that begins before it,

@@ -162,7 +162,7 @@ void Listing::code_has_changed(Place& here, Word offset) {
     if (known != here.before.end()) {
         here.now = std::move(*known);
         here.before.erase(known);
-    } else if (here.before.size() == most_versions) { // the last one also counts for those that follow
+    } else if (here.before.size() == most_versions) { // the last version also counts all later versions
         here.now = std::move(here.before.back());
         here.before.pop_back();
     }

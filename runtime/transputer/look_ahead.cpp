@@ -78,7 +78,7 @@ private:
         case Operation::move2dall:
         case Operation::move2dnonzero:
         case Operation::move2dzero: return true;
-        default: return false; // its end, or the work of an operating system
+        default: return false; // the process ends, or the instruction is for operating systems
         }
     }
 
@@ -97,7 +97,7 @@ private:
         return true;
     }
 
-    /// Selects the guard of a `disc` if it is the first with a true condition.
+    /// Selects the guard of a `disc` if it is the first guard with a true condition.
     bool select_guard(Registers& r) {
         const Word offset = NodeMemory::offset_of(r.workspace) & ~Word{3};
         if (!core_.memory().holds(offset, 4))
