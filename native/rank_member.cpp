@@ -129,7 +129,7 @@ bool RankMember::handle_at_once(const RankLetter& letter) {
         return true;
     case Kind::note: mail_.expect_parcel(letter.from, note_parcel, PackedForm<std::uint64_t>::read(from)); return true;
     }
-    throw NoMessage("messages of this kind do not exist");
+    throw NoMessage("its kind of message does not exist");
 }
 
 /// Passes a letter to the end of its channel.

@@ -131,7 +131,7 @@ py::tuple timeline_of(const LoadedNetwork& network, const FinishedRun& run) {
     timeline.finish(again.report.result);
     if (const auto full = timeline.full_at())
         warn("the timeline is full and ends at " + to_string(*full) + ", after " +
-             std::to_string(TraceWindow{}.most_entries) + " entries: run(until=...) makes a shorter one");
+             std::to_string(TraceWindow{}.most_entries) + " entries: run(until=...) makes a shorter timeline");
     return rows.columns();
 }
 

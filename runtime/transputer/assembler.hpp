@@ -49,13 +49,12 @@ struct AssemblyError : std::runtime_error {
 ///   the shortest code.
 /// - `j`, `cj` and `call` go to a label: `j loop`. An operand without labels is the distance from the next instruction.
 /// - `ldpi` with an operand loads the address of a label, wherever the program is loaded. It becomes `ldc label - here;
-/// ldpi; here:`.
+///   ldpi; here:`.
 /// - Other operations (`add`, `startp`, `fpadd`, ...) have no operand. `opr #17C` executes the operation with this
-/// code.
+///   code.
 /// - An operation that the floating-point unit selects by a number, such as `fpusqrtfirst`, becomes `ldc 1; fpentry`.
 /// - `.byte`, `.half` and `.word` store sums, separated by commas, as values of 1, 2 and 4 bytes. `.byte` also stores
-/// the
-///   characters of a text in quotes. `.align` stores zeros up to the next whole word.
+///   the characters of a text in quotes. `.align` stores zeros up to the next whole word.
 /// - `size = 4 + 1` gives a number a name, for the lines that follow.
 ///
 /// If a model is given, operations that this model lacks are errors. Throws AssemblyError if the program has an error.

@@ -44,8 +44,8 @@ T computed_on_host(RealOperation operation, T left, T right) {
 ///   stores, exchanges and the tests fpnan, fpordered and fpnotfinite never set it. Nothing but fptesterror and
 ///   fpuclearerror clears it.
 /// - If one operand is a NaN, this NaN is the result. If both are NaNs, the NaN with the larger fraction is the result,
-/// or FB if the fractions are equal. The sign follows the operation: fpsub negates FA's sign, fpmul and fpdiv multiply
-/// the signs.
+///   or FB if the fractions are equal. The sign follows the operation: fpsub negates FA's sign, fpmul and fpdiv
+///   multiply the signs.
 /// - An invalid operation gives a NaN that identifies the operation: see `MadeNan` in the source.
 /// - A pop leaves FC unchanged.
 ///

@@ -75,7 +75,7 @@ constexpr std::uint8_t of_a_process = 0; // the kind of a letter with a message
 TEST_CASE("a damaged letter ends the program, with the ranks and what is wrong") {
     const std::pair<std::function<void(Letter&)>, std::string> damages[] = {
         {[](Letter& letter) { letter.clear(); }, "received a damaged message of 0 bytes from rank"},
-        {[](Letter& letter) { letter[0] = 200; }, "messages of this kind do not exist"},
+        {[](Letter& letter) { letter[0] = 200; }, "its kind of message does not exist"},
         {[](Letter& letter) { letter[0] == of_a_process ? letter.resize(3) : void(); },
          "damaged message of 3 bytes from rank"},
         {[](Letter& letter) { letter[0] == of_a_process ? void(letter[2] = 77) : void(); },
