@@ -36,7 +36,7 @@ auto on(Input<T> from, Body body, const SourceLocation& where = SourceLocation::
                      [from, body = std::move(body), where]() mutable { body(from.input(where)); });
 }
 
-/// Makes a timeout guard, occam's `timer ? AFTER t`. It is ready from the virtual time `due` on.
+/// Makes a timeout guard, occam's `timer ? AFTER t`. The guard is ready from the virtual time `due` on.
 template <std::invocable Body>
 auto after(Time due, Body body, const SourceLocation& where = SourceLocation::current()) {
     return std::pair(Guard{Guard::timeout, nullptr, due, where}, std::move(body));

@@ -22,7 +22,7 @@ namespace placedpar {
 
 using MessageBytes = std::vector<std::uint8_t>;
 
-/// Thrown for bytes that are not a message of a channel's protocol. The text describes the bytes.
+/// Thrown for bytes that are not a message of a channel's protocol. The text states the reason.
 class NoMessage : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -39,9 +39,9 @@ public:
 ///                                                                           // `so_far`; 0: the message is complete
 ///     static T read(std::span<const std::uint8_t>);                         // returns the message of these bytes
 ///
-/// The parts are the parts of the type's WireForm. The last two functions may throw NoMessage. If a simpler type, such
-/// as `INT::[]REAL64`, has the same bytes, the specialisation names that type as `SameAs`. Other types have no byte
-/// form: addresses and padding mean nothing to the other program.
+/// `next_part` divides a message into the parts of its WireForm. The last two functions may throw NoMessage. If a
+/// simpler type, such as `INT::[]REAL64`, has the same bytes, the specialisation names that type as `SameAs`. Other
+/// types have no byte form: addresses and padding mean nothing to the other program.
 template <class T>
 struct ByteForm {};
 
@@ -191,7 +191,7 @@ struct AnyByteForm {
     void (*read)(std::span<const std::uint8_t>, void* slot);
 };
 
-/// Returns null if messages of the type have no byte form.
+/// Returns the byte form of messages of a type; null if they have none.
 template <class T>
 const AnyByteForm* byte_form_of() {
     if constexpr (HasByteForm<T>) {

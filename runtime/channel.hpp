@@ -303,8 +303,7 @@ private:
 
     void note_output(ReplayLog&, const WireForm&) const;
     void note_input(ReplayLog&) const;
-    /// Returns the costs of the channel's operations for the process. Null if they are free, or if the carrier charges
-    /// them.
+    /// Returns the costs of the process's operations on the channel; null without an executive or with a carrier.
     const OperationCosts* soft_costs(const Process& self) const {
         const Executive* executive = self.executive();
         return executive && !carrier_ ? &executive->costs() : nullptr;
@@ -345,7 +344,8 @@ private:
     [[noreturn]] void refuse_without_carrier(const Process& self, const Process& other) const;
     [[noreturn]] void refuse_unreset(const Process& self, const char* verb) const;
 
-    // The members are grouped into cache lines in the order of use. These are needed for each communication.
+    // The members are grouped into cache lines in the order of use. The first members are needed for each
+    // communication.
     Carrier* carrier_ = nullptr;             ///< null if the channel is soft
     void* message_ = nullptr;                ///< set while an outputter is in the channel
     void* slot_ = nullptr;                   ///< set while an inputter is in the channel
@@ -360,7 +360,7 @@ private:
     bool input_out_of_order_ = false;
     User outputter_, inputter_;
 
-    // These are needed rarely.
+    // The next members are needed rarely.
     AttemptObserver* output_attempt_ = nullptr; ///< null if the outputter waits without limit
     AttemptObserver* input_attempt_ = nullptr;
     PacketPayload payload_;

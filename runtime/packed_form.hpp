@@ -213,7 +213,7 @@ struct AnyPackedForm {
     void (*read)(std::span<const std::uint8_t>, void* slot);
 };
 
-/// Returns null if messages of the type cannot be packed.
+/// Returns the packed form of messages of a type; null if they cannot be packed.
 template <class T>
 const AnyPackedForm* packed_form_of() {
     if constexpr (Packable<T>) {

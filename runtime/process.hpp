@@ -190,7 +190,8 @@ private:
     void goes_on();
     void stands_still();
 
-    // The members are in the order of use, in few cache lines. These are needed for each turn and each wait.
+    // The members are in the order of use, in few cache lines. The first members are needed for each turn and each
+    // wait.
     Kernel& kernel_;
     Worker* worker_ = nullptr;              ///< fiber that runs the body; null before the first turn
     const std::byte* stack_ends_ = nullptr; ///< end of the used part of the stack; null if not recorded
@@ -215,7 +216,7 @@ private:
     Time work_left_{};  ///< see Executive::work_left
     CodeShape grain_{}; ///< see Executive::grain
 
-    // These are needed rarely.
+    // The next members are needed rarely.
     ReplayLog* history_ = nullptr;
     std::span<const AnyChannel* const> alternatives_; ///< set while the process waits for several channels
     std::string name_;

@@ -17,7 +17,7 @@ namespace placedpar {
 //
 // 1. A channel may be soft. If it is hard, it must be alone on its direction of a link; a link adapter may be at the
 // end of the link. A channel that travels in packets throws std::logic_error, as the toolset does for virtual channels.
-// A broadcast channel and a channel through the memory of a bus master throw it, too.
+// A broadcast channel and a channel through the memory of a bus master throw this exception, too.
 // 2. A message that was given up is never received later. However, a message that the sender gave up may already have
 // been received, if only the acknowledge of its last byte was lost.
 // 3. If a message was given up at an end of a hard channel, this end must be reset before it is used again. Otherwise

@@ -61,7 +61,7 @@ public:
     /// Makes a history that records the actions of a process. REQUIRES: `name` is different for each process of the
     /// session; the session outlives the history.
     ReplayLog(ReplaySession& course, std::uint64_t name) : course_(course), name_(name) {}
-    /// Makes a history that repeats the original. REQUIRES: the original outlives it, and does not change.
+    /// Makes a history that repeats the original. REQUIRES: the original outlives this history, and does not change.
     ReplayLog(ReplaySession& course, const ReplayLog& original)
         : course_(course), name_(original.name_), original_(&original) {
         next_component_ = original.components_.begin();

@@ -78,7 +78,8 @@ public:
     ///   moving            The process moves words over a bus, or waits for the bus.
     ///   ended             This is the last notice about the process.
     virtual void turns(const Process&, Activity, Time) = 0;
-    /// States what a process that is known by its name does. A name can begin again after it has ended.
+    /// States the activity of a process that is known only by its name. A name can be used again after its process has
+    /// ended.
     virtual void program_turns(const ProgramTurn&, Time) {}
     /// States that one of two processes that are known by their names has done its part of a message. The notices of
     /// the two parts come in any order.

@@ -14,8 +14,8 @@ class Process;
 
 namespace placedpar::hardware {
 
-/// A memory with two ports, as on a transputer bus master. Its transputer uses one port; bus masters reach it over the
-/// bus (thesis, appendix D: the BBK-V2 has 2 Mbyte).
+/// A memory with two ports, as on a transputer bus master. Its transputer uses one port; bus masters reach the memory
+/// over the bus (thesis, appendix D: the BBK-V2 has 2 Mbyte).
 class DualPortedMemory final : public BusSlave {
 public:
     DualPortedMemory(Kernel&, std::string name) : name_(std::move(name)) {}

@@ -101,7 +101,7 @@ public:
     /// Begins to receive a message for the running process on the channel.
     void begin_reading(AnyChannel&);
     bool can_be_read() const { return phase() == LinkState::Phase::owed; }
-    /// Names what ends with a byte that was read.
+    /// The unit that ends with a byte that was read: none, a part of the message, or the whole message.
     enum class Ended { nothing, part, message };
     /// Reads the byte. REQUIRES: can_be_read().
     Ended read_byte();
@@ -238,7 +238,7 @@ private:
     void trace_break(Time byte_started);
     void trace_standstill();
 
-    // The members are in the order of use, which saves cache lines. These are needed for every packet.
+    // The members are in the order of use, which saves cache lines. The first members are needed for every packet.
     Kernel& kernel_;
     LinkCourse& course_;
     Process* sender_ = nullptr;        ///< set from the start of a part until the acknowledge of its last byte
@@ -251,7 +251,7 @@ private:
     bool output_given_up_ = false;     ///< the sender has given up the current message
     bool input_given_up_ = false;      ///< the receiver has given up the current message
 
-    // These are needed for every message.
+    // The next members are needed for every message.
     In input_{*this};
     const PacketTimes& times_;
     Out output_{*this};
@@ -259,7 +259,7 @@ private:
     std::uint64_t bytes_of_ended_parts_ = 0;      ///< bytes carried before the current part
     std::uint64_t bytes_before_part_ = 0;         ///< bytes of the current message before the current part
 
-    // These are needed rarely.
+    // The next members are needed rarely.
     RegisterUser *writer_ = nullptr, *reader_ = nullptr; ///< null if an engine moves the bytes at this end
     std::unique_ptr<Counts> counts_;                     ///< null if the direction carries messages
     std::uint64_t bytes_left_over_ = 0;        ///< bytes that arrived of a message that its sender has given up

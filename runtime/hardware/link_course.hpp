@@ -127,7 +127,8 @@ private:
     enum class Ahead : std::uint8_t { at_once, after_others };
     Ahead where_next_ = Ahead::at_once;
     std::array<bool, 2> trace_carries_{};
-    Time every_step_from_ = too_late; ///< from this time on every step is visible; a step that is too late always is
+    Time every_step_from_ = too_late; ///< from this time on every step is visible; a step at `too_late` is always
+                                      ///< visible
     Time steady_until_ = never;       ///< result of LinkObserver::steady_until()
     std::uint64_t first_rank_;
     Kernel& kernel_;

@@ -37,7 +37,7 @@ struct FaultEffect {
         bool acknowledge;
         std::uint64_t byte; ///< number of the byte in the message, from 1
         /// The kind of message. On a link between routers a message is a packet of a channel, or a packet that
-        /// acknowledges one.
+        /// acknowledges such a packet.
         enum class Message { whole, packet, acknowledging_packet };
         Message message = Message::whole;
     };

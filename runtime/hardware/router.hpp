@@ -147,8 +147,8 @@ struct Hop {
 
 /// A channel that travels in packets over one or more links. It is a rendezvous like any other channel: the outputting
 /// process continues when the acknowledge of its last packet has returned. A packet is acknowledged when the inputting
-/// process takes it. Until then it waits at the receiving end, so a channel with a late receiver does not block other
-/// channels.
+/// process takes it. Until then the packet waits at the receiving end, so a channel with a late receiver does not block
+/// other channels.
 class Route final : public Carrier {
 public:
     static constexpr std::size_t most_under_way = 4; ///< ours: largest number of packets sent and not yet acknowledged

@@ -154,8 +154,8 @@ struct BusProgram {
 class VmeMaster {
 public:
     /// REQUIRES: the bus outlives the master. Throws std::logic_error for a level outside 0 to 3 and for a slot outside
-    /// 1 to 21. Also throws it if the slot belongs to another master, or if the level is not 3 on a bus with a single
-    /// level.
+    /// 1 to 21. Also throws std::logic_error if the slot belongs to another master, or if the level is not 3 on a bus
+    /// with a single level.
     VmeMaster(Kernel&, std::string name, VmeBus&, const VmePlace& = {}, const BusProgram& = {});
     VmeMaster(const VmeMaster&) = delete;
     VmeMaster& operator=(const VmeMaster&) = delete;

@@ -13,7 +13,7 @@ class ByteLane;
 /// must not wait or throw.
 class ByteEnd {
 public:
-    /// Copies the next bytes to be given.
+    /// Copies the next bytes of give().
     virtual void read(std::span<std::uint8_t>) = 0;
     /// Called when all bytes of give() have been acknowledged.
     virtual void given() = 0;

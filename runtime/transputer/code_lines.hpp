@@ -19,7 +19,7 @@ struct CodeLinesError : std::runtime_error {
 
 /// A compiler's table of the code and the workspaces of a node. Each row of the table has one of these forms:
 ///
-///     code FROM UNTIL LINE COLUMN FILE   the code in [FROM, UNTIL) is of this place; no two rows overlap
+///     code FROM UNTIL LINE COLUMN FILE   the code in [FROM, UNTIL) is for this place; no two rows overlap
 ///     entry ADDRESS NAME                 a procedure begins here
 ///     process FROM UNTIL NAME            a process whose workspace is in [FROM, UNTIL); no two rows overlap
 ///     error ADDRESS TEXT                 the meaning if the instruction before ADDRESS sets Error, or is a

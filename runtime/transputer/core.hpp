@@ -149,7 +149,7 @@ public:
         Time at;
     };
     /// Returns the processes that `stoperr` has stopped, and processes that stopped at an instruction for which the
-    /// table has an error text. The list has only the first of these processes, in order of time.
+    /// table has an error text. The list has only the first few of these processes, in order of time.
     std::span<const StoppedProcess> stopped_processes() const {
         return {stops_.data(), std::min(errors_, stops_.size())};
     }
@@ -158,8 +158,8 @@ public:
     /// Sets the table of error texts. REQUIRES: the table outlives the run.
     void know_errors(const CodeLines& lines) { lines_ = &lines; }
 
-    /// Describes why the core stopped, with the instruction and its address: "instruction #1F2 at #80000104 is unknown
-    /// to a T800".
+    /// Describes why the core stopped, with the instruction and its address: "the bytes at #80000104 are not an
+    /// instruction of a T800".
     std::string why_stopped() const;
 
     Model model() const { return model_; }
@@ -333,7 +333,7 @@ private:
     }
     void write(Word offset, std::span<const std::uint8_t>);
     void prepare_write(Word offset, Word bytes);
-    /// Returns the number of words that an interval touches, with part words at its ends.
+    /// Returns the number of words that an interval touches, including words that it covers only in part.
     static HalfCycles words_touched(Word address, Word bytes) {
         return bytes == 0 ? 0 : ((HalfCycles{address} & 3) + bytes + 3) / 4;
     }

@@ -46,7 +46,7 @@ struct CodeTiming {
 };
 
 /// The executed code of a node, in decoded form. Code is decoded when it is first executed, and discarded when the
-/// program writes to it. Decoded code takes about as many bytes of the host's memory as the node's memory has, at most.
+/// program writes to it. Decoded code takes at most about as many bytes of the host's memory as the node's memory has.
 /// At this limit, all decoded code is discarded.
 class DecodedCode {
 public:

@@ -37,7 +37,7 @@ T computed_on_host(RealOperation operation, T left, T right) {
 /// method for each operation, with the operation's name. A method gives the result and the flag; the caller accounts
 /// for its time and its effect on the integer stack. The unit is a plain value: an interrupt saves it by a copy.
 ///
-/// Rules (INMOS, "Transputer instruction set: a compiler writer's guide"; arithmetic is that of IEEE 754):
+/// Rules (INMOS, "Transputer instruction set: a compiler writer's guide"; arithmetic follows IEEE 754):
 /// - Each operation rounds in the current mode, to the precision of its result. Afterwards the mode is nearest, except
 ///   after the four operations that set the mode.
 /// - FPError is set by a NaN or infinity as an operand, an invalid operation, a division by 0, and overflow. Loads,
@@ -131,8 +131,8 @@ public:
     void fpur64tor32();
     /// Makes FA a REAL32 that keeps the whole fraction of a REAL64, but only the lower bits of the exponent. Sets no
     /// flag. The next operation computes with the whole fraction: INMOS's code adds the halves of an INT64 that way,
-    /// and so rounds once. (If the fraction were cut, INMOS's code would give wrong results on a T800, which differ
-    /// from those on a T414.)
+    /// and so rounds once. (If the fraction were cut, INMOS's code would give wrong results on a T800, but right
+    /// results on a T414.)
     void fpunoround();
 
     void fpuabs();

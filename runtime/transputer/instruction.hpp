@@ -92,7 +92,7 @@ inline constexpr Word most_prefixes = 200;
 /// An instruction in memory.
 struct CodedInstruction {
     Operation operation = Operation::unknown;
-    Word operand = 0; ///< with all prefixes; for an operation its code
+    Word operand = 0; ///< operand with all prefixes; for an operation, its code
     Word length = 0;  ///< bytes with prefixes; 0: the instruction does not end within the bytes
 };
 

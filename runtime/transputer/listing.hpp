@@ -60,7 +60,8 @@ private:
 
 /// Returns a table of the code that ran, by address: bytes, instruction, times, cycles and share of all cycles, with
 /// sums for each block of instructions that were executed one after the other. Before it, a shorter table shows the
-/// blocks with most cycles. Names of procedures, and places in files when they change, are added if `lines` has them.
+/// blocks with the most cycles. Names of procedures, and places in files when they change, are added if `lines` has
+/// them.
 std::string print_listing(const Listing&, const CodeLines& lines);
 
 } // namespace placedpar::transputer

@@ -32,7 +32,8 @@ public:
     NodeMemory(std::uint64_t bytes, Word bytes_on_chip) : size_(static_cast<Word>(bytes)), hidden_(bytes_on_chip) {
         if (bytes < 2048 || bytes > 0xffff'ff00 || bytes % page_bytes != 0)
             throw std::invalid_argument("a transputer's memory has 2048 bytes to 4 Gbyte, in steps of 256");
-        bytes_.reset(static_cast<std::uint8_t*>(std::calloc(pages() * page_bytes, 1))); // reals are read as a whole
+        // There is an additional page, because a real at the end of the memory is read as a whole.
+        bytes_.reset(static_cast<std::uint8_t*>(std::calloc(pages() * page_bytes, 1)));
         pages_.reset(static_cast<std::uint8_t*>(std::calloc(pages(), 1)));
         if (!bytes_ || !pages_)
             throw std::bad_alloc();
@@ -77,7 +78,7 @@ public:
         pages_[page] = static_cast<std::uint8_t>((pages_[page] & ~code) | (has_code ? code : 0));
     }
 
-    /// Saves the contents, so that go_back() can restore them. They are saved until the next call of keep() or
+    /// Saves the contents, so that go_back() can restore them. The contents stay saved until the next call of keep() or
     /// let_go(). Only pages that are written are copied.
     void keep() {
         if (std::exchange(has_kept_, true))

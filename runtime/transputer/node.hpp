@@ -51,7 +51,7 @@ public:
     Node(Kernel&, std::string name, Model, std::uint64_t memory_bytes, const CoreTiming&);
     ~Node();
 
-    /// Returns the end of a link for ByteLink. `number`: 0 to 3.
+    /// Returns the node's end of a link, for ByteLink. `number`: 0 to 3.
     ByteEnd& end(int number) { return ports_[static_cast<std::size_t>(number)]; }
     /// States that this link ends here, so that its engines use the memory of the node. REQUIRES: the link outlives the
     /// run.
