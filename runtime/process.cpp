@@ -71,7 +71,7 @@ inline void Process::note_end_of_wait() {
 
 inline void Process::finish_wait(Process* successor) {
     {
-        // Runs also if the wait ends because the run ends.
+        // This destructor also runs if the run ends during the wait.
         struct End {
             ~End() { process.goes_on(); }
             Process& process;
@@ -137,7 +137,7 @@ bool Process::begin_communication() {
 [[gnu::flatten]] void Process::compute_and_communicate(Communication& communication, Cycles cycles) {
     bool has_waited = false;
     {
-        // The run may end during the computation or during the wait.
+        // This destructor also runs if the run ends during the computation or the wait.
         struct End {
             ~End() {
                 process.communication_ = nullptr;

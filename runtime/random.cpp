@@ -96,7 +96,7 @@ private:
                                             Register& product) requires(width == 4) {
         product = reinterpret_cast<Register>(_mm256_mul_epu32(reinterpret_cast<__m256i>(a), _mm256_set1_epi64x(b)));
     }
-    // Uses the form with a mask, because GCC 12 gives a wrong warning for the form without (bug 105593).
+    // Uses the form with a mask, because GCC 12 gives a wrong warning for the form without a mask (bug 105593).
     [[PLACEDPAR_AVX512]] static void multiply(const Register& a, std::uint32_t b,
                                               Register& product) requires(width == 8) {
         product = reinterpret_cast<Register>(

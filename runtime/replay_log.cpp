@@ -87,7 +87,7 @@ std::int64_t ReplayLog::observed_then(Action what) {
         note(what, 0);
         return original_->seen_[seen_again_++].value;
     }
-    constexpr std::uint64_t very_often = 100'000; // as Kernel::unchecked_readings
+    constexpr std::uint64_t very_often = 100'000; // the same as Kernel::unchecked_readings
     if (what != Action::now || ++asked_in_vain_ > very_often)
         diverge();
     diverge_quietly();

@@ -68,7 +68,7 @@ std::vector<Constant> of_processors() {
     };
 }
 
-/// Lists the members of OperationCosts. They are named one by one, so that the compiler reports a missing one. The
+/// Lists the members of OperationCosts. They are named one by one, so that the compiler reports a missing member. The
 /// additional time of a word outside the chip is listed among the processor's memory accesses.
 std::vector<Constant> of_instructions() {
     constexpr std::string_view group = "instructions of a T8";

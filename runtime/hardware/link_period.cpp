@@ -25,7 +25,7 @@ std::size_t begin_next(LinkPackets& packets, const PacketTimes& times, const Lin
     return direction;
 }
 
-/// Returns the start of a part's last byte; the earlier one if both directions have begun their last bytes. Returns
+/// Returns the start of a part's last byte; the earlier start if both directions have begun their last bytes. Returns
 /// `never` if no last byte has begun.
 Time end_of_a_part(const LinkPackets& packets) {
     Time end = never;

@@ -69,7 +69,8 @@ LinkState::Next LinkState::next() const {
     return next;
 }
 
-/// Has no branches in its loop, because the host processor cannot predict the outcome.
+/// Returns the index of the earliest arrival. The loop has no branches, because the host processor cannot predict the
+/// outcome.
 std::size_t LinkState::first_arrival() const {
     Time earliest = arrivals[0];
     std::size_t first = 0;

@@ -163,7 +163,7 @@ void Core::join_timers(Word time) {
     find_next_timer();
 }
 
-/// If a process that was woken by something else is in its timer queue, removes it, and notes the time.
+/// If a process that was woken by something other than its timer is in its timer queue, removes it, and notes the time.
 void Core::leave_timers(Word workspace, int priority, Time now) {
     Word place = reserved::timer_heads + 4 * static_cast<Word>(priority);
     for (Word next = load(place), left = longest_queue(); next != not_a_process && left > 0;

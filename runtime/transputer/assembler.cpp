@@ -90,8 +90,8 @@ public:
         }
     }
 
-    /// Assembles until no instruction needs more bytes. Each instruction begins with one byte and only grows, so this
-    /// ends.
+    /// Assembles until no instruction needs more bytes. Each instruction begins with one byte and only grows, so the
+    /// number of passes is finite.
     Assembly run() && {
         pass();
         sizes_known_ = true;
@@ -307,8 +307,8 @@ private:
 } // namespace
 
 std::vector<std::uint8_t> encoded(unsigned function, std::int32_t operand, std::size_t least) {
-    // A prefix shifts what has been loaded by 4 bits. The first prefix of a negative operand is nfix, which
-    // complements.
+    // A prefix shifts what has been loaded by 4 bits. The first prefix of a negative operand is nfix, which also
+    // complements the result.
     const std::int64_t value = operand;
     std::size_t length = std::max(least, std::size_t{operand < 0 ? 2U : 1U});
     while (length < 8 && (value >= std::int64_t{1} << 4 * length || value < -(std::int64_t{1} << 4 * length)))

@@ -104,7 +104,7 @@ void Core::move_block(Word from, Word to, Word bytes) {
 /// twice.
 bool Core::can_wrap(Word bytes) const { return timing_.wraps && bytes <= memory_.size(); }
 
-/// Moves rows of bytes: all, those that are not 0, or those that are 0.
+/// Moves rows of bytes: all bytes, only the bytes that are not 0, or only the bytes that are 0.
 void Core::move_in_two_dimensions(Operation operation) {
     const auto [width, target, source] = std::tuple{registers_.a, registers_.b, registers_.c};
     const auto [rows, target_stride, source_stride] = move_;

@@ -80,7 +80,7 @@ private:
 
     /// Follows straight code, and notes where it branches to.
     void follow_from(Word at, std::vector<Word>& to_follow) {
-        std::array<CodeLine, 2> before{}; // the last first
+        std::array<CodeLine, 2> before{}; // the last line first
         while (at < size() && roles_[at] == Role::unknown) {
             CodeLine line{.at = at, .content = Content::code, .instruction = read(at, gap_end(at, longest_end(at)))};
             if (line.instruction.length == 0 || line.instruction.operation == Operation::unknown)

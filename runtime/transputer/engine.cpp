@@ -146,7 +146,8 @@ namespace placedpar::transputer {
         goto* labels[static_cast<std::size_t>(entered)];                                                               \
     } while (false)
 
-// Instructions of the scheduler. `function` performs one if nothing can act on the core before it ends.
+// Instructions of the scheduler. `function` performs the instruction if nothing can act on the core before the
+// instruction ends.
 #define AT_ONCE(function, operation_)                                                                                  \
     {                                                                                                                  \
         Registers r{entry->operand, W, A, B, C, registers_.error};                                                     \
@@ -271,7 +272,7 @@ j_zero:
     if (!breaks_at_j0_)
         BRANCH_OR_GIVE_WAY(OPERAND);
     next = entry->operand;
-    spent += entry->after - 2 * description_of(Operation::j).cycles; // ours: it takes as long as `break`
+    spent += entry->after - 2 * description_of(Operation::j).cycles; // ours: this instruction takes as long as `break`
     begun_ = Operation::break_;
     left = Left::scheduling;
     goto leave;

@@ -92,7 +92,8 @@ std::string_view usual_text(const CodedInstruction& instruction, const ErrorNote
 
 constexpr Word bytes_of_call = 16;
 
-/// Returns the call of the routine whose return address is in a word above the workspace, if a text says so.
+/// Returns the call of a routine if the text is like "called from {w+12}", which states the word above the workspace
+/// that holds the return address.
 std::optional<ErrorNote> call_named_by(std::string_view text, const Core& core, const ErrorNote& error) {
     constexpr std::string_view begin = "called from {w";
     if (!text.starts_with(begin) || !text.ends_with('}'))

@@ -11,8 +11,8 @@ namespace {
 
 /// The NaNs that operations make, as REAL32s; a REAL64 extends the fraction by zeros. INMOS's table was not available.
 /// The values come from the public emulator pahihu/t4 (fparithmetic.c), whose results a validation suite (TVS1F)
-/// compared with those of a T801. INMOS's library for the T414 makes equal NaNs for 0/0, 0 * infinity and infinity -
-/// infinity.
+/// compared with the results of a T801. INMOS's library for the T414 makes equal NaNs for 0/0, 0 * infinity and
+/// infinity - infinity.
 enum class MadeNan : std::uint32_t {
     zero_by_zero = 0x7FC00000,
     infinity_by_infinity = 0x7FA00000,

@@ -51,7 +51,7 @@ private:
         return result;
     }
 
-    /// Performs the effect of a scheduler instruction on its own process, without a wait.
+    /// Performs the effect of a scheduler instruction on the process that executes it, without a wait.
     bool pass(Operation operation, Registers& r) {
         switch (operation) {
         case Operation::in: return note(r.b, false);

@@ -59,7 +59,7 @@ void MessageEnd::Transfer::give_up(std::uint64_t of_part) {
     wake();
 }
 
-/// Lets the running process move a part of a message, and waits for the end.
+/// Lets the running process move a part of a message, and waits until the part has been moved.
 void MessageEnd::Transfer::move(AnyChannel& on, std::uint32_t bytes, const SourceLocation& place) {
     if (channel != &on)
         throw std::logic_error(fmt::format("channel {} cannot use the link to {}: another channel uses this direction",

@@ -95,7 +95,8 @@ Core::Pause Node::run_to_limit() {
 }
 
 /// The result leaves room for one instruction before the end of the run, a halt or an analysis. Otherwise the core
-/// could execute an instruction that ends after this time, before it knows what links did earlier.
+/// could begin an instruction that ends after the run, the halt or the analysis, before it knows what links did
+/// earlier.
 Time Node::horizon(Time most_ahead) const {
     return std::min(later(kernel_.now(), most_ahead),
                     std::min({halts_at_, analysed_at_, kernel_.limit()}) - longest_instruction_);

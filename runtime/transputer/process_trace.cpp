@@ -20,7 +20,7 @@ void ProcessTrace::changes(Word workspace, Core::ProcessChange change, Word chan
     case ProcessChange::gets_processor: running_ = process; return add({now, process, Activity::computing});
     case ProcessChange::becomes_ready:
         if (core_.is_running() && workspace == core_.registers().workspace)
-            leave(process); // it is interrupted
+            leave(process); // the process is interrupted
         return add({now, process, Activity::ready});
     case ProcessChange::communicated:
         return add({.at = now, .process = process, .activity = Activity::ready, .partner = running_});

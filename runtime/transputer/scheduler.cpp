@@ -332,7 +332,7 @@ void Core::run_front(int priority) {
     tell(registers_.workspace, ProcessChange::gets_processor);
 }
 
-/// Each priority has its own Error flag.
+/// Sets the priority, and exchanges the Error flags, because each priority has its own flag.
 void Core::set_priority(int priority) {
     if (priority != priority_)
         std::swap(registers_.error, other_error_);

@@ -273,14 +273,14 @@ private:
         }
     }
 
-    /// Adds a process the address of whose workspace these words hold. Such a word may also be an ordinary pointer.
+    /// Adds the process to whose workspace these words refer. Such a word may also be an ordinary pointer.
     void add_at_channels(std::span<const Holder> holders) {
         const Word workspace = holders.front().workspace;
         const Operation operation = waits_at(core_, workspace);
         const bool alternates = operation == Operation::altwt || operation == Operation::taltwt;
         const auto known = found_.find(workspace);
         if (known != found_.end() && known->second.wait != Wait::alternative)
-            return; // it waits for a link or a timer
+            return; // the process waits for a link or a timer
         const bool is_low =
             known != found_.end() ? known->second.priority == 1 : std::ranges::any_of(holders, &Holder::is_low);
         const auto channels =
