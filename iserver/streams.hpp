@@ -71,7 +71,7 @@ public:
     std::optional<std::int32_t> open(std::string_view name, OpenMode);
     /// Closes a file, or returns false if there is none. The streams of the terminal stay open.
     bool close(std::int32_t number);
-    /// Returns null if no stream has this number.
+    /// Returns the stream of this number; null if there is none.
     Stream* find(std::int32_t number);
 
 private:

@@ -59,7 +59,7 @@ void Member::post(Arrival& arrival) {
 
 /// Looks for messages for a short time. Returns whether the kernel has something to do.
 bool Member::comes_soon(Time due) const {
-    static const unsigned cores = std::thread::hardware_concurrency(); // it takes microseconds to ask
+    static const unsigned cores = std::thread::hardware_concurrency(); // this call takes microseconds
     const bool has_core = group_.size() <= cores;
     const Time until = std::min(due, now() + (has_core ? most_patience : Time{0}));
     do {

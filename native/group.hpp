@@ -52,7 +52,7 @@ private:
     Simulation& simulation_;
     Inbox inbox_;
     std::atomic<bool> sleeps_{false}; ///< a message must wake the thread
-    // The mutex of the group guards these.
+    // The mutex of the group guards the next members.
     State state_ = State::awake;
     bool awaits_end_ = false;
     std::uint64_t quiet_heard_ = 0; ///< number of times that the kernel has learnt that all kernels were quiet

@@ -114,8 +114,8 @@ private:
         gate_.notify_all();
     }
 
-    /// Starts all threads. No thread begins its part before all threads exist, because each waits for the others at its
-    /// end.
+    /// Starts all threads. No thread begins its part before all threads exist, because each thread waits for the other
+    /// threads at its end.
     void start(std::vector<std::jthread>& threads) {
         try {
             for (Strand& strand : strands_)
@@ -195,7 +195,7 @@ private:
     std::atomic<Gate> gate_{Gate::closed};
     std::mutex mutex_;
     std::condition_variable ended_;
-    std::size_t running_ = strands_.size(); ///< threads
+    std::size_t running_ = strands_.size(); ///< number of threads that have not ended
 };
 
 } // namespace

@@ -17,8 +17,8 @@ class NativeTrace; // native/native_trace.hpp
 struct NativeSettings {
     std::uint64_t seed = 1;
     std::size_t threads = 1; ///< at least 1
-    /// Returns the load of each node, for the placement of nodes (native/placement.hpp). If it is empty, nodes are
-    /// placed without loads.
+    /// Returns the load of each node, for the placement of nodes (native/placement.hpp). If this function is empty,
+    /// nodes are placed without loads.
     std::function<std::vector<Time>()> loads = {};
     /// The factor by which processes compute faster than the simulated processors (native/pace.hpp); 0: at the speed of
     /// this computer.

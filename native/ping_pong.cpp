@@ -120,7 +120,7 @@ public:
     }
 
 private:
-    /// The halves of a channel. If both processes are on one thread, only the first is used.
+    /// The halves of a channel. If both processes are on one thread, only the first half is used.
     struct Halves {
         Channel<Ball> output, input;
         explicit Halves(const char* name) : output(name), input(name) {}

@@ -21,10 +21,10 @@ class Ranks;       // ranks/ranks.hpp
 struct RankRunSettings {
     std::uint64_t seed = 1;
     double pace = 0;              ///< as in NativeSettings
-    NativeTrace* trace = nullptr; ///< records the run in rank 0; null: the run is not recorded. REQUIRES: either in all
+    NativeTrace* trace = nullptr; ///< records the run in rank 0; null: the run is not recorded. REQUIRES: null in all
                                   ///< ranks or in none
-    /// Returns the load of each node, for the placement of nodes (native/placement.hpp). If it is empty, nodes are
-    /// placed without loads.
+    /// Returns the load of each node, for the placement of nodes (native/placement.hpp). If this function is empty,
+    /// nodes are placed without loads.
     std::function<std::vector<Time>()> loads = {};
     /// Makes the catalogue of process kinds for this rank. `send_note`: sends bytes to rank 0 during the run; REQUIRES:
     /// called by a process.

@@ -15,7 +15,7 @@ struct RankLetter {
     std::span<const std::uint8_t> bytes; ///< valid until the next RankMail::receive()
 };
 
-/// A message of any length. Its number is chosen by the two ranks.
+/// A message of any length. The two ranks choose its number.
 struct RankParcel {
     int from;
     int number;

@@ -42,7 +42,8 @@ private:
     bool is_detached_ = false;
 };
 
-/// Describes how a channel carries messages of a type such as "INT32" or "[]REAL64". protocols() lists the types.
+/// Describes how a channel carries messages of a type such as "INT32" or "[]REAL64". protocol_named() has the list of
+/// these types.
 struct Protocol {
     std::function<PortDescription(std::string name, Direction, std::string about)> port;
     std::function<std::vector<std::shared_ptr<ChannelEnd>>(const ProcessEnvironment&, const std::string& port,

@@ -18,7 +18,7 @@ public:
     InterruptedByKeyboard(const InterruptedByKeyboard&) = delete;
     InterruptedByKeyboard& operator=(const InterruptedByKeyboard&) = delete;
 
-    /// Requests this interruption and all those around it.
+    /// Requests this interruption and all enclosing interruptions.
     void request_all() noexcept;
 
 private:

@@ -25,7 +25,7 @@ namespace py = pybind11;
 /// The settings of a sweep: names, and the values of each.
 using Axes = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
-/// Calls `progress` with the number of ended runs and of all runs, unless it is None.
+/// Calls `progress` with the number of ended runs and the number of all runs, unless `progress` is None.
 void tell(const py::object& progress, std::size_t ended, std::size_t all) {
     const py::gil_scoped_acquire locked;
     if (!progress.is_none())
