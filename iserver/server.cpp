@@ -43,8 +43,8 @@ namespace {
 
 void require_fit(std::string_view what, const std::string& text) {
     if (text.size() > longest_reply_text)
-        throw UserError(fmt::format("{} has {} bytes; a reply of the host's server can hold {}", what, text.size(),
-                                    longest_reply_text));
+        throw UserError(fmt::format("{} has {} bytes; a reply of the host's server can hold at most {}", what,
+                                    text.size(), longest_reply_text));
 }
 
 std::size_t limited(std::size_t bytes) { return std::min(bytes, longest_reply_text); }

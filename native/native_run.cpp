@@ -122,7 +122,7 @@ private:
                 threads.emplace_back([&] { execute(strand); });
         } catch (const std::system_error& refused) {
             set_gate(Gate::cancelled);
-            throw UserError(fmt::format("thread {} of {} cannot be started: {}: give a smaller number of --threads",
+            throw UserError(fmt::format("thread {} of {} cannot be started: {}: give a smaller number to --threads",
                                         threads.size() + 1, strands_.size(), refused.code().message()));
         } catch (...) {
             set_gate(Gate::cancelled);

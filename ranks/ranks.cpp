@@ -59,7 +59,7 @@ bool left_to_rank_zero(const std::string& command) {
         return false;
     if (ranks->own() == 0)
         throw UserError(fmt::format("{} ranks of mpirun would each make the same runs: start {} without mpirun; only "
-                                    "sweep shares its runs among ranks, and only run --native its processes",
+                                    "sweep shares its runs among ranks, and only run --native shares its processes",
                                     ranks->count(), command));
     return true;
 }

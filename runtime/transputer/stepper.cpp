@@ -28,7 +28,7 @@ constexpr std::string_view commands_of_stepper =
     "w [N]          words of the workspace, up to W+N\n"
     "q              queues of processes and timers, and the words of links where processes wait\n"
     "m ADDRESS [N]  words of memory\n"
-    "l [N]          code from here on\n"
+    "l [N]          the next N lines of code; without N: 10\n"
     "quit           end the run\n";
 
 std::optional<std::uint64_t> number_in(std::string_view text, int base) {

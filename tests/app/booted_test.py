@@ -317,7 +317,7 @@ generations = 3
                 (["--memorycycles", "1001"], "--memorycycles: 1001: expected from 1 to 1000 cycles\n"),
                 (["--keys", "a\\q"], "placedpar: --keys: \\ must be followed by r (the return key), n, t, e (the escape key) or \\\n"),
                 (["--host-folder", "none"], 'placedpar: cannot use "none" as the host\'s folder: No such file or directory\n'),
-                (["--", "x" * 508], "placedpar: the program's command line has 508 bytes; a reply of the host's server can hold 507\n")):
+                (["--", "x" * 508], "placedpar: the program's command line has 508 bytes; a reply of the host's server can hold at most 507\n")):
             with self.subTest(options=options):
                 done = placedpar("run", self.file, *options)
                 self.assertEqual((done.returncode, done.stdout), (1, ""))
