@@ -114,7 +114,7 @@ class Fronts(unittest.TestCase):
         expected = pp.search_front(srn, SRN_BOX, **settings)
         for problem in (Pymoo(True), Pymoo(False), Pygmo()):
             self.same(pp.search_front(problem, **settings), expected)
-            with self.assertRaisesRegex(pp.Error, r"this problem has 2: search_front\(\) searches"):
+            with self.assertRaisesRegex(pp.Error, r"this problem has 2: use search_front"):
                 pp.search(problem)
 
     def test_equations_of_problem_objects_have_a_tolerance(self):
