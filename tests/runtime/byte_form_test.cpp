@@ -91,7 +91,7 @@ TEST_CASE("types whose bytes mean nothing to another program have no byte form")
 
 TEST_CASE("bytes that are no message are refused before anything is stored") {
     const auto count = [](std::int32_t value) { return bytes_of(value); };
-    CHECK_THROWS_WITH_AS(ByteForm<std::vector<std::uint8_t>>::next_part(count(-1)), "an array of -1 elements",
+    CHECK_THROWS_WITH_AS(ByteForm<std::vector<std::uint8_t>>::next_part(count(-1)), "an array cannot have -1 elements",
                          NoMessage);
     CHECK_EQ(ByteForm<std::vector<std::uint8_t>>::next_part(count(std::numeric_limits<std::int32_t>::max())),
              0x7fffffff);
