@@ -116,15 +116,15 @@ private:
         gate_.notify_all();
     }
 
-    /// Starts all threads. No thread begins its part before all threads exist, because each waits for the others at its
-    /// end.
+    /// Starts all threads. No thread begins its part before all threads exist, because each thread waits for the other
+    /// threads at its end.
     void start(std::vector<std::jthread>& threads) {
         try {
             for (Strand& strand : strands_)
                 threads.emplace_back([&] { execute(strand); });
         } catch (const std::system_error& refused) {
             set_gate(Gate::cancelled);
-            throw UserError(fmt::format("thread {} of {} cannot be started: {}: give a smaller number of --threads",
+            throw UserError(fmt::format("thread {} of {} cannot be started: {}: give a smaller number to --threads",
                                         threads.size() + 1, strands_.size(), refused.code().message()));
         } catch (...) {
             set_gate(Gate::cancelled);
@@ -204,7 +204,7 @@ private:
     std::atomic<Gate> gate_{Gate::closed};
     std::mutex mutex_;
     std::condition_variable ended_;
-    std::size_t running_ = strands_.size(); ///< threads
+    std::size_t running_ = strands_.size(); ///< number of threads that have not ended
 };
 
 } // namespace

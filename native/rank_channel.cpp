@@ -98,7 +98,7 @@ void RankTaker::wake() {
 
 void RankTaker::add(Offer::State state, std::span<const std::uint8_t> packed, std::size_t bytes) {
     if (count_ == offers_.size())
-        throw NoMessage("it has a message that no process can have sent yet");
+        throw NoMessage("it contains a message that no process can have sent yet");
     Offer& offer = offers_[(first_ + count_++) % offers_.size()];
     offer.packed.assign(packed.begin(), packed.end());
     offer.bytes = bytes;

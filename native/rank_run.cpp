@@ -129,7 +129,7 @@ private:
         return log_ ? compare_clocks(ranks_) : std::vector<ComparedClock>{};
     }
 
-    /// Gives a channel to or from another rank its carrier.
+    /// Puts a channel that leads to or from another rank on its carrier.
     void lead(std::size_t number) {
         const NetworkChannel& declared = network_.channels[number];
         if (declared.from.at_edge() || declared.to.at_edge())
@@ -269,7 +269,7 @@ private:
     const RankRunSettings& settings_;
     Ranks& ranks_;
     RankMail& mail_;
-    std::vector<RankResult> results_; ///< by rank; a rank above 0 uses only its own
+    std::vector<RankResult> results_; ///< by rank; a rank above 0 uses only its own result
     std::size_t results_come_ = 0;    ///< number of results that have arrived from other ranks
     std::exception_ptr observing_failed_;
     std::vector<std::size_t> rank_of_node_;

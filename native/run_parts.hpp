@@ -41,8 +41,8 @@ std::vector<Time> times_waited(const Software&);
 void sort_by_netlist(std::vector<StuckProcess>&, const Network&);
 
 /// Joins the parts of a run. The run is stuck if any part is stuck; otherwise interrupted if any part is; otherwise
-/// completed. Takes the deadlock from any part that has one. `noun` names a part in the report, such as "thread" in
-/// "thread 0". `place_of_node`: the part of each node.
+/// completed. Takes the deadlock from any part that has a deadlock. `noun` names a part in the report, such as "thread"
+/// in "thread 0". `place_of_node`: the part of each node.
 RunReport join_parts(const Network&, const std::vector<std::size_t>& place_of_node, const std::string& noun,
                      std::vector<RunPart>);
 

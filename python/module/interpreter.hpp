@@ -60,7 +60,7 @@ public:
     static Interpreter& current();
 
     /// Calls `work` with the lock, and rethrows what it throws. Throws a Python exception as a std::runtime_error with
-    /// its type and text, and keeps the first for failure().
+    /// its type and text, and keeps the first such exception for failure().
     template <class Work>
     void call(Work work) {
         call({[](void* it) { (*static_cast<Work*>(it))(); }, &work});
@@ -68,7 +68,7 @@ public:
     /// Returns the first exception of Python; null if there was none.
     const SharedObject& failure() const { return failure_; }
 
-    /// The place in its program, such as "relay.py:12", at which each unfinished process waited.
+    /// For each unfinished process, the place in its program at which it waited, such as "relay.py:12".
     std::map<std::string, std::string> places;
     RunClock* clock = nullptr; ///< null: no clock is kept
 

@@ -61,7 +61,8 @@ struct SearchOptions {
 /// Pauses between two generations, so that Ctrl-C, the end of Python and other threads can take effect.
 class Pauses {
 public:
-    /// `progress` is None, or a function that receives the number of completed generations and of all generations.
+    /// `progress` is None, or a function that receives the number of completed generations and the number of all
+    /// generations.
     Pauses(py::object progress, std::uint64_t all) : progress_(std::move(progress)), all_(all) {}
     void pause(std::uint64_t made) {
         if (!progress_.is_none())

@@ -25,13 +25,13 @@ def prepared(problem: Problem, bounds: Optional[Bounds], bits: Union[int, Sequen
             raise TypeError("expected a function, the name of a problem, an object with _evaluate, xl and xu (as "
                             f"pymoo's), or an object with fitness and get_bounds (as pygmo's), not {problem!r}")
     if objectives != 1 and search == "search":
-        raise Error(f"a search has one objective, but this problem has {objectives}: search_front() searches for its front")
+        raise Error(f"a search has one objective, but this problem has {objectives}: use search_front()")
     if bounds is None and not isinstance(problem, str):
         raise TypeError("a function needs bounds: a pair (least, greatest) for each parameter")
     ranges = [(float(low), float(high)) for low, high in bounds or ()]
     fields = [bits] * len(ranges) if isinstance(bits, int) else list(bits)
     if len(fields) != len(ranges):
-        raise TypeError(f"{len(ranges)} bounds need as many numbers of bits, not {len(fields)}")
+        raise TypeError(f"bits has length {len(fields)}, expected one number of bits for each of the {len(ranges)} bounds")
     return problem, ranges, fields
 
 
@@ -68,7 +68,7 @@ def _of_pygmo(problem: Any) -> tuple[Function, Bounds, int]:
 
     objectives, equations, unequal = count("get_nobj", 1), count("get_nec"), count("get_nic")
     if count("get_nix"):
-        raise Error("this problem has whole numbers (get_nix), but a search has real numbers: round them in fitness")
+        raise Error("this problem has whole numbers (get_nix), but a search has real numbers: remove get_nix, and round the numbers in fitness")
 
     def evaluate(rows: Any) -> Any:
         values = numpy.array([numpy.ravel(problem.fitness(row)) for row in rows])

@@ -66,7 +66,7 @@ def search(problem: Problem, bounds: Optional[Sequence[tuple[float, float]]] = N
            topology: Optional[Policy] = None, schedule: Optional[Policy] = None, emigration: Optional[Policy] = None,
            acceptance: Optional[Policy] = None, checkpoint: Optional[FilePath] = None,
            progress: ProgressOption = None) -> Found:
-    """Searches for the least value of an objective and returns what was Found.
+    """Searches for the least value of an objective, and returns the result as a Found.
 
     problem: a function of a population, which gets an array of shape (n, d) and returns n values, of shape (n,) or
     (n, 1); or a problem object of pymoo or pygmo; or the name of a known problem, such as "rastrigin(dimensions = 10)".

@@ -152,7 +152,7 @@ class Endings(unittest.TestCase):
                               "--threads", "400"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                              preexec_fn=few_threads, timeout=60, check=False)
         self.assertEqual(run.returncode, 1)
-        self.assertRegex(run.stderr, r"thread \d+ of 400 cannot be started: .*: give a smaller number of --threads")
+        self.assertRegex(run.stderr, r"thread \d+ of 400 cannot be started: .*: give a smaller number to --threads")
 
     def test_what_only_simulated_runs_have_is_refused(self):
         netlist = EXAMPLES / "csp/deadlock/ring.cfs"

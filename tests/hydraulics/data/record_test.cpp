@@ -119,14 +119,14 @@ TEST_CASE("a wrong reading is refused with its place") {
           fmt::format("error 7:7: \"nan\" is not a reading | {}\n", skip));
     CHECK(record_faults(boom_columns + rows(0, 5) + "0.100,,20,inf\n") ==
           fmt::format("error 7:7: the value is missing | {}\nerror 7:11: \"inf\" is not a finite "
-                      "number | a number such as 1830.5 or -2e-3; {}\n",
+                      "number | write a number such as 1830.5 or -2e-3; {}\n",
                       skip, missing));
     CHECK(record_faults(boom_columns + rows(0, 5) + "0.100,1e300,20,0.2\n") ==
           fmt::format("error 7:7: 1e300 is too large for a reading | {}\n", missing));
     CHECK(record_faults("time [s],boom.inlet_pressure [bar]\n0,1e308\n0.02,1\n0.04,2\n0.06,3\n0.08,4\n")
               .starts_with("error 2:3: 1e308 is too large for a reading"));
     CHECK(record_faults(boom_columns + rows(0, 5) + "0.100,1600,20\n") ==
-          "error 7:12: 3 values, expected 4 | the header on line 1 has 4 columns\n");
+          "error 7:12: the row has the wrong number of values: 3, expected 4 | the header on line 1 has 4 columns\n");
 }
 
 TEST_CASE("wrong times are refused with their place") {
