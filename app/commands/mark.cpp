@@ -96,8 +96,7 @@ Action declare_mark(Options& command, const std::string&) {
              "number of submissions that are checked at a time; default: number of cores");
     add_number(command, "--seconds", options->limits.run.seconds, 1, 3600, "seconds that a submission may take")
         .show_default();
-    add_number(command, "--memory", options->limits.run.megabytes, 256, 1 << 20,
-               "Mbyte of memory that a submission may take")
+    add_number(command, "--memory", options->limits.run.megabytes, 256, 1 << 20, "Mbyte that a submission may take")
         .show_default();
     return [options] { return mark(*options); };
 }

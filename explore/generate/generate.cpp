@@ -63,6 +63,13 @@ void refuse_ports(const TopologyRequest& request) {
                             option, *said, request.job));
 }
 
+Job job_of_tasks(const TopologyRequest& request, const Topology& topology) {
+    if (!request.problem.empty())
+        throw UserError(fmt::format("--problem {} has no effect on the tasks of {}, which do not search",
+                                    request.problem, request.job));
+    return tasks_of_file(request.job, topology.nodes, topology);
+}
+
 Job job_of(const TopologyRequest& request, const Catalogue& catalogue, const Topology& topology,
            const RecordedProblem* problem) {
     const ProblemStatements statements = statements_of(request.problem, problem);
@@ -73,12 +80,7 @@ Job job_of(const TopologyRequest& request, const Catalogue& catalogue, const Top
         return farm(topology, statements);
     if (request.job == "islands")
         return request.topology == "figure-e2" ? islands_with_slaves(statements) : islands(topology, statements);
-    if (is_file && !request.problem.empty())
-        throw UserError(fmt::format("--problem {} has no effect on the tasks of {}, which do not search",
-                                    request.problem, request.job));
-    if (is_file)
-        return tasks_of_file(request.job, topology.nodes, topology);
-    return job_of_kind(request, catalogue, topology, statements);
+    return is_file ? job_of_tasks(request, topology) : job_of_kind(request, catalogue, topology, statements);
 }
 
 std::string host_on_workstation(const TopologyRequest& request, const Topology& topology) {
