@@ -241,9 +241,9 @@ private:
             (schedule.in_step() && part.front() != number_))
             return;
         warn(number_, process_.given.contains("exchange_every") ? "exchange_every" : "schedule",
-             fmt::format("\"{}\" never exchanges individuals: the first exchange is due after {} generations, but the "
-                         "run has only {}",
-                         process_.name, schedule.every(), run->generations()));
+             fmt::format("\"{}\" never exchanges individuals: the first exchange is due after {}, but the run has "
+                         "only {}",
+                         process_.name, counted(schedule.every(), "generation"), run->generations()));
     }
 
     const ProblemRegistry& problems_;

@@ -57,7 +57,7 @@ public:
             refuse("elite",
                    fmt::format("an elite of {} in a population of {} leaves no pair to breed", integer("elite"),
                                integer("population")),
-                   fmt::format("the elite can have at most {} individuals", integer("population") - 2));
+                   fmt::format("the greatest possible elite is {}", integer("population") - 2));
         check_coding();
         warn_of_short_strings();
         check_operators();
@@ -327,9 +327,10 @@ private:
             refuse("slaves", fmt::format("slaves = {}, but the number of slaves connected to \"{}.to_slaves\" is {}",
                                          slaves, name(process_), tree.slaves.size()));
         else if (slaves >= population)
-            refuse("slaves", fmt::format("slaves = {}, but a population of {} has work for at most {} slave{}, because "
-                                         "the master also evaluates",
-                                         slaves, population, population - 1, population == 2 ? "" : "s"));
+            refuse("slaves",
+                   fmt::format("slaves = {}, but a population of {} has work for at most {}, because the "
+                               "master also evaluates",
+                               slaves, population, counted(static_cast<std::size_t>(population) - 1, "slave")));
         std::size_t individuals =
             most_individuals(static_cast<std::size_t>(population), static_cast<std::size_t>(slaves),
                              split_named(text("split")), number("own_share"));

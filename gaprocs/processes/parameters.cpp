@@ -6,6 +6,7 @@
 #include "gaprocs/spread_population.hpp"
 #include "gaprocs/usual_settings.hpp"
 #include "netlist/kinds/environment.hpp"
+#include "text/counted.hpp"
 #include "text/number.hpp"
 #include "text/user_error.hpp"
 
@@ -128,8 +129,8 @@ Farm::Settings read_farm_settings(const ProcessEnvironment& environment) {
     settings.measurements_every_generation = environment.text("measurements") == "generation";
     if (settings.slaves >= size(environment, "population"))
         throw UserError(fmt::format(
-            "slaves = {}, but a population of {} has work for at most {} slaves, because the master also evaluates",
-            settings.slaves, environment.integer("population"), environment.integer("population") - 1));
+            "slaves = {}, but a population of {} has work for at most {}, because the master also evaluates",
+            settings.slaves, environment.integer("population"), counted(size(environment, "population") - 1, "slave")));
     return settings;
 }
 

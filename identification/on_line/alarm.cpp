@@ -1,6 +1,7 @@
 #include "identification/on_line/alarm.hpp"
 
 #include "identification/on_line/population_sets.hpp"
+#include "text/counted.hpp"
 
 #include <fmt/format.h>
 
@@ -50,10 +51,9 @@ std::string what_is_off(const LinkVerdict& link) {
 }
 
 Alarm alarm_of(Link link, AlarmKind kind, const LinkVerdict& verdict) {
-    std::string sure =
-        kind == AlarmKind::sensor
-            ? ""
-            : fmt::format("; {}, from {} movements", how_sure(verdict.verdict.probability), verdict.verdict.movements);
+    std::string sure = kind == AlarmKind::sensor ? ""
+                                                 : fmt::format("; {}, from {}", how_sure(verdict.verdict.probability),
+                                                               counted(verdict.verdict.movements, "movement"));
     return {kind, {link}, fmt::format("{}: {}{}", name_of(link), what_is_off(verdict), sure)};
 }
 

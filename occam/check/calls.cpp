@@ -76,7 +76,7 @@ void Checker::effects_of_call(const Declaration& called, const Place& place) {
     if (!effects.communicates.empty())
         communicates(place, effects.communicates + " in \"" + called.name + "\"");
     for (const Declaration* const variable : effects.assigned)
-        assigned(variable, place, ", through \"" + called.name + "\"");
+        assigned(variable, place, " through \"" + called.name + "\"");
     if (!effects.has_priority_par)
         return;
     if (inside_priority_par_)

@@ -143,7 +143,9 @@ void Checker::assigned(const Declaration* base, const Place& place, const std::s
         return;
     Routine& routine = routines_.back();
     if (routine.is_function)
-        report(place, "a function cannot change \"" + base->name + "\", which is declared outside of it" + through,
+        report(place,
+               "the function cannot change \"" + base->name + "\"" + through +
+                   ", because the variable is declared outside of the function",
                "return the value as a result", base);
     else if (std::ranges::find(routine.assigned, base) == routine.assigned.end())
         routine.assigned.push_back(base);

@@ -37,8 +37,9 @@ void UsageCheck::report_parallel(const Access& first, const Access& second) {
         message = "two components of a PAR " + std::string(is_output ? "output to " : "input from ") + name + through;
         hint = "a channel joins two processes: use one channel for each pair of processes";
     } else {
-        message = "a component of a PAR " + std::string(verb(later.kind)) + " " + name + ", which another component " +
-                  verb(earlier.kind) + through;
+        message = "a component of a PAR " + std::string(verb(later.kind)) + " " + name + through +
+                  (through.empty() ? ", which another component " : "; another component ") + verb(earlier.kind) +
+                  (through.empty() ? "" : " it");
         hint = "send the value over a channel, or use a variable for each component";
     }
     std::vector<SecondPlace> others;

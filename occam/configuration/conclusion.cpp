@@ -46,7 +46,7 @@ void Configurer::check_node(const Element& node, const NodeState& state, const P
                         "NETWORK sets the type of a processor; MAPPING maps other nodes onto processors");
     else if ((has_type || has_memory) && state.onto)
         checker_.report(state.onto_at, fmt::format("\"{}\" is mapped, but it is a processor", text(node)),
-                        "map another node onto it",
+                        "remove its type and memory, or its MAP",
                         {{"its type or memory is set here", at(has_type ? state.type_at : state.memory_at)}});
     else if (has_memory && !has_type)
         checker_.report(state.memory_at, fmt::format("the type of \"{}\" is not set", text(node)), example);
