@@ -128,6 +128,8 @@ std::unique_ptr<CheckpointFile> checkpoint_of(const SearchOptions& options, cons
 }
 
 IslandsSettings settings_of(const SearchProblem& problem, const SearchOptions& options, const PolicyFailure& failure) {
+    if (options.islands == 0)
+        throw UserError("there are 0 islands, expected at least 1");
     IslandsSettings settings;
     settings.islands.assign(options.islands, usual_settings(problem));
     for (const auto& [name, value] : options.settings)

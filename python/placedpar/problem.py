@@ -11,10 +11,18 @@ Bounds = Sequence[tuple[float, float]]
 EQUATION_TOLERANCE = 1e-4  #: an equation h(x) = 0 of a problem object is satisfied if |h(x)| is at most this
 
 
-def prepared(problem: Problem, bounds: Optional[Bounds], bits: Union[int, Sequence[int]],
+default_bits = 16  # of each parameter
+
+
+def prepared(problem: Problem, bounds: Optional[Bounds], bits: Union[int, Sequence[int]], maximise: bool,
              search: str) -> tuple[Union[str, Function], Bounds, Sequence[int]]:
     """Returns the name or the function of a problem, its bounds, and the bits of each parameter. `search` is the name
     of the function that searches, for messages."""
+    if bounds is not None and not callable(problem):
+        raise Error("bounds are for a function: this problem states its own")
+    if isinstance(problem, str) and (maximise or bits != default_bits):
+        given = "maximise" if maximise else "bits"
+        raise Error(f"{given} is for a function: the problem \"{problem}\" states its own goal and bits")
     if hasattr(problem, "_evaluate"):
         problem, bounds, objectives = _of_pymoo(problem)
     elif hasattr(problem, "fitness") and hasattr(problem, "get_bounds"):

@@ -160,6 +160,12 @@ class Searches(unittest.TestCase):
         with self.assertRaisesRegex(pp.Error, "several objectives has no fitness"):
             pp.search("zdt1", generations=2)
 
+    def test_the_log_has_the_values_to_the_last_bit(self):
+        for seed in range(11, 15):
+            found = pp.search("rastrigin(dimensions = 5)", generations=30, population=30, elite=1, seed=seed)
+            logged = found.log["best_so_far"] if hasattr(found.log, "columns") else [row["best_so_far"] for row in found.log]
+            self.assertEqual(list(logged)[-1], found.value)
+
     def test_progress_counts_the_generations_of_all_islands(self):
         told = []
         pp.search(sphere, BOX, islands=2, generations=5, population=10, progress=lambda *made: told.append(made))
@@ -169,6 +175,10 @@ class Searches(unittest.TestCase):
         for message, arguments in (
                 ("did you mean \"tournament\"", {"reproduction": "tournamnet"}),
                 ("one objective, but the function returned 10 for each individual: use search_front", {"problem": lambda rows: rows}),
+                ("there are 0 islands, expected at least 1", {"islands": 0}),
+                ("bounds are for a function", {"problem": "sphere"}),
+                ("maximise is for a function: the problem \"sphere\" states", {"problem": "sphere", "bounds": None, "maximise": True}),
+                ("bits is for a function", {"problem": "sphere", "bounds": None, "bits": 5}),
                 ("low", {"bounds": [(5, -5)]}), ("a torus of 4 islands cannot have 3 rows", {"topology": "torus(3)", "islands": 4}),
                 ("must be numbers", {"problem": lambda rows: ["one"] * len(rows)}),
                 ("but have the shape \\(60, 2\\)", {"problem": lambda rows: rows.reshape(-1)[:120].reshape(60, 2)}),
