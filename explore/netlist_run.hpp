@@ -41,8 +41,8 @@ struct RunSettings {
 
 /// Runs the network. Throws what the processes throw.
 RunReport run_netlist(const Network&, const ProblemRegistry&, const RunSettings&);
-/// Runs the network with the kinds of a catalogue. The kinds already have an observer and checkpoints, so those in the
-/// settings are ignored.
+/// Runs the network with the process kinds of a catalogue (netlist/kinds/catalogue.hpp). The kinds already have an
+/// observer and checkpoints, so those in the settings are ignored.
 RunReport run_netlist(const Network&, const Catalogue&, const RunSettings&);
 /// Repeats a recorded run with another seed, without simulating the machine; this is several times faster. Returns
 /// nothing if a process behaves differently with this seed, or if the run would not complete. If the run is

@@ -21,8 +21,8 @@ struct OccamOptions {
     std::string no_checks = ""; ///< names of checks, separated by commas
 };
 
-/// Returns the options for the code of a netlist's processes. Throws UserError for an unknown check, and for a check of
-/// a program's text, because a netlist cannot turn off such a check.
+/// Returns the options for the code of a netlist's processes. Throws UserError for an unknown check, and for the checks
+/// "usage" and "alias", which a netlist cannot turn off for its programs.
 CompileChoices choices_of(const OccamOptions&);
 
 /// Returns the checks that these options do not turn off. Throws UserError for an unknown check.
@@ -33,7 +33,7 @@ bool is_occam(const std::filesystem::path&);
 
 struct CompiledOccam {
     std::vector<std::uint8_t> file; ///< a bootable file
-    std::string lines;              ///< a table of its code, for a file NAME.lines beside it
+    std::string lines;              ///< for the file NAME.lines: the source line of each address
     std::uint64_t memory_bytes = 0; ///< memory that the program needs, including the free memory that it receives
 };
 /// Compiles a program for a transputer. Throws RefusedInput; throws UserError for an unknown check.

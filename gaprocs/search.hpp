@@ -34,7 +34,8 @@ struct SearchState {
 /// A traditional genetic algorithm. A search breeds one generation at a time, but does not evaluate
 /// individuals. The caller (a plain loop, a master with slaves, an island) computes the fitness of population() and
 /// passes it to next_generation(). The next generation depends only on the settings, the random stream and the fitness.
-/// So algorithm A, whose slaves compute the fitness, gives exactly the generations of the traditional algorithm.
+/// So algorithm A of the thesis, in which slaves compute the fitness, gives exactly the generations of the traditional
+/// algorithm.
 ///
 /// After an evaluation, an island calls emigrants(), then accept(), then next_generation(). If
 /// Acceptance::among_offspring(), it calls emigrants(), then next_generation(), then accept_among_offspring().

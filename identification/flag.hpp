@@ -12,10 +12,10 @@ enum class FlagKind : unsigned char {
     lower_bound,   ///< the answer is at the search's lower bound
     upper_bound,   ///< the answer is at the search's upper bound
     no_excitation, ///< the pressure hardly changes
-    misfit,        ///< the rms error of the circuit's equations exceeds the root of the bias
+    misfit,        ///< the best individual's flow error exceeds the square root of the bias of the fitness
     still_valve,   ///< the valve reading never changes
     unsettled,     ///< the best individuals of the last generations disagree
-    inconsistent,  ///< the population sets disagree: cross-check 1 of thesis 3.3
+    inconsistent,  ///< the sets of links that were searched apart disagree: cross-check 1 of thesis 3.3
     halves,        ///< the two halves of the samples disagree
     uncertain,     ///< the relative standard error is too large
     offset,        ///< the calibration found a spool offset, which may really be a leak
@@ -48,7 +48,8 @@ struct LeastSquares {
 /// one answer in three is wrong by more than 10 %.
 inline constexpr double uncertain_share = 0.1;
 
-/// These functions return whether an answer is within two or three steps of an end of the search's range. A step is the
+/// Return whether an answer is within two steps of the lower end of the search's range, or within three steps of the
+/// upper end. A step is the
 /// difference between neighbouring codes. A spool offset can make the data fit best at a compliance that is negative or
 /// beyond the range. The search then stays at the end of its range.
 bool at_lower_bound(double compliance_in3_per_psi, double step_in3_per_psi);

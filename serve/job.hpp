@@ -20,7 +20,7 @@ namespace placedpar::serve {
 ///
 ///   "refused"           "refused" (the reason, as the command line prints it), "faults"; there was no run
 ///   "failed"            "refused" (the reason); the run ended by an exception
-///   of name_of(Ending)  "output" (text that booted programs printed), "report", "page" (HTML) or "page_missing" (the
+///   a name of an Ending "output" (text that booted programs printed), "report", "page" (HTML) or "page_missing" (the
 ///                       reason), and, if the job asks for it, "explanation" or "listing"
 ///   "solved", "not solved", "interrupted", for an exercise
 ///                       "verdict", "result" (name_of(StudentRun::End)), and "simulated_ms" if the program ran to its

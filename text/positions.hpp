@@ -40,7 +40,8 @@ std::size_t offset_of(const Location&);
 enum class NamesOf { netlist, occam };
 
 /// Returns the place after the word that begins at a location: after a name, a number or a string in quotes, or after
-/// one other character. At the end of a line, and for line 0, returns the location itself.
+/// one other character. Returns the location itself at the end of a line, and if
+/// the location is a whole file (its line is 0).
 Location end_of_word(const Location&, NamesOf);
 
 } // namespace placedpar

@@ -98,8 +98,8 @@ Network some_network(const Study& study, const MachineSpace& space) {
     }
 }
 
-/// Returns the source of the study. Throws UserError if a measure is impossible, or if an output file is a file of the
-/// netlist.
+/// Returns the source of the study. Throws UserError if no process or device reports a measure that is asked for, or
+/// if an output file is a file of the netlist.
 StudySource searchable_source(const OptimiseOptions& options, const Study& study, const MachineSpace& space) {
     Network network = some_network(study, space);
     require_possible(shown_measures(study), study, network);

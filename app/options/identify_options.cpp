@@ -117,11 +117,11 @@ void declare_identify_options(Options& command, IdentifyOptions& options) {
                      "exit code 3 if an answer is flagged as doubtful or an alarm is raised; with several records, "
                      "if a change is found");
     command.add_footer(
-        "For each movement the command prints each link's compliance and its standard error, which the noise of "
-        "the record\ncauses, in both systems of units. At the end it judges each link: sound, or which fault it "
-        "has and how large.\nA line with ! marks a doubtful compliance. A record may have any length and come "
+        "For each movement the command prints each link's compliance in both systems of units, with the standard "
+        "error that\nthe record's noise causes. At the end it judges each link: sound, or which fault it has and how "
+        "large.\nA line with ! marks a doubtful compliance. A record may have any length and come "
         "through a pipe (\"-\" is standard input).\nFormat of records: docs/guides/records.md. Records to try: "
-        "examples/hydraulics/records. (Installed: share/doc/placedpar.)");
+        "examples/hydraulics/records. After an installation, both are in share/doc/placedpar.");
 }
 
 } // namespace placedpar

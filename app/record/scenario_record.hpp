@@ -12,7 +12,7 @@
 
 namespace placedpar {
 
-/// Returns the scenario with this name. Throws UserError, which lists all scenarios.
+/// Returns the scenario with this name. If there is none, throws a UserError that lists all scenarios.
 const hydraulics::RecordScenario& scenario_called(std::string_view name);
 
 std::vector<std::string> names_of_scenarios();

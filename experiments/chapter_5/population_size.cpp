@@ -81,7 +81,7 @@ std::vector<TrackRow> rows_of(const std::vector<PlantStudy>& studies) {
     return rows;
 }
 
-/// Judges the lags by the lags over 240 other seeds.
+/// Compares the median lags with the medians over 240 other seeds.
 Comparison judged_lags(const std::vector<PlantStudy>& noiseless) {
     Comparison comparison{.name = "lag on the plant, noiseless", .against = "known"};
     const double known[]{106, 90, 84, 82, 81, 80};

@@ -9,8 +9,8 @@
 
 namespace placedpar {
 
-/// A setting that has one value in network A and another in network B: a val, or an attribute or a parameter of some
-/// elements.
+/// A setting that has one value in network A and another in network B: a constant (`val`) of the netlist, or an
+/// attribute or a parameter of some elements.
 struct SettingDifference {
     std::string name;                  ///< "clock"
     std::string a, b;                  ///< values as the netlist language writes them

@@ -151,7 +151,7 @@ private:
                 if (!is_new)
                     c_.reporter.error(channel.connected,
                                       fmt::format("the channels \"{}\" and \"{}\" use the same direction of a wire to "
-                                                  "\"{}\", which executes its own code",
+                                                  "\"{}\", but its program would receive both on one link",
                                                   known->second->name, channel.name, node_name(end->node)),
                                       "place one of the channels on another link to this processor",
                                       {{"the first channel is placed here", known->second->connected}});

@@ -60,7 +60,7 @@ const Type* Checker::check(Expression& expression) {
             expression.form = Conversion{std::move(to), Conversion::Rounding::none, std::move(operand)};
         }
     }
-    expression.constant.reset(); // an index of a configuration may have another value now
+    expression.constant.reset(); // in a configuration, a replicator may have another value at each visit
     const bool several = std::exchange(several_allowed_, false);
     const bool gives_several =
         std::holds_alternative<Call>(expression.form) || std::holds_alternative<ValueProcess>(expression.form);

@@ -242,7 +242,7 @@ void UsageCheck::visit_values(const ValueProcess& process) {
 void UsageCheck::visit_routine(const Declaration& routine, const DeclarationList& parameters,
                                const ValueProcess* function, const Process* body) {
     std::vector<Active> outer;
-    outer.swap(active_); // each call checks the body against the abbreviations around it
+    outer.swap(active_); // the abbreviations around a routine are compared with its accesses at each call
     const std::size_t first = log_.size();
     const std::uint64_t since = clock_ + 1;
     declare(parameters);

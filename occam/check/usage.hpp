@@ -25,7 +25,8 @@ namespace placedpar::occam {
 ///   another parameter, or with a variable that the PROC itself uses.
 ///
 /// The program is visited once. The visit keeps a log of accesses. The accesses of a component of a PAR are a stretch
-/// of the log. A call adds the routine's accesses to variables outside of the routine.
+/// of the log. For each call, the log also gets the accesses that the routine makes to
+/// variables declared outside of it.
 class UsageCheck {
 public:
     UsageCheck(const Program& program, bool usage, bool aliases, Reporter& reporter)
@@ -38,7 +39,7 @@ private:
     struct Stretch {
         std::size_t first = 0, end = 0;
     };
-    /// Describes an abbreviation in whose scope the present place is.
+    /// Describes an abbreviation whose scope contains the place of the visit.
     struct Active {
         const Declaration* declaration = nullptr;
         Access access;

@@ -76,7 +76,7 @@ void Generator::assign(const Expression& target, const Expression& value) {
     real_store(first ? pointer : locate(target));
 }
 
-/// Returns whether a REAL32 is copied as a word, since nothing is computed.
+/// Returns whether the value is a REAL32 that is not computed, and so can be copied as a word.
 bool Generator::is_bits(const Expression& value) const {
     return size_of(*value.type) == 4 && is_real(*value.type) &&
            (constant_of(value) || std::holds_alternative<NameUse>(value.form) ||

@@ -122,7 +122,7 @@ private:
     std::map<const Declaration*, Selection> selections_;
     std::map<Element, std::size_t> wire_of_arc_;
     std::map<std::int64_t, Element> numbered_;
-    std::map<Element, std::vector<WireEnd>> links_used_; ///< key: node; the node's ends of its wires
+    std::map<Element, std::vector<WireEnd>> links_used_; ///< for each node, the ends of its wires at this node
     Part part_ = Part::software;
     std::optional<CurrentProcessor> here_;
     bool has_config_ = false;

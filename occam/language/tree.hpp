@@ -41,7 +41,7 @@ struct ItemText {
 /// Holds the protocol after CHAN OF: ANY, a name, or items.
 struct ProtocolText {
     bool any = false;
-    std::vector<ItemText> items; ///< a protocol's name is one item, whose TypeText has the name
+    std::vector<ItemText> items; ///< if the protocol has a name: one item, whose TypeText holds the name
 };
 struct TypeText {
     Place at;
@@ -66,7 +66,7 @@ enum class Operator : std::uint8_t {
     subtract,
     multiply,
     divide,
-    remainder, // checked
+    remainder, // up to here, an overflow is an error
     plus,
     minus,
     times, // modulo 2^n
@@ -470,8 +470,8 @@ struct Program {
     /// that the processor has no instructions for.
     std::vector<DeclarationBox> routines;
     Types types;
-    /// A table of channels `[c, d]` as an argument is an array of channels. The language has no such tables, but
-    /// PlacedPar uses them in programs that join the processes of a network.
+    /// True: a table of channels `[c, d]` may be passed as an array of channels. Occam has no such tables, but
+    /// PlacedPar uses them in the program that it writes to run all processes of a node.
     bool has_channel_tables = false;
     std::vector<ResolvedName> resolved; ///< checked: all names, except names in the parts of configurations
     bool is_configuration = false; ///< a ConfigurationPart is among the declarations, so NODE, ARC and EDGE are types

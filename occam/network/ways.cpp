@@ -18,7 +18,7 @@ namespace {
 /// Describes the links over which a channel arrives at a node and leaves the node.
 struct LinksOfChannel {
     std::optional<std::size_t> arrives_over, leaves_over; ///< connections
-    int in = 0, out = 0;                                  ///< links
+    int in = 0, out = 0;                                  ///< numbers of these links at the node
 };
 
 class WaySearch {
@@ -126,7 +126,7 @@ private:
     std::size_t node_;
     const ProgramOf& program_of_;
     std::vector<std::size_t>
-        loads_; ///< number of channels of code on each connection i: at 2 i from b to a, at 2 i + 1 from a to b
+        loads_; ///< number of channels on each connection i: element 2 i from b to a, element 2 i + 1 from a to b
     NodeRoutes ways_;
 };
 

@@ -133,8 +133,8 @@ struct CallableAcceptance : Callable {
     }
 };
 
-/// Returns the policy with this name, or a policy that calls this function. An attribute of the function may set a
-/// number of the policy.
+/// Returns the policy with this name, or a policy that calls this function. If the policy has a number,
+/// an attribute of the function may set it.
 template <class Step, class Own, class Policy>
 Step step_of(const std::string& step, const py::object& given_policy, const PolicyFailure& failure) {
     if (py::isinstance<py::str>(given_policy))

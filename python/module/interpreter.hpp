@@ -56,7 +56,7 @@ public:
     ~Interpreter();
     Interpreter(const Interpreter&) = delete;
     Interpreter& operator=(const Interpreter&) = delete;
-    /// REQUIRES: there is an object on this thread.
+    /// Returns the interpreter of this thread. REQUIRES: there is one.
     static Interpreter& current();
 
     /// Calls `work` with the lock, and rethrows what it throws. Throws a Python exception as a std::runtime_error with
@@ -99,8 +99,8 @@ inline void heed_signals() {
 /// lock.
 std::string text_of(pybind11::handle exception);
 
-/// Throws an exception of this class of placedpar.errors, with the failure as its cause. KeyboardInterrupt and
-/// SystemExit are thrown unchanged. REQUIRES: the caller holds the lock.
+/// Throws an exception of the class `error_class` of placedpar.errors, with the failure as its cause. KeyboardInterrupt
+/// and SystemExit are thrown unchanged. REQUIRES: the caller holds the lock.
 [[noreturn]] void rethrow(const SharedObject& failure, const char* error_class, const std::string& text);
 
 } // namespace placedpar::python

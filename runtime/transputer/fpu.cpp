@@ -146,8 +146,8 @@ RealResult<T> remainder(RealPattern<T> left, RealPattern<T> right) {
     return {exact.zero() ? exact.with_sign(left.negative()) : exact, right.infinite()};
 }
 
-/// Returns the quotient that belongs to a remainder. Computed in double, its error is below 0.5 within the limits of
-/// fpremfirst.
+/// Returns the quotient that belongs to a remainder. It is computed in double, with an error below 0.5 for the
+/// operands that fpremfirst accepts.
 template <typename T>
 RealPattern<T> quotient(RealPattern<T> left, RealPattern<T> right, RealPattern<T> remainder) {
     if (remainder.nan())
@@ -202,7 +202,7 @@ RealResult<T> combined(RealOperation operation, Rounding mode, RealPattern<T> le
 
 using Single = RealPattern<float>;
 
-/// Returns the value of a finite REAL32, whose fraction may be as long as a REAL64's fraction.
+/// Returns the value of a finite REAL32. After fpunoround, its fraction is as long as the fraction of a REAL64.
 double value_with_whole_fraction(const Real& real) {
     const RealPattern<double> wide = RealPattern<double>::of(Single(real.bits).value());
     return RealPattern<double>(wide.word() | (real.bits >> 32)).value();
