@@ -111,7 +111,7 @@ std::string print_switches(const std::vector<SwitchUse>& switches) {
     return out;
 }
 
-boost::json::object fault_json(const FaultUse& fault) {
+boost::json::object json_of_fault(const FaultUse& fault) {
     return {{"fault", fault.fault},
             {"had_effect", fault.had_effect()},
             {"bytes_lost", fault.bytes_lost},
@@ -124,7 +124,7 @@ boost::json::object fault_json(const FaultUse& fault) {
             {"held_since_ps", fault.held_since ? boost::json::value(fault.held_since->count()) : nullptr}};
 }
 
-boost::json::object switch_json(const SwitchUse& use) {
+boost::json::object json_of_switch(const SwitchUse& use) {
     boost::json::array losses;
     for (const SwitchUse::Loss& loss : use.losses)
         losses.push_back(loss_json(loss));

@@ -15,7 +15,7 @@ std::string print_faults(const std::vector<FaultUse>&);
 std::string print_switches(const std::vector<SwitchUse>&);
 
 /// Return the same in JSON. Times are in picoseconds.
-boost::json::object fault_json(const FaultUse&);
-boost::json::object switch_json(const SwitchUse&);
+boost::json::object json_of_fault(const FaultUse&);
+boost::json::object json_of_switch(const SwitchUse&);
 
 } // namespace placedpar

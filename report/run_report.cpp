@@ -375,7 +375,7 @@ boost::json::object report_json(const RunReport& report, const Network& network,
     if (!searches.searches().empty())
         json["searches"] = searches_json(searches);
     if (!report.faults.empty())
-        json["faults"] = array_of(report.faults, fault_json);
+        json["faults"] = array_of(report.faults, json_of_fault);
     if (!report.programs.empty())
         json["programs"] = json_of(programs_of(report).rows);
     if (boost::json::array stops = stops_json(report.programs); !stops.empty())
@@ -385,7 +385,7 @@ boost::json::object report_json(const RunReport& report, const Network& network,
     if (!report.clocks.empty())
         json["clocks"] = json_of(clocks_of(report.clocks).rows);
     if (!report.switches.empty())
-        json["switches"] = array_of(report.switches, switch_json);
+        json["switches"] = array_of(report.switches, json_of_switch);
     if (report.result.deadlock)
         json["deadlock"] = deadlock_json(*report.result.deadlock);
     if (!report.result.never_ran.empty())
