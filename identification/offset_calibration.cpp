@@ -68,10 +68,12 @@ std::vector<SteadySample> steadiest_motion(const Record& record, const LinkCalib
             best = stretch;
         }
     }
+    const LinkCalibration& boom = calibrations[index_of(Link::boom)];
+    const std::vector<double> spool_in =
+        spool_positions(record, Link::boom, boom.from.value_or(AreasFrom::spool), boom);
     std::vector<SteadySample> motion;
     for (const CircuitSample& sample : best)
-        motion.push_back({sample.links[0].inlet_psi, sample.links[0].piston_flow_in3_per_s,
-                          record.of(Link::boom, Sensor::spool)[sample.index]});
+        motion.push_back({sample.links[0].inlet_psi, sample.links[0].piston_flow_in3_per_s, spool_in[sample.index]});
     return motion;
 }
 

@@ -2,6 +2,7 @@
 #include "hydraulics/plant/excavator_values.hpp"
 #include "identification/offset_calibration.hpp"
 #include "runtime/random.hpp"
+#include "text/statistics.hpp"
 
 #include <doctest/doctest.h>
 
@@ -40,6 +41,19 @@ TEST_CASE("steady motion gives the spool's offset at every noise level") {
     for (std::uint64_t seed = 1; seed <= 20; ++seed)
         squares += std::pow(calibrate(steady_record(0.01, mid_noise, seed))->offset_in - 0.01, 2);
     CHECK(std::sqrt(squares / 20) < 3e-4); // .00008 in in an independent prototype; the end of the transient adds to it
+}
+
+TEST_CASE("the position by the voltage has an offset of its own") {
+    LinkCalibrations by_voltage = boom_calibrations(single_boom_mechanics());
+    by_voltage[index_of(Link::boom)].from = AreasFrom::servo;
+    for (double offset : {-0.02, 0.0, 0.02}) { // of the spool's readings, which do not matter here
+        Record record = steady_record(offset, no_noise);
+        CHECK(std::abs(calibrate_spool_offset(record, by_voltage, fitted_flow_constants())->offset_in) < 5e-4);
+        for (double& volts : record.of(Link::boom, Sensor::servo))
+            volts *= 1.1; // another 10 % of the spool's motion
+        const double spool_in = mean(steady_record(0, no_noise).of(Link::boom, Sensor::spool));
+        CHECK(calibrate_spool_offset(record, by_voltage, fitted_flow_constants())->offset_in > 0.05 * spool_in);
+    }
 }
 
 TEST_CASE("the calibration mistakes a wrong k or Q for an offset") {
