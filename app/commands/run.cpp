@@ -121,6 +121,13 @@ void require_fit(const Network& network, const RunOptions& options) {
         require_apart(options.outputs(), input);
     if (options.wants_generations())
         require_searches(network);
+    if (std::ranges::any_of(network.nodes, &Node::runs_own_code))
+        return;
+    for (const auto& [given, name] :
+         {std::pair(options.listing, "--listing"), {options.analyse, "--analyse"}, {options.step, "--step"}})
+        if (given)
+            throw UserError(fmt::format("{} has no effect: no transputer of {} executes code of its own", name,
+                                        network.source_path));
 }
 
 std::shared_ptr<CheckpointFile> checkpoints_of(const Network& network, const RunOptions& options) {
