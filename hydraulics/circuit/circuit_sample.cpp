@@ -21,13 +21,19 @@ std::vector<OrificeAreas> areas_as_read(const Record& record, Link link) {
     return areas;
 }
 
+std::vector<double> spool_by_voltage(const Record& record, Link link, double spool_lag_per_s) {
+    return spool_from_volts(record.of(link, Sensor::servo), record.time_s, spool_lag_per_s, record.period_s);
+}
+
 std::vector<OrificeAreas> areas_of(const Record& record, Link link, AreasFrom from,
                                    const LinkCalibration& calibration) {
     if (from == AreasFrom::areas)
         return areas_as_read(record, link);
+    std::vector<double> spool = from == AreasFrom::spool
+                                    ? record.of(link, Sensor::spool)
+                                    : spool_by_voltage(record, link, calibration.constants.spool_lag_per_s);
     std::vector<OrificeAreas> areas;
-    for (double spool_in :
-         spool_positions(record, link, from, calibration)) // sensor noise may make spool_in slightly negative
+    for (double spool_in : spool) // sensor noise may make spool_in slightly negative
         areas.push_back(boom_orifices(std::max(spool_in - calibration.spool_offset_in, 0.0)));
     return areas;
 }
@@ -57,13 +63,6 @@ LinkSample sample_at(const LinkChannels& link, const CentredLineFit& fit, std::s
 }
 
 } // namespace
-
-std::vector<double> spool_positions(const Record& record, Link link, AreasFrom from,
-                                    const LinkCalibration& calibration) {
-    return from == AreasFrom::servo ? spool_from_volts(record.of(link, Sensor::servo), record.time_s,
-                                                       calibration.constants.spool_lag_per_s, record.period_s)
-                                    : record.of(link, Sensor::spool);
-}
 
 std::vector<double> CircuitSample::values() const {
     std::vector<double> values;

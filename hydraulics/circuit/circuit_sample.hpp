@@ -30,11 +30,6 @@ struct CircuitSample {
 std::vector<CircuitSample> circuit_samples(const Record& record, const Circuit& circuit,
                                            const LinkCalibrations& calibrations);
 
-/// Returns the position of a link's spool at each instant, without correction: as read, or, if `from` is servo,
-/// computed from the servo-valve's voltage by A.1. REQUIRES: the record has the channel; `from` is not areas.
-std::vector<double> spool_positions(const Record& record, Link link, AreasFrom from,
-                                    const LinkCalibration& calibration);
-
 /// Returns whether flow enters every link, and would still enter it if each link's pressure were `margin_psi` higher.
 /// Uses the steady flow of the circuit (junction_flow.hpp). On an outlet side, returns whether flow leaves the link,
 /// and would still leave it if its pressure were `margin_psi` lower.
