@@ -325,12 +325,6 @@ generations = 3
         for limit in ("99999999999999", "18446744073709551615"):
             self.assertEqual(placedpar("run", self.file, "--host-limit", limit).returncode, 0)
 
-    def test_options_for_code_of_its_own_are_refused_without_such_code(self):
-        for option in ("--listing", "--analyse", "--step"):
-            done = placedpar("run", EXAMPLES / "csp/commstime/commstime.cfs", option, typed="")
-            self.assertEqual((done.returncode, done.stdout), (1, ""))
-            self.assertRegex(done.stderr, f"placedpar: {option} has no effect: no transputer of .*commstime.cfs executes code of its own")
-
     def test_files_of_the_wrong_kind_are_refused_with_what_they_are(self):
         empty, folder = self.folder / "empty.btl", self.folder / "folder"
         empty.write_bytes(b"")
