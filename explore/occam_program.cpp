@@ -105,6 +105,17 @@ occam::SourceOptions wanted_checks(const OccamOptions& options) {
             .run_time_checks = !leaves_out(options, "all")};
 }
 
+bool can_be_run(const occam::Declaration& procedure) {
+    const auto& parameters = std::get<occam::Procedure>(procedure.form).parameters;
+    const auto is_channel = [](const occam::DeclarationBox& each) {
+        return each->type->kind == occam::Type::Kind::channel;
+    };
+    const std::size_t channels = static_cast<std::size_t>(std::ranges::count_if(parameters, is_channel));
+    const bool gets_memory = parameters.size() == 3 && channels == 2 && !is_channel(parameters.back()) &&
+                             parameters.back()->type->kind == occam::Type::Kind::array;
+    return parameters.size() <= 3 && (channels == parameters.size() || gets_memory);
+}
+
 bool is_occam(const std::filesystem::path& path) {
     return path.extension() == ".occ" && !occam::is_configuration(path);
 }

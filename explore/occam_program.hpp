@@ -31,6 +31,10 @@ occam::SourceOptions wanted_checks(const OccamOptions&);
 /// Returns whether a file is a program in occam, by its name. A configuration is not a program.
 bool is_occam(const std::filesystem::path&);
 
+/// Returns whether `placedpar run` can run this procedure: its parameters are none, or channels to a host and perhaps
+/// the free memory, or the channels of a terminal.
+bool can_be_run(const occam::Declaration& procedure);
+
 struct CompiledOccam {
     std::vector<std::uint8_t> file; ///< a bootable file
     std::string lines;              ///< for the file NAME.lines: the source line of each address

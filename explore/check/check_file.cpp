@@ -63,9 +63,12 @@ CheckedFile check_program(const std::filesystem::path& path, const CheckOptions&
     for (const auto& file : program.program->files)
         if (file != source.file && !file->path().starts_with('<'))
             checked.included.push_back(file->path());
-    checked.summary = fmt::format("{}: no errors; {}\n", path.string(),
-                                  program.main ? fmt::format("PROC {} would be run", program.main->name)
-                                               : "the file has no procedure");
+    checked.summary =
+        fmt::format("{}: no errors; {}\n", path.string(),
+                    !program.main ? "the file has no procedure"
+                    : can_be_run(*program.main)
+                        ? fmt::format("PROC {} would be run", program.main->name)
+                        : fmt::format("only a netlist can use PROC {}, because of its parameters", program.main->name));
     return checked;
 }
 

@@ -19,9 +19,8 @@ constexpr const char* hint_for(Dialect dialect) {
     case Dialect::development_system: return "to run this file, give it a name that ends in .occ or .pgm";
     case Dialect::toolset: return "to run this configuration, give its file a name that ends in .pgm";
     default:
-        return "to run this program, give its file a name that ends in .occ; to use it as a process of a netlist, "
-               "write use "
-               "\"FILE.occ\" for name;";
+        return "placedpar run executes a program in occam if its file's name ends in .occ; a netlist uses it as a "
+               "process: use \"FILE.occ\" for name;";
     }
 }
 

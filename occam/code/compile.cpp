@@ -124,8 +124,8 @@ void Generator::add_main_argument(Arguments& words, const Declaration& parameter
                          }});
         words.push_back({1, [this] { constant(bytes_of_free_memory / 4); }});
     } else {
-        refuse(parameter.at, "the main procedure cannot have this parameter: write (), (CHAN OF SP fs, ts), or (CHAN "
-                             "OF SP fs, ts, []INT memory)");
+        refuse(parameter.at, "the main procedure cannot have this parameter: write (), (CHAN OF SP fs, ts), (CHAN OF "
+                             "SP fs, ts, []INT memory), or (CHAN OF BYTE keyboard, screen, error)");
     }
 }
 

@@ -20,7 +20,7 @@ def prepared(problem: Problem, bounds: Optional[Bounds], bits: Union[int, Sequen
     of the function that searches, for messages."""
     if bounds is not None and not callable(problem):
         raise Error("bounds are for a function: this problem states its own")
-    if isinstance(problem, str) and (maximise or bits != default_bits):
+    if isinstance(problem, str) and (maximise or not isinstance(bits, int) or bits != default_bits):
         given = "maximise" if maximise else "bits"
         raise Error(f"{given} is for a function: the problem \"{problem}\" states its own goal and bits")
     if hasattr(problem, "_evaluate"):
@@ -36,11 +36,19 @@ def prepared(problem: Problem, bounds: Optional[Bounds], bits: Union[int, Sequen
         raise Error(f"a search has one objective, but this problem has {objectives}: use search_front()")
     if bounds is None and not isinstance(problem, str):
         raise TypeError("a function needs bounds: a pair (least, greatest) for each parameter")
-    ranges = [(float(low), float(high)) for low, high in bounds or ()]
+    ranges = [] if bounds is None else [_range(each) for each in bounds]
     fields = [bits] * len(ranges) if isinstance(bits, int) else list(bits)
     if len(fields) != len(ranges):
         raise TypeError(f"bits has length {len(fields)}, expected one number of bits for each of the {len(ranges)} bounds")
     return problem, ranges, fields
+
+
+def _range(pair: Any) -> tuple[float, float]:
+    try:
+        low, high = pair
+        return float(low), float(high)
+    except (TypeError, ValueError):
+        raise TypeError(f"bounds has {pair!r}, expected pairs of numbers (least, greatest)") from None
 
 
 def _of_pymoo(problem: Any) -> tuple[Function, Bounds, int]:

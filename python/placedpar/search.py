@@ -7,7 +7,7 @@ from typing import Any, Callable, Optional, Sequence, Union
 from . import _core
 from .errors import Error
 from .network import FilePath, seed_of
-from .problem import Problem, prepared
+from .problem import Problem, default_bits, prepared
 from .progress import ProgressOption, progress_of
 from .tables import table, table_of_csv
 
@@ -15,7 +15,8 @@ from .tables import table, table_of_csv
 class Found:
     """The result of a search: the best individual of all islands and generations.
 
-    x: parameters of the individual, an array of shape (d,).
+    x: parameters of the individual, an array of shape (d,); empty if the problem has none, as a tour.
+    string: the individual's string of bits, its real numbers or its tour, as a text.
     value: objective of the individual; NaN if the individual is not feasible.
     violation: sum of the violations of the constraints; 0 if the individual is feasible.
     fitness: fitness of the individual, which the search maximised.

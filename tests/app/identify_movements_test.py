@@ -158,7 +158,8 @@ class Movements(unittest.TestCase):
                        ["--on", EXAMPLES / "thesis/table-e1" / "cluster.cfs"]):
             run = placedpar("identify", STEP, *option)
             self.assertEqual(run.returncode, 1)
-            self.assertIn("works only with --way thesis", run.stderr)
+            also = " or whole;" if option[0] in ("--samples", "--coding") else ""
+            self.assertIn("works only with --way thesis" + also, run.stderr)
 
     def test_an_offset_is_told_and_can_be_taken_off(self):
         for taken_off, left in ((0, -0.01), (-0.01, 0)):

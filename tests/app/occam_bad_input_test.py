@@ -14,7 +14,7 @@ MESSAGES = (
     ('#INCLUDE "test.occ"\n', "check", 'the file "test.occ" includes or uses itself\n'),
     ('#USE "test.occ"\n', "check", 'the file "test.occ" includes or uses itself\n'),
     ("PROC p (INT x)\n  x := 1\n:\n", "run",
-     "the main procedure cannot have this parameter: write (), (CHAN OF SP fs, ts), or (CHAN OF SP fs, ts, []INT memory)\n"),
+     "the main procedure cannot have this parameter: write (), (CHAN OF SP fs, ts), (CHAN OF SP fs, ts, []INT memory), or (CHAN OF BYTE keyboard, screen, error)\n"),
     ("PROC p ()\n  INT x\0:\n  SKIP\n:\n", "check", "this is a binary file, not text: it contains the byte 0x00\n"),
     ("PROC p ()\n  INT \xe9:\n  SKIP\n:\n", "check", "the byte 0xe9 is allowed only in a string or a comment\n"),
     ("PROC p ()\r\n  SKIP -- \xe9\r\n:\r\n\x1a", "check", "FILE: no errors; PROC p would be run\n"),

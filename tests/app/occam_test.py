@@ -322,6 +322,15 @@ PROC main (CHAN OF SP fs, ts)
         done = self.run_text("PROC main ()\n  SKIP\n:\n", command="check")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("no errors; PROC main would be run", done.stdout)
+        for option in (["--set", "x=1"], ["--use", "a=b"], ["--fault", "zzz"]):
+            done = self.run_text("PROC main ()\n  SKIP\n:\n", *option, command="check")
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(f"{option[0]} has no effect on", done.stderr)
+        for parameters, runs in (("CHAN OF INT in, out, VAL INT n, k", False), ("CHAN OF INT a, b", True), ("VAL INT n", False),
+                                 ("CHAN OF BYTE keyboard, screen, error", True), ("CHAN OF INT a, b, []INT m", True)):
+            done = self.run_text(f"PROC worker ({parameters})\n  SKIP\n:\n", command="check")
+            self.assertEqual("PROC worker would be run" in done.stdout, runs, parameters)
+            self.assertEqual("only a netlist can use PROC worker, because of its parameters" in done.stdout, not runs)
         done = self.run_text("VAL x IS 1:\n")
         self.assertEqual(done.returncode, 1)
         self.assertIn("the file has no PROC that can be run", done.stderr)

@@ -160,6 +160,9 @@ class Searches(unittest.TestCase):
         with self.assertRaisesRegex(pp.Error, "several objectives has no fitness"):
             pp.search("zdt1", generations=2)
 
+    def test_bounds_may_be_an_array(self):
+        self.same(pp.search(sphere, numpy.array(BOX), generations=5), pp.search(sphere, BOX, generations=5))
+
     def test_the_log_has_the_values_to_the_last_bit(self):
         for seed in range(11, 15):
             found = pp.search("rastrigin(dimensions = 5)", generations=30, population=30, elite=1, seed=seed)
@@ -197,9 +200,10 @@ class Searches(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "needs bounds"):
             pp.search(sphere)
         for message, wrong in (("islands is 'x', expected a whole number", {"islands": "x"}),
+                               ("bounds has \\(1, 2, 3\\), expected pairs", {"bounds": [(1, 2, 3)]}),
                                ("population is 1.5", {"population": 1.5}), ("coding is 5", {"coding": 5})):
             with self.assertRaisesRegex(TypeError, message):
-                pp.search(sphere, BOX, **wrong)
+                pp.search(sphere, **{"bounds": BOX, **wrong})
 
 
 if __name__ == "__main__":
