@@ -1,8 +1,8 @@
+#include "hydraulics/circuit/voltage_spool.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
 #include "identification/offset_calibration.hpp"
 #include "runtime/random.hpp"
-#include "text/statistics.hpp"
 
 #include <doctest/doctest.h>
 
@@ -43,16 +43,18 @@ TEST_CASE("steady motion gives the spool's offset at every noise level") {
     CHECK(std::sqrt(squares / 20) < 3e-4); // .00008 in in an independent prototype; the end of the transient adds to it
 }
 
-TEST_CASE("the position by the voltage has an offset of its own") {
+TEST_CASE("the position by the voltage is calibrated without the spool's readings") {
     LinkCalibrations by_voltage = boom_calibrations(single_boom_mechanics());
     by_voltage[index_of(Link::boom)].from = AreasFrom::servo;
-    for (double offset : {-0.02, 0.0, 0.02}) { // of the spool's readings, which do not matter here
-        Record record = steady_record(offset, no_noise);
-        CHECK(std::abs(calibrate_spool_offset(record, by_voltage, fitted_flow_constants())->offset_in) < 5e-4);
-        for (double& volts : record.of(Link::boom, Sensor::servo))
-            volts *= 1.1; // another 10 % of the spool's motion
-        const double spool_in = mean(steady_record(0, no_noise).of(Link::boom, Sensor::spool));
-        CHECK(calibrate_spool_offset(record, by_voltage, fitted_flow_constants())->offset_in > 0.05 * spool_in);
+    for (double of_voltage : {-0.01, 0.0, 0.01}) {
+        Record record = steady_record(0, no_noise);
+        for (double spool_in : record.of(Link::boom, Sensor::spool))
+            record.of(Link::boom, Sensor::servo).push_back(servo_volts(spool_in + of_voltage));
+        for (double& spool_in : record.of(Link::boom, Sensor::spool))
+            spool_in += 0.02;
+        const auto found = calibrate_spool_offset(record, by_voltage, fitted_flow_constants());
+        CHECK(std::abs(found->offset_in - of_voltage) < 2e-4);
+        CHECK(std::abs(calibrate(record)->offset_in - 0.02) < 2e-4);
     }
 }
 
