@@ -53,8 +53,9 @@ CONFIG
 
 
 def placedpar(*arguments, keys=""):
-    done = subprocess.run([PROGRAM, "run", *map(str, arguments)], input=keys.encode("latin-1"), timeout=300,
-                          check=False, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    typed = keys.replace("\\", "\\\\")  # in standard input, a newline would be the return key
+    done = subprocess.run([PROGRAM, "run", "--keys", typed, *map(str, arguments)], timeout=300, check=False,
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     return done.returncode, done.stdout.decode("latin-1"), done.stderr.decode("latin-1")
 
 
