@@ -1,6 +1,5 @@
 #include "explore/occam_check.hpp"
 
-#include "occam/check/check.hpp"
 #include "occam/library/library.hpp"
 
 #include <utility>
@@ -19,7 +18,8 @@ void leave_out_unwanted(occam::SourceOptions& options, const occam::SourceOption
 } // namespace
 
 OccamCheck check_occam_source(std::shared_ptr<const SourceFile> file, std::vector<std::filesystem::path> folders,
-                              const occam::SourceOptions& wanted, std::shared_ptr<const SourceFile> standard_input) {
+                              const occam::SourceOptions& wanted, std::shared_ptr<const SourceFile> standard_input,
+                              const occam::ChangeDeclaration& change) {
     Reporter reporter;
     occam::ParseOptions options;
     options.folders = std::move(folders);
@@ -29,7 +29,7 @@ OccamCheck check_occam_source(std::shared_ptr<const SourceFile> file, std::vecto
     occam::Parsed parsed = occam::parse(std::move(file), options, reporter);
     if (!reporter.failed()) {
         leave_out_unwanted(parsed.options, wanted);
-        occam::check(*parsed.program, parsed.options, reporter);
+        occam::check(*parsed.program, parsed.options, reporter, change);
     }
     OccamCheck result{.program = std::move(parsed.program), .options = parsed.options};
     result.main = occam::main_procedure(*result.program);

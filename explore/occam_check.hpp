@@ -1,5 +1,6 @@
 #pragma once
 
+#include "occam/check/check.hpp"
 #include "occam/language/parse.hpp"
 
 #include <filesystem>
@@ -21,9 +22,10 @@ struct OccamCheck {
 
 /// Reads and checks a program. Files that the program includes are looked for in PlacedPar's libraries and in these
 /// folders. Checks that are off in `wanted` are skipped, as if the text turned them off. The text of `standard_input`
-/// is what `#INCLUDE "standard input"` includes.
+/// is what `#INCLUDE "standard input"` includes. `change` is as for occam::check().
 OccamCheck check_occam_source(std::shared_ptr<const SourceFile>, std::vector<std::filesystem::path> folders,
                               const occam::SourceOptions& wanted = {},
-                              std::shared_ptr<const SourceFile> standard_input = nullptr);
+                              std::shared_ptr<const SourceFile> standard_input = nullptr,
+                              const occam::ChangeDeclaration& change = {});
 
 } // namespace placedpar

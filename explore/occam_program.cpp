@@ -3,6 +3,7 @@
 #include "explore/occam_check.hpp"
 #include "occam/code/place_table.hpp"
 #include "occam/configuration/configuration.hpp"
+#include "occam/network/vals.hpp"
 #include "text/load_source.hpp"
 #include "text/number.hpp"
 #include "text/standard_streams.hpp"
@@ -14,6 +15,7 @@
 #include <array>
 #include <bit>
 #include <optional>
+#include <string_view>
 
 namespace placedpar {
 
@@ -125,7 +127,7 @@ namespace {
 
 /// Reads and checks a program. If its main procedure uses a terminal, adds a procedure that calls the main procedure.
 OccamCheck checked_program(const std::filesystem::path& path, const std::vector<std::filesystem::path>& folders,
-                           const OccamOptions& typed, const WarningSink& warn) {
+                           const OccamOptions& typed, const WarningSink& warn, const occam::ChangeDeclaration& change) {
     const std::shared_ptr<const SourceFile> file = loaded(path);
     OccamCheck program = without_errors(check_occam_source(file, folders, wanted_checks(typed)));
     if (!program.diagnostics.empty())
@@ -136,16 +138,19 @@ OccamCheck checked_program(const std::filesystem::path& path, const std::vector<
                                     path.string()));
     if (!program.main)
         throw UserError(fmt::format("{}: the file has no PROC that can be run", path.string()));
-    if (!uses_terminal(*program.main))
+    const bool is_wrapped = uses_terminal(*program.main);
+    if (!is_wrapped && !change)
         return program;
-    return without_errors(check_occam_source(around(path, *program.main), folders, wanted_checks(typed), file));
+    return without_errors(check_occam_source(is_wrapped ? around(path, *program.main) : file, folders,
+                                             wanted_checks(typed), is_wrapped ? file : nullptr, change));
 }
 
 } // namespace
 
-CompiledOccam compile_occam(const std::filesystem::path& path, std::span<const std::string> folders,
-                            const OccamOptions& typed, transputer::Model model, const WarningSink& warn) {
-    const OccamCheck program = checked_program(path, {folders.begin(), folders.end()}, typed, warn);
+CompiledOccam compile_occam(const std::filesystem::path& path, const std::vector<std::filesystem::path>& folders,
+                            const OccamOptions& typed, transputer::Model model, const WarningSink& warn,
+                            const occam::ChangeDeclaration& change) {
+    const OccamCheck program = checked_program(path, folders, typed, warn, change);
     const occam::CodeOptions options{.model = model,
                                      .mode = occam::error_mode(typed.mode),
                                      .range_checks = program.options.range_checks && program.options.run_time_checks,
@@ -174,9 +179,13 @@ std::string netlist_around(const std::filesystem::path& file, const ProgramMachi
         machine.processor, machine.memory, machine.memory_cycles, wraps ? ", wraps = 1" : "", file.filename().string());
 }
 
-CompiledProgram compiled_program(const std::filesystem::path& file, std::span<const std::string> folders,
-                                 const ProgramMachine& machine, const WarningSink& warn) {
-    CompiledOccam made = compile_occam(file, folders, machine.occam, *transputer::model_named(machine.processor), warn);
+namespace {
+
+CompiledProgram compiled_program(const std::filesystem::path& file, const std::vector<std::filesystem::path>& folders,
+                                 const ProgramMachine& machine, const WarningSink& warn,
+                                 const occam::ChangeDeclaration& change) {
+    CompiledOccam made =
+        compile_occam(file, folders, machine.occam, *transputer::model_named(machine.processor), warn, change);
     if (made.memory_bytes > *bytes_of_size(machine.memory))
         throw UserError(
             fmt::format("{}: the program needs {} bytes of memory, but the transputer has {}\nhint: use --memory "
@@ -185,6 +194,43 @@ CompiledProgram compiled_program(const std::filesystem::path& file, std::span<co
                         std::bit_ceil((made.memory_bytes + (1 << 20) - 1) >> 20)));
     return {std::make_shared<const std::vector<std::uint8_t>>(std::move(made.file)),
             std::make_shared<const SourceFile>("lines of " + file.string(), std::move(made.lines))};
+}
+
+std::string hint_of_program(const std::string& hint) {
+    constexpr std::string_view netlist = "in the netlist its value is";
+    return hint.starts_with(netlist) ? "in the program its value is" + hint.substr(netlist.size()) : hint;
+}
+
+/// Compiles the program, with the values of the choice, and makes a netlist with one transputer that it boots. The
+/// compiler's warnings are reported only without a choice, since a netlist is made with one for the second time.
+MadeNetlist netlist_of_program(const std::string& path, const std::vector<std::filesystem::path>& folders,
+                               const ProgramMachine& machine, const ValChoice& choose, Reporter& reporter,
+                               const WarningSink& warn) {
+    MadeNetlist made;
+    made.translate_hint = hint_of_program;
+    if (choose) {
+        const auto change = [&](occam::Program& program, occam::Declaration& each) {
+            occam::choose_val(program, each, choose, reporter);
+        };
+        made.compiled[path] = compiled_program(
+            path, folders, machine, [](const std::string&) {}, change);
+    } else {
+        made.compiled[path] = compiled_program(path, folders, machine, warn, {});
+    }
+    made.text = std::make_shared<const SourceFile>(path, netlist_around(path, machine));
+    return made;
+}
+
+} // namespace
+
+NetlistMaker netlist_maker(const ProgramMachine& machine, const WarningSink& warn) {
+    return [machine, warn](const std::shared_ptr<const SourceFile>& file,
+                           const std::vector<std::filesystem::path>& folders, const ValChoice& choose,
+                           Reporter& reporter) {
+        return file->path().ends_with(".occ") && !occam::is_configuration(*file)
+                   ? netlist_of_program(file->path(), folders, machine, choose, reporter, warn)
+                   : occam::netlist_of_configuration(file, folders, choose, reporter);
+    };
 }
 
 } // namespace placedpar

@@ -2,14 +2,15 @@
 
 #include "explore/load.hpp"
 #include "netlist/kinds/file_kinds.hpp"
+#include "netlist/language/made_netlist.hpp"
 #include "netlist/network/network.hpp"
+#include "occam/check/check.hpp"
 #include "occam/code/compile.hpp"
 #include "occam/language/parse.hpp"
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -40,9 +41,11 @@ struct CompiledOccam {
     std::string lines;              ///< for the file NAME.lines: the source line of each address
     std::uint64_t memory_bytes = 0; ///< memory that the program needs, including the free memory that it receives
 };
-/// Compiles a program for a transputer. Throws RefusedInput; throws UserError for an unknown check.
-CompiledOccam compile_occam(const std::filesystem::path&, std::span<const std::string> folders, const OccamOptions&,
-                            transputer::Model, const WarningSink&);
+/// Compiles a program for a transputer. `change` is as for occam::check(). Throws RefusedInput; throws UserError for an
+/// unknown check.
+CompiledOccam compile_occam(const std::filesystem::path&, const std::vector<std::filesystem::path>& folders,
+                            const OccamOptions&, transputer::Model, const WarningSink&,
+                            const occam::ChangeDeclaration& change = {});
 
 /// The transputer on which a program without a netlist runs.
 struct ProgramMachine {
@@ -55,8 +58,9 @@ std::optional<std::uint64_t> bytes_of_size(const std::string& text);
 /// Returns a netlist with one transputer that the file boots. In mode stop, a process may read beyond the memory just
 /// before it stops; the netlist makes such a read harmless.
 std::string netlist_around(const std::filesystem::path& file, const ProgramMachine&);
-/// Compiles a program for the machine. Throws as compile_occam(); throws UserError if the memory is too small.
-CompiledProgram compiled_program(const std::filesystem::path&, std::span<const std::string> folders,
-                                 const ProgramMachine&, const WarningSink&);
+/// Returns the maker of netlists from occam. It makes a netlist from a configuration, and from a program, which it
+/// compiles for the machine and which boots one transputer. Options can set the VALs at the outermost level of the
+/// file. For a program, the maker throws as compile_occam(), and throws UserError if the memory is too small.
+NetlistMaker netlist_maker(const ProgramMachine&, const WarningSink&);
 
 } // namespace placedpar

@@ -131,13 +131,14 @@ struct ParsedNetlist::Syntax {
         std::string (*translate_hint)(const std::string&) = nullptr; ///< see MadeNetlist
         Statements statements = {};
         std::vector<std::string> included_paths = {};
+        CompiledPrograms compiled = {};
         bool includes_toolset = false;
     };
 
     Syntax(const LoadedSource& source, const std::filesystem::path& path, const ReadOptions& options);
     Content parse(const ValChoice&, Reporter&) const;
-    /// Returns whether the netlist must be made again from a configuration in another language, because an option may
-    /// set a val of the configuration.
+    /// Returns whether the netlist must be made again from a file in another language, because an option may set a val
+    /// of the file.
     bool is_made_again(const Overrides& overrides) const {
         return content.translate_hint && !overrides.empty() && !found.failed();
     }
@@ -174,6 +175,7 @@ ParsedNetlist::Syntax::Content ParsedNetlist::Syntax::parse(const ValChoice& cho
         recognise_occam(file, reporter);
     parsed.included_paths = tokens.take_included();
     parsed.included_paths.insert(parsed.included_paths.end(), made.paths.begin(), made.paths.end());
+    parsed.compiled = std::move(made.compiled);
     parsed.includes_toolset = tokens.includes_toolset();
     return parsed;
 }
@@ -199,7 +201,7 @@ std::optional<Network> ParsedNetlist::Syntax::network(const Catalogue& catalogue
     if (reporter.failed())
         return std::nullopt;
     elaborator.run(set);
-    auto network = complete(elaborator.take(), catalogue, reporter, options.compiled);
+    auto network = complete(elaborator.take(), catalogue, reporter, stated.compiled);
     if (reporter.failed())
         return std::nullopt;
     network.source_path = file->path();

@@ -35,10 +35,9 @@ struct ReadOptions {
     std::vector<std::filesystem::path> include_folders =
         {};                               ///< folders searched for files that are not beside the including file
     std::vector<std::string> faults = {}; ///< faults stated by options: `t[0].link[1] silent (from = 20ms)`
-    CompiledPrograms compiled = {};       ///< compiled programs that replace bootable files; key: path of the file
     ProgramKinds programs =
         {}; ///< kinds that replace programs; it is an error to name a program that the netlist does not use
-    NetlistMaker make_netlist = {}; ///< reads files that are configurations in another language, such as occam
+    NetlistMaker make_netlist = {}; ///< reads files in another language, such as occam
 };
 
 /// Holds the syntax of a netlist and of the files that it includes, before overrides are applied. The text is read and

@@ -28,8 +28,9 @@ ExitCode compile_file(const CompileOptions& options) {
     require_writable(out);
     if (!lines.empty())
         require_writable(lines);
-    const CompiledOccam made = compile_occam(options.file, options.folders, options.occam,
-                                             *transputer::model_named(options.processor), print_warnings);
+    const CompiledOccam made =
+        compile_occam(options.file, {options.folders.begin(), options.folders.end()}, options.occam,
+                      *transputer::model_named(options.processor), print_warnings);
     write_whole(out, std::string(made.file.begin(), made.file.end()));
     if (!lines.empty())
         write_whole(lines, made.lines);

@@ -180,11 +180,10 @@ Network load_network(const Options& typed, const NetlistOptions& netlist, const 
     const bool bootable =
         occam || (netlist.file != "-" && (looks_bootable(netlist.file) || is_empty_program(netlist.file)));
     ReadOptions read = read_options_of(netlist.read);
-    if (occam)
-        read.compiled[netlist.file] = compiled_program(netlist.file, netlist.read.include, options, netlist.warn);
-    else if (bootable)
+    read.make_netlist = netlist_maker(options, netlist.warn);
+    if (bootable && !occam)
         read_bootable(netlist.file); // refuses a wrong file with a message that names only the file
-    const ParsedNetlist parsed = bootable
+    const ParsedNetlist parsed = bootable && !occam
                                      ? ParsedNetlist::of_text(netlist_around(netlist.file, options), netlist.file, read)
                                      : ParsedNetlist(netlist.file, read);
     const ProblemRegistry problems = known_problems(0);

@@ -2,11 +2,11 @@
 
 #include "app/options/common_options.hpp"
 #include "app/standard_error.hpp"
+#include "explore/occam_program.hpp"
 #include "explore/prediction/native_netlist.hpp"
 #include "explore/problems.hpp"
 #include "explore/workers.hpp"
 #include "native/placement.hpp"
-#include "occam/configuration/configuration.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -56,7 +56,7 @@ std::vector<Option> add_read_options(Options& command, ReadOptionsTyped& options
 
 ReadOptions read_options_of(const ReadOptionsTyped& typed) {
     ReadOptions options;
-    options.make_netlist = occam::netlist_of_configuration;
+    options.make_netlist = netlist_maker({}, print_warnings);
     options.faults = typed.fault;
     for (const std::string& folder : typed.include) {
         if (std::error_code error; !std::filesystem::is_directory(folder, error))

@@ -73,15 +73,19 @@ std::vector<double> PrintedRun::numbers() const {
 
 PrintedRun run_occam(const std::filesystem::path& path, const occam::CodeOptions& code, int memory_cycles,
                      const ReplayContext& context) {
-    ReadOptions read;
-    read.compiled[path.string()] = compiled_occam(path, code);
+    const auto made = [&](const std::shared_ptr<const SourceFile>& file, const auto&...) {
+        MadeNetlist netlist;
+        netlist.text = std::make_shared<const SourceFile>(
+            file->path(), fmt::format("T800 (memory = 2M, memorycycles = {}) root;\nconnect root.link[0] to "
+                                      "host;\nuse \"{}\" for root;\n",
+                                      memory_cycles, path.filename().string()));
+        netlist.compiled[file->path()] = compiled_occam(path, code);
+        return netlist;
+    };
     const ProblemRegistry problems = known_problems(context.seed);
-    const std::string netlist = fmt::format("T800 (memory = 2M, memorycycles = {}) root;\nconnect root.link[0] to "
-                                            "host;\nuse \"{}\" for root;\n",
-                                            memory_cycles, path.filename().string());
     return run_with_screen(
-        load_network(ParsedNetlist::of_text(netlist, path.string(), read), {}, known_kinds(problems), context.warn),
-        problems, context);
+        load_network(ParsedNetlist(path, {.make_netlist = made}), {}, known_kinds(problems), context.warn), problems,
+        context);
 }
 
 PrintedRun run_printing(const std::filesystem::path& netlist, const Overrides& overrides,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "netlist/network/compiled_program.hpp"
 #include "netlist/network/value.hpp"
 #include "text/reporter.hpp"
 
@@ -18,11 +19,12 @@ struct PartOrigin {
     Location place;
 };
 
-/// Holds a netlist that was made from a configuration in another language.
+/// Holds a netlist that was made from a configuration or a program in another language.
 struct MadeNetlist {
     std::shared_ptr<const SourceFile> text; ///< null if the original text is a netlist itself, or has errors
     std::vector<PartOrigin> origins;        ///< in ascending order of offset; the first has offset 0
     std::vector<std::string> paths;         ///< paths of the files from which it was made, except the main file
+    CompiledPrograms compiled = {};         ///< programs that replace bootable files
     /// Writes a hint in the other language. Null if the original text is a netlist itself.
     std::string (*translate_hint)(const std::string&) = nullptr;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "netlist/network/compiled_program.hpp"
 #include "netlist/network/direction.hpp"
 #include "netlist/network/value.hpp"
 #include "text/source.hpp"
@@ -276,14 +277,6 @@ struct Network {
     /// Returns the number of connections that are wires.
     std::size_t count_wires() const;
 };
-
-/// Holds a compiled program that boots a node.
-struct CompiledProgram {
-    std::shared_ptr<const std::vector<std::uint8_t>> bytes; ///< contents of a bootable file
-    std::shared_ptr<const SourceFile> lines;                ///< the table of its source lines; null if there is none
-};
-/// Holds compiled programs by the path that the netlist names. Paths that are not in this map are read from files.
-using CompiledPrograms = std::map<std::string, CompiledProgram, std::less<>>;
 
 /// Returns the paths of all files that the netlist names: included files, then bootable files.
 std::vector<std::string> paths_of_inputs(const Network& network);

@@ -24,9 +24,9 @@ void Checker::check_program() {
         warn_of_unused();
 }
 
-void check(Program& program, const SourceOptions& options, Reporter& reporter) {
+void check(Program& program, const SourceOptions& options, Reporter& reporter, const ChangeDeclaration& change) {
     try {
-        Checker(program, reporter).check_program();
+        Checker(program, reporter, change).check_program();
         if (!reporter.failed() && (options.usage_checks || options.alias_checks))
             UsageCheck(program, options.usage_checks, options.alias_checks, reporter).check_program();
     } catch (const GiveUp&) {

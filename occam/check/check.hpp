@@ -2,12 +2,18 @@
 
 #include "occam/language/parse.hpp"
 
+#include <functional>
+
 namespace placedpar::occam {
+
+/// Called for each declaration at the outermost level of a program after its check, before later text uses it. May
+/// change the value of a VAL.
+using ChangeDeclaration = std::function<void(Program&, Declaration&)>;
 
 /// Finds the meaning of all names, the types of all expressions and the values of all constants. Reports violations of
 /// the language's rules. If there is no error, also checks parallel usage and aliases, unless the options turn these
 /// checks off. Fills the members of the tree that are marked "checked".
-void check(Program&, const SourceOptions&, Reporter&);
+void check(Program&, const SourceOptions&, Reporter&, const ChangeDeclaration& = {});
 
 /// Returns the last procedure of the main file; null if there is none.
 const Declaration* main_procedure(const Program&);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "occam/check/check.hpp"
 #include "occam/language/tree.hpp"
 #include "text/reporter.hpp"
 
@@ -71,7 +72,9 @@ struct Formal {
 /// in the order of the text. A method that finds an error reports it, and returns the type `mistaken`.
 class Checker {
 public:
-    Checker(Program& program, Reporter& reporter) : program_(program), reporter_(reporter), types_(program.types) {}
+    /// `change` is as for check().
+    Checker(Program& program, Reporter& reporter, ChangeDeclaration change = {})
+        : program_(program), reporter_(reporter), types_(program.types), change_(std::move(change)) {}
     void check_program();
 
     // The public functions below serve the Configurer (occam/configuration). It visits the declarations and processes
@@ -242,6 +245,7 @@ private:
     Program& program_;
     Reporter& reporter_;
     Types& types_;
+    ChangeDeclaration change_;
     Names names_;
     std::vector<Routine> routines_;
     std::unordered_map<const Declaration*, std::size_t> depths_; ///< number of routines around a declaration

@@ -41,6 +41,8 @@ void Checker::declare(DeclarationList& list) {
     for (DeclarationBox& declaration : list) {
         ++pending_.back().next;
         declare(*declaration);
+        if (change_ && &list == &program_.declarations)
+            change_(program_, *declaration);
     }
     pending_.pop_back();
 }

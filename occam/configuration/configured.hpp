@@ -93,9 +93,6 @@ struct Configured {
     std::map<const Declaration*, ProcessKind> kinds; ///< kinds of the procedures; for look-up only, never iterated
 };
 
-/// Returns the constant as a value for a netlist; nothing if it is an array that is not a text.
-std::optional<Value> netlist_value(const Constant&, const Type&);
-
 /// Returns the number of elements of a type; 1 unless it is an array.
 std::size_t count_of_elements(const Type&);
 /// Returns the subscripts of an element: {2, 0}.

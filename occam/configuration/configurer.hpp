@@ -42,9 +42,6 @@ private:
     void visit(Declaration&);
     void visit_all(std::vector<DeclarationBox>&);
     void declare(Declaration&);
-    void choose(Declaration&);
-    bool set_val(Declaration&, const Value&);
-    bool set_text(Declaration&, const std::string&);
     void execute(Process&);
     void execute_part(Declaration&, ConfigurationPart&);
     void form_of(Process&, Skip&) {}

@@ -2,6 +2,7 @@
 #include "occam/check/constant.hpp"
 #include "occam/configuration/configurer.hpp"
 #include "occam/network/kind.hpp"
+#include "occam/network/vals.hpp"
 #include "text/counted.hpp"
 
 #include <fmt/format.h>

@@ -1,14 +1,15 @@
-// These functions convert constants to values of netlists, and set the VALs that options change.
+#include "occam/network/vals.hpp"
 
 #include "occam/check/constant.hpp"
-#include "occam/configuration/configurer.hpp"
 #include "occam/network/kind.hpp"
 
 #include <fmt/format.h>
 
 #include <bit>
 #include <cmath>
+#include <memory>
 #include <variant>
+#include <vector>
 
 namespace placedpar::occam {
 
@@ -42,6 +43,31 @@ std::string refusal(const Value& chosen, const Type& type) {
                        most_positive(type.basic));
 }
 
+/// Returns whether the text fits. It may have another length, unless the type of the VAL states it.
+bool set_text(Program& program, Declaration& val, const std::string& text) {
+    Abbreviation& abbreviation = std::get<Abbreviation>(val.form);
+    const auto& written = abbreviation.type;
+    const bool is_open = !written || (!written->dimensions.empty() && !written->dimensions.front());
+    if (!is_open && text.size() != val.constant->bytes->size())
+        return false;
+    if (is_open)
+        val.type = program.types.array(plain(*val.type).element, static_cast<std::uint32_t>(text.size()));
+    val.constant = Constant{0, std::make_shared<const std::vector<std::uint8_t>>(text.begin(), text.end())};
+    abbreviation.value.type = val.type;
+    abbreviation.value.constant = val.constant;
+    return true;
+}
+
+/// Returns whether the value fits.
+bool set_val(Program& program, Declaration& val, const Value& chosen) {
+    if (const auto* const text = std::get_if<std::string>(&chosen))
+        return set_text(program, val, *text);
+    const auto constant = constant_of_number(chosen, plain(*val.type).basic);
+    if (constant)
+        val.constant = constant;
+    return constant.has_value();
+}
+
 } // namespace
 
 std::optional<Value> netlist_value(const Constant& constant, const Type& of) {
@@ -58,41 +84,19 @@ std::optional<Value> netlist_value(const Constant& constant, const Type& of) {
     return std::isfinite(value) ? std::optional<Value>(value) : std::nullopt;
 }
 
-/// Gives a VAL the value that an option sets. Constants of the libraries cannot be set.
-void Configurer::choose(Declaration& val) {
-    if (!choose_ || !val.constant || !std::holds_alternative<Abbreviation>(val.form))
+void choose_val(Program& program, Declaration& val, const ValChoice& choose, Reporter& reporter) {
+    if (!choose || !val.constant || !std::holds_alternative<Abbreviation>(val.form))
         return;
     const auto original = netlist_value(*val.constant, *val.type);
-    if (!original || program_.files[val.at.file]->path().starts_with('<'))
+    if (!original || program.files[val.at.file]->path().starts_with('<'))
         return;
-    const Value chosen = choose_(netlist_name(val.name), *original, at(val.at));
-    if (chosen != *original && !set_val(val, chosen))
-        checker_.report(
-            val.at,
+    const Location at = program.location(val.at);
+    const Value chosen = choose(netlist_name(val.name), *original, at);
+    if (chosen != *original && !set_val(program, val, chosen))
+        reporter.error(
+            at,
             fmt::format("{} cannot be set to {}: {}", val.name, print_value(chosen), refusal(chosen, plain(*val.type))),
             "");
-}
-
-/// Returns whether the value fits.
-bool Configurer::set_val(Declaration& val, const Value& chosen) {
-    if (const auto* const text = std::get_if<std::string>(&chosen))
-        return set_text(val, *text);
-    const auto constant = constant_of_number(chosen, plain(*val.type).basic);
-    if (constant)
-        val.constant = constant;
-    return constant.has_value();
-}
-
-/// Returns whether the text fits. It may have another length, unless the type of the VAL states it.
-bool Configurer::set_text(Declaration& val, const std::string& text) {
-    const auto& written = std::get<Abbreviation>(val.form).type;
-    const bool is_open = !written || (!written->dimensions.empty() && !written->dimensions.front());
-    if (!is_open && text.size() != val.constant->bytes->size())
-        return false;
-    if (is_open)
-        val.type = program_.types.array(plain(*val.type).element, static_cast<std::uint32_t>(text.size()));
-    val.constant = Constant{0, std::make_shared<const std::vector<std::uint8_t>>(text.begin(), text.end())};
-    return true;
 }
 
 } // namespace placedpar::occam
