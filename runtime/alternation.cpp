@@ -29,7 +29,8 @@ std::optional<std::size_t> first_ready(std::span<const Guard> guards) {
     return found - guards.begin();
 }
 
-/// Returns the first ready guard, and reserves its message, which then cannot be given up.
+/// Returns the first ready guard. If this guard is an input, reserves its message, so that the sender can no longer
+/// give the message up.
 std::optional<std::size_t> first_kept(std::span<const Guard> guards) {
     auto found = std::ranges::find_if(guards, [](const Guard& guard) {
         return is_ready(guard) && (guard.kind != Guard::input || guard.channel->keep_message());

@@ -56,7 +56,7 @@ LinkFaults& Link::faults() {
 }
 
 /// Returns the time until which no packet has to be checked for faults. While a fault changes the speed, every packet
-/// has to be checked, so the time is now.
+/// has to be checked, so this is the current time.
 Time Link::steady_until() const {
     const bool is_at_speed = faults_->bits_per_second(kernel_.now()) == timing_.bits_per_second;
     return is_at_speed ? faults_->steady_until(kernel_.now()) : kernel_.now();
@@ -209,7 +209,8 @@ bool LinkDirection::receiver_asks(LinkCourse::Touch& touch) {
     return all_here;
 }
 
-/// Hands the part over, before the receiving or the sending process continues.
+/// Hands the message over if its last part has arrived. This happens before the receiving or the sending process
+/// continues.
 void LinkDirection::deliver() {
     delivered_last_part_ = last_part_;
     if (last_part_)
@@ -320,7 +321,7 @@ void LinkDirection::trace_break(Time byte_started) {
     kernel_.trace()->leaves({name_, later(byte_started, times_.byte().carried), bytes}, kernel_.now());
 }
 
-/// Ends the interval in the trace, because the current message does not continue.
+/// Ends the interval in the trace, because the next byte does not follow at once, or never.
 void LinkDirection::trace_standstill() {
     if (kernel_.trace() && course_.trace_carries(number_))
         trace_break(state().packets.streams[number_].last_start);

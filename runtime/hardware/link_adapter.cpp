@@ -174,8 +174,8 @@ bool AdapterBroadcast::Lane::output_is_lost(const AnyChannel&) const {
 
 bool AdapterBroadcast::Lane::input_is_lost(const AnyChannel& to) const { return link().input_is_lost(to); }
 
-/// Returns whether the other lanes wait for this lane. Before the message is written they wait for its outputter,
-/// afterwards for its inputter.
+/// Returns whether the other lanes wait for this lane. Before the message is written they wait for the outputter of
+/// this lane, afterwards for its inputter.
 bool AdapterBroadcast::Lane::holds_others_up() const {
     if (!broadcast.is_written())
         return outputter == nullptr;

@@ -114,7 +114,7 @@ void VmeBus::grant(VmeMaster& master) {
     move_block();
 }
 
-/// Moves the holder's first block. The block ends early if another master must get the bus.
+/// Moves the holder's first block, or only one word of it if the holder must yield to another master.
 void VmeBus::move_block() {
     VmeMaster::Block& block = *holder_->blocks_.front();
     block_began_ = kernel_.now();

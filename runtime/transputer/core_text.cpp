@@ -12,7 +12,7 @@
 namespace placedpar::transputer {
 namespace {
 
-constexpr std::size_t most_listed = 1024; // a program may write a circle into a queue
+constexpr std::size_t most_listed = 1024; // a limit, because a program may turn a queue into a circle
 
 std::string print_real(const Real& real) {
     return real.length == Length::real32

@@ -60,7 +60,8 @@ std::vector<ListedBlock> blocks_of(std::span<const Listing::Line> lines, std::sp
     return blocks;
 }
 
-/// Returns cycles with commas; halves only where code outside of the chip was fetched.
+/// Returns a number of cycles as a text with commas. It has half a cycle only if code was fetched from outside of the
+/// chip.
 std::string print_cycles_of(HalfCycles half_cycles) {
     std::string result = fmt::format("{}", half_cycles / 2);
     for (std::size_t i = result.size(); i > 3; i -= 3)

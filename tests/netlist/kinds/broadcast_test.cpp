@@ -182,9 +182,9 @@ TEST_CASE("a process that outputs to the receivers in turn waits for ever, and t
     CHECK(report.result.deadlock->cycle == std::vector<std::string>{"p"});
     CHECK(
         report.result.deadlock->held_up ==
-        std::vector<std::string>{
-            "p.out[0] -> c[0].in: waits until the message is output on p.out[1] -> c[1].in, p.out[2] -> c[2].in, too, "
-            "because one message goes to all these channels: output it on all of them in a PAR"});
+        std::vector<std::string>{"p.out[0] -> c[0].in: the message waits until it is output on p.out[1] -> c[1].in, "
+                                 "p.out[2] -> c[2].in, too, "
+                                 "because one message goes to all these channels: output it on all of them in a PAR"});
 }
 
 TEST_CASE("a broadcast of different messages is an error with the process and its place") {
