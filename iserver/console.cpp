@@ -55,7 +55,8 @@ void Console::set_mode(Mode mode) {
     ::tcsetattr(input_, TCSANOW, &settings);
 }
 
-/// An error counts as the end: a program in the background, for example, has no terminal to read from.
+/// Reads bytes that have been typed; if `waits`, first waits for some. An error counts as the end of the input: a
+/// program in the background, for example, has no terminal to read from.
 void Console::read_more(bool waits) {
     pollfd source{.fd = input_, .events = POLLIN, .revents = 0};
     int ready = 0;

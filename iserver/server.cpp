@@ -115,8 +115,8 @@ void Server::finish() {
         terminal_.write(rest);
 }
 
-/// A missing field reads as 0 or "", with which no request changes anything. So answer() may check the fields
-/// afterwards.
+/// Performs the request. A missing field reads as 0 or "", and with these values no request changes anything, so
+/// answer() may check the fields afterwards.
 Reply Server::reply_to(RequestTag tag, RequestFields& fields) {
     switch (tag) {
     case RequestTag::open: return open(fields);
@@ -167,7 +167,7 @@ Reply Server::reply_for_stream(RequestTag tag, RequestFields& fields) {
         return Reply::success_if(stream->seek(offset, fields.word()));
     }
     case RequestTag::tell: return position_of(*stream);
-    case RequestTag::eof: // a poll for a key has seen the end of standard input, too
+    case RequestTag::eof: // pollkey may have found the end of standard input before a stream did
         return Reply::success_if(stream->at_end() || (number == 0 && was_out_of_keys_));
     case RequestTag::ferror: return error_of(*stream);
     case RequestTag::isatty: return success().byte(stream->is_terminal() ? 1 : 0);

@@ -188,7 +188,8 @@ private:
         return failure;
     }
 
-    /// Called when all ranks have stopped, and the processes are still in their waits.
+    /// Notes which processes use the ends of channels between ranks. It is called when all ranks have stopped, while
+    /// their processes still wait.
     void note_ends() { results_[own()].ends = users_of(led_, simulation_.kernel()); }
 
     RankResult& own_result() {
