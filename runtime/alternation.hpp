@@ -43,9 +43,9 @@ auto after(Time due, Body body, const SourceLocation& where = SourceLocation::cu
 }
 
 /// Makes occam's SKIP guard, which is always ready. Guards listed before it are chosen if they are ready; guards listed
-/// after it are never chosen. A placed process pays cycles for polling. A process that is not placed polls in no
-/// virtual time: other processes get their turn at the same instant, but time passes only when the polling process
-/// waits.
+/// after it are never chosen. A process on an executive pays cycles for polling. A process without an executive polls
+/// in no virtual time: other processes get their turn at the same instant, but time passes only when the polling
+/// process waits.
 template <std::invocable Body>
 auto skip(Body body, const SourceLocation& where = SourceLocation::current()) {
     return std::pair(Guard{Guard::skip, nullptr, Time{}, where}, std::move(body));
@@ -139,8 +139,8 @@ auto either(std::pair<Guard, Bodies>... alternatives) {
                   }};
 }
 
-/// Adds a condition to each guard of a group, `ALT i = 0 FOR n  wanted[i] & c[i] ? x`: `when([&](std::size_t i) {
-/// return wanted[i]; }, each(...))`.
+/// Adds a condition to each guard of a group, as in occam's `ALT i = 0 FOR n wanted[i] & c[i] ? x`:
+/// `when([&](std::size_t i) { return wanted[i]; }, each(...))`.
 template <std::predicate<std::size_t> Condition, class Body>
 auto when(Condition condition, Guards<Body> several) {
     for (std::size_t k = 0; k < several.guards.size(); ++k)

@@ -56,7 +56,7 @@ struct Failure {
 /// priority (EventQueue::Priority). Within a priority they happen by rank or, without ranks, by insertion. Nothing else
 /// decides, and no wall clock is read, so a simulation is deterministic.
 ///
-/// A kernel of a native run differs: see run_among().
+/// A kernel of a native run, which uses the wall clock, differs: see run_among().
 ///
 /// The work is over when no process is ready and no event is scheduled. It is also over when every process of the
 /// program has ended, even if the machine could continue. The run then ends too, unless processes have asked to
@@ -116,8 +116,9 @@ public:
     /// again. If there is a successor, makes it ready; it must have an executive. Throws Unwinding when the simulation
     /// is over.
     void wait(Process* successor = nullptr);
-    /// Runs other processes until the running process is made ready, but does not take it off its executive. Used for a
-    /// process that keeps its executive while it computes, and for a process that has already left its executive.
+    /// Runs other processes until the running process is made ready, but does not take it off its executive. This
+    /// function is for a process that keeps its executive while it computes, and for a process that has already left
+    /// its executive.
     void give_way();
     /// Begins an operation of the running process: output, input, ALT, computation, delay, PAR. Returns the process's
     /// history, which records the operation, or null if the process keeps no history. Throws Unwinding when the
@@ -147,7 +148,7 @@ public:
     /// Makes a waiting process ready when the work is over.
     void after_work(Process& p) { end_.after_work.push_back(p); }
     /// Advances virtual time to `until` if nothing else can happen before or at that time. Returns whether time was
-    /// advanced. Has the same effect as waiting, without two context switches.
+    /// advanced. This has the same effect as a wait, but saves two context switches.
     bool pass_time(Time until);
 
     /// The functions that the kernel calls at the end of the work, and at the end of the run.

@@ -19,8 +19,8 @@ class Kernel;
 class Process;
 class Worker;
 
-/// The shape of a computation's code: at which points a process can leave the executive, and how many words lie outside
-/// the chip. Lengths are in cycles of the executive, at least 1.
+/// The shape of a computation's code: at which points a process can leave the executive, and how many of its words are
+/// outside the chip. Lengths are in cycles of the executive, at least 1.
 struct CodeShape {
     /// Distance between descheduling points (`j`, `lend`), at which a low-priority process yields after its timeslice.
     Cycles between_points{1};
@@ -35,11 +35,11 @@ struct CodeShape {
 /// The two priorities of occam's processes.
 enum class Priority { high, low };
 
-/// The activity of a process or a place. Process::activity() is `ready`, one of the waits (`stopped` waits for ever),
-/// or `ended`. In a trace, a process can also be `starting`, `executing`, `computing`, or `moving` words over a bus.
-/// The trace itself adds `carrying` for a link with a message, and `arbitrating` for a process that waits during the
-/// arbitration of a bus. Only reports use `halted`: the process's executive has stopped for ever. The numbers up to
-/// `stopped` are in the files of traces and must not change.
+/// The activity of a process or, in a trace, of a link or a bus. Process::activity() is `ready`, one of the waits (a
+/// `stopped` process waits for ever), or `ended`. In a trace, a process can also be `starting`, `executing`,
+/// `computing`, or `moving` words over a bus. The trace itself adds `carrying` for a link with a message, and
+/// `arbitrating` for a process that waits during the arbitration of a bus. Only reports use `halted`: the process's
+/// executive has stopped for ever. The numbers up to `stopped` are in the files of traces and must not change.
 enum class Activity {
     executing,
     carrying,

@@ -7,7 +7,7 @@
 
 namespace placedpar {
 
-/// Returns the current virtual time. A placed program should read its Timer instead, as on the real machine.
+/// Returns the current virtual time. A process on an executive should read its Timer instead, as on the real machine.
 Time now();
 
 /// Makes the running process wait until the virtual time `due`. If `due` has passed already, other processes still get
@@ -30,11 +30,11 @@ void wait_until_work_is_over(const SourceLocation& = SourceLocation::current());
 constexpr std::int32_t plus(std::int32_t a, std::int32_t b) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
 }
-/// Returns `a MINUS b`: the ticks from b to a, if they are fewer than half a round.
+/// Returns `a MINUS b`: the ticks from b to a, if they are fewer than half the range of the clock.
 constexpr std::int32_t minus(std::int32_t a, std::int32_t b) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
 }
-/// Returns `a AFTER b`: whether a is later than b, if the two are less than half a round apart.
+/// Returns `a AFTER b`: whether a is later than b, if the two are less than half the range of the clock apart.
 constexpr bool is_after(std::int32_t a, std::int32_t b) { return minus(a, b) > 0; }
 
 /// occam's TIMER: the clock that the running process's executive shows to processes of the same priority. A reading has

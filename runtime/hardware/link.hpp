@@ -76,7 +76,8 @@ protected:
 /// Throws std::logic_error if a second channel uses the direction, and for a message without bytes.
 class alignas(64) LinkDirection final : public Carrier {
 public:
-    /// `number` is 0 for the direction from a to b, 1 for the other direction. Both directions share the link's course.
+    /// `number` is 0 for the direction from a to b, 1 for the other direction. Both directions share the link's course
+    /// (link_course.hpp).
     LinkDirection(Kernel&, std::string name, const PacketTimes&, LinkCourse&, std::size_t number);
 
     /// States that one of the two engines moves the messages from or to this memory. Throws std::logic_error if both

@@ -58,7 +58,7 @@ public:
         LinkCourse& course_;
     };
 
-    /// Returns the state at the last Touch. A member that only a Touch changes is correct at any time.
+    /// Returns the state at the last Touch. Members that only a Touch changes are still correct now.
     const LinkState& touched() const { return *state_; }
     /// Returns the state now. A packet that begins now may or may not be included.
     const LinkState& state();

@@ -32,7 +32,8 @@ protected:
 };
 
 /// One direction of a link, with the contents of its bytes. The wire moves bytes by the counts of both ends
-/// (LinkDirection::give and take). The contents are moved when a count is done.
+/// (LinkDirection::give and take). The contents are moved when all bytes of a give() or of a take() have been
+/// transferred.
 class ByteLane final : private hardware::ByteUser {
 public:
     /// Leads from `source` to `sink`, and becomes a lane of both. REQUIRES: the run has not begun; the arguments

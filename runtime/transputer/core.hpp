@@ -149,7 +149,7 @@ public:
         Time at;
     };
     /// Returns the processes that `stoperr` has stopped, and processes that stopped at an instruction for which the
-    /// table has an error text. The list has only the first few of these processes, in order of time.
+    /// table has an error text. The list has only the first 1,000 of these processes, in order of time.
     std::span<const StoppedProcess> stopped_processes() const {
         return {stops_.data(), std::min(errors_, stops_.size())};
     }
@@ -391,7 +391,8 @@ private:
 
     CoreState kept_;
     const CodeLines* lines_ = nullptr;
-    std::vector<StoppedProcess> stops_; ///< entries after the first `errors_` have been taken back
+    std::vector<StoppedProcess>
+        stops_; ///< only the first `errors_` entries count: the core may have gone back to a time before the others
     Watcher* watcher_ = nullptr;
     ProcessWatcher* process_watcher_ = nullptr;
 };
