@@ -374,8 +374,7 @@ class Channel;
 
 namespace detail {
 
-/// True if C++ would convert `From` to `To` implicitly and lose information: a number's fraction, or the target of a
-/// pointer.
+/// True if an implicit conversion would lose information: a number's fraction, or the target of a pointer.
 template <class From, class To>
 concept Loses = (std::floating_point<From> && std::integral<To>) || (std::is_pointer_v<From> && std::same_as<To, bool>);
 

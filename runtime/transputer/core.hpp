@@ -391,8 +391,8 @@ private:
 
     CoreState kept_;
     const CodeLines* lines_ = nullptr;
-    std::vector<StoppedProcess>
-        stops_; ///< only the first `errors_` entries count: the core may have gone back to a time before the others
+    /// Only the first `errors_` entries count: the core may have gone back to a time before the others.
+    std::vector<StoppedProcess> stops_;
     Watcher* watcher_ = nullptr;
     ProcessWatcher* process_watcher_ = nullptr;
 };
