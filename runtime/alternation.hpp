@@ -24,9 +24,9 @@ struct Guard {
 };
 
 /// Waits until a guard is ready and returns its index. If several guards are ready, returns the first of them in the
-/// given order, as occam's PRI ALT does; the transputer's instructions do the same for ALT. Guards of kind `never`,
-/// whose condition is false, are ignored. Does not input the message of an input guard. Throws std::logic_error if no
-/// guard can ever become ready (in occam such an ALT acts as STOP).
+/// given order, as occam's PRI ALT does; on a transputer, an ALT does the same. Guards of kind `never`, whose condition
+/// is false, are ignored. Does not input the message of an input guard. Throws std::logic_error if no guard can ever
+/// become ready (in occam such an ALT acts as STOP).
 std::size_t select(std::span<const Guard> guards, const SourceLocation& = SourceLocation::current());
 
 /// Makes an input guard with the process that it guards: `on(c, [&](int x) { ... })`.

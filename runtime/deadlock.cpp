@@ -21,7 +21,7 @@ namespace {
 
 using Processes = std::vector<const Process*>; ///< grouped by kernel, and in order of creation
 
-/// Returns a sort key: it orders the processes of a run by kernel, and those of one kernel by their creation.
+/// Returns a sort key: it orders the processes of a run by kernel, and the processes of each kernel by their creation.
 std::uint64_t place_of(const Process& outermost, std::uint32_t ordinal) {
     return std::uint64_t{outermost.kernel().number()} << 32 | ordinal;
 }
@@ -51,7 +51,7 @@ std::string path_of(const AnyChannel& channel, const AnyChannel::User& user, con
 bool halted(const Process& process) { return process.executive() && process.executive()->halted(); }
 
 /// Adds the processes that have to act before the outputting process can continue. These are the inputter, or the
-/// processes that hold up the message.
+/// processes that hold up the message (Carrier::held_up_by).
 void add_awaited_by_output(const AnyChannel& channel, const Processes& living, Processes& partners) {
     auto held_up_by = channel.held_up_by();
     if (held_up_by.empty() || (channel.output_waits() && !channel.input_waits()))
@@ -228,7 +228,7 @@ bool is_lost(const Process& process) {
            (!process.awaits_timer() && std::ranges::any_of(process.awaited_channels(), lost));
 }
 
-/// Returns whether only known processes can make this process continue, or no process can.
+/// Returns whether it is known which processes can make this process continue. This is also so if no process can.
 bool needs_partner(const Process* process) {
     if (is_lost(*process))
         return true;

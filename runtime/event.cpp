@@ -5,8 +5,8 @@
 
 namespace placedpar {
 
-/// The number of children of a node. With four children the heap is half as deep as with two, and a step down reads
-/// adjacent cache lines.
+/// The number of children of a node. With four children the heap is half as deep as with two, and each step down the
+/// heap reads adjacent cache lines.
 constexpr std::size_t children = 4;
 
 /// The number of events that fit into a second-level cache of 1 Mbyte (our estimate).

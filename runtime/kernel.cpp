@@ -78,8 +78,8 @@ void Kernel::refuse_outside_a_run() {
     return running.history();
 }
 
-/// Checks a process that has done many operations without virtual time passing. Throws std::logic_error after too many
-/// operations. If the run is interrupted, makes the process give way, so that it is unwound.
+/// Checks a process that has done many operations while virtual time stood still. Throws std::logic_error after too
+/// many operations. If the run is interrupted, makes the process give way, so that it is unwound.
 void Kernel::check_timeless_operations() {
     if (hot_.rare_conditions.any_of(RareConditions::unwinding))
         return;

@@ -53,8 +53,8 @@ struct Failure {
 ///
 /// The rule of ordering: ready processes run in the order in which they became ready, each until it waits. When no
 /// process is ready, the earliest event happens, and virtual time becomes its time. Within an instant events happen by
-/// priority (EventQueue::Priority). Within a priority they happen by rank or, without ranks, by insertion. Nothing else
-/// decides, and no wall clock is read, so a simulation is deterministic.
+/// priority (EventQueue::Priority). Within a priority they happen by rank or, without ranks, in the order in which they
+/// were scheduled. Nothing else decides, and no wall clock is read, so a simulation is deterministic.
 ///
 /// A kernel of a native run, which uses the wall clock, differs: see run_among().
 ///
@@ -103,7 +103,7 @@ public:
     /// the order of their calls.
     std::uint64_t new_ranks(std::uint64_t count) { return std::exchange(ranks_, ranks_ + count); }
 
-    /// Lets a process continue: at once if it is not placed, otherwise when its turn on the executive comes.
+    /// Lets a process continue: at once if it has no executive, otherwise when its turn on the executive comes.
     void make_ready(Process& p) {
         if (hot_.trace || p.executive())
             tell_and_make_ready(p);
@@ -142,8 +142,8 @@ public:
             check_timeless_operations();
     }
     static constexpr std::uint64_t most_operations_at_once = 100'000'000;
-    /// The number of clock readings in a row, without time passing, that are not checked. Up to this number, reading
-    /// the clock never throws, so that a destructor may do it.
+    /// The number of clock readings in a row, at one virtual time, that are not checked. Up to this number, reading the
+    /// clock never throws, so that a destructor may do it.
     static constexpr std::uint64_t unchecked_readings = most_operations_at_once / 1000;
     /// Makes a waiting process ready when the work is over.
     void after_work(Process& p) { end_.after_work.push_back(p); }
@@ -162,8 +162,8 @@ public:
     /// running on this thread, or if the kernel has run before. Throws std::overflow_error if the next event is beyond
     /// the end of virtual time.
     ///
-    /// May be called from a Boost fiber. The thread's other fibers rest during the run. Afterwards they are scheduled
-    /// round robin, even if another algorithm was in use before.
+    /// May be called from a Boost fiber. The thread's other fibers are not resumed during the run. Afterwards they are
+    /// scheduled round robin, even if another algorithm was in use before.
     Ending run(Time limit, Observer);
     /// Runs ready processes in an order drawn from the seed, and not in the order in which they became ready. This is
     /// another possible execution of the program. It can show that the program depends on the order. The scheduling of

@@ -109,7 +109,7 @@ void Process::wait_for(Activity activity, std::span<const AnyChannel* const> cha
     finish_wait();
 }
 
-/// Begins a computation. Returns whether the computation is already done. A process that is not placed computes in no
+/// Begins a computation. Returns whether the computation is already done. A process without an executive computes in no
 /// time.
 inline bool Process::computes_at_once(Cycles cycles, const CodeShape& fineness) {
     kernel_.throw_if_unwinding();

@@ -148,9 +148,9 @@ public:
     void may_give_up(bool may) { may_give_up_ = may; }
     /// Returns the place in its program at which the process last waited.
     const SourceLocation& place_in_program() const { return where_; }
-    /// Returns for how long the process and all components of its PARs waited at the same time, for partners or delays.
-    /// A wait lasts until the process runs again; a wait that still lasts counts up to now. REQUIRES: a process at the
-    /// outermost level.
+    /// Returns the total time in which the process and all components of its PARs were waiting, all at once, for
+    /// partners or delays. A wait lasts until the process runs again; a wait that still lasts counts up to now.
+    /// REQUIRES: a process at the outermost level.
     Time time_waited() const;
     /// Returns the time since which the process and all its components have waited; nothing if they do not all wait.
     /// REQUIRES: a process at the outermost level.

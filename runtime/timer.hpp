@@ -11,8 +11,8 @@ namespace placedpar {
 Time now();
 
 /// Makes the running process wait until the virtual time `due`. If `due` has passed already, other processes still get
-/// their turn first, so a polling process cannot starve them. A process that is not placed continues after all other
-/// events of the current instant. A placed process pays for the instruction, so its timeslice passes.
+/// their turn first, so a polling process cannot starve them. A process without an executive continues after all other
+/// events of the current instant. A process on an executive pays for the instruction, so its timeslice passes.
 void wait_until(Time due, const SourceLocation& = SourceLocation::current());
 /// Makes the running process wait for the given time. REQUIRES: how_long >= 0.
 void wait_for(Time how_long, const SourceLocation& = SourceLocation::current());
@@ -43,9 +43,9 @@ constexpr bool is_after(std::int32_t a, std::int32_t b) { return minus(a, b) > 0
 /// same number of bits.
 class Timer {
 public:
-    /// Returns the tick of the running process's clock, or a microsecond if the process is not placed.
+    /// Returns the tick of the running process's clock, or a microsecond if the process has no executive.
     Time tick() const;
-    /// Returns the number of bits of a clock reading, or 32 if the process is not placed.
+    /// Returns the number of bits of a clock reading, or 32 if the process has no executive.
     int bits() const;
     /// Returns the reading of `timer ? t`: the lowest bits of the number of whole ticks since the start of the run.
     std::int32_t read() const;

@@ -51,7 +51,7 @@ struct MessagePart {
     std::uint64_t message;      ///< number of the message in the run
     const std::string& process; ///< the outputter or the inputter
     const std::string& partner; ///< the process at the other end, or its ancestor at the outermost level; "" if unknown
-    bool is_input;              ///< the inputter's part of the message
+    bool is_input;              ///< true: the inputter's part of the message; false: the outputter's part
 };
 
 /// Receives the log of a run. A notice states the activity of a process or a place from this time on, until the next

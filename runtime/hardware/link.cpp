@@ -193,7 +193,8 @@ bool LinkDirection::receiver_asks(LinkCourse::Touch& touch) {
     const bool all_here =
         has_come && direction.ends != LinkState::Ends::sender_left && touch->packets.streams[number_].bytes_left == 0;
     if (all_here) {
-        // If the first byte's arrival woke an alternation, the last byte may be due at this very time.
+        // If the arrival of the first byte woke an alternation, the arrival of the last byte may still be expected at
+        // this very time.
         touch->drop_last_bytes(number_);
         deliver();
     } else {
@@ -321,7 +322,7 @@ void LinkDirection::trace_break(Time byte_started) {
     kernel_.trace()->leaves({name_, later(byte_started, times_.byte().carried), bytes}, kernel_.now());
 }
 
-/// Ends the interval in the trace, because the next byte does not follow at once, or never.
+/// Ends the interval in the trace, because the next byte follows only later, or never.
 void LinkDirection::trace_standstill() {
     if (kernel_.trace() && course_.trace_carries(number_))
         trace_break(state().packets.streams[number_].last_start);

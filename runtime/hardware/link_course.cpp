@@ -74,7 +74,7 @@ bool LinkCourse::waits_idly(std::size_t direction) {
     return true;
 }
 
-/// Performs the invisible steps up to `now`.
+/// Performs the steps up to `now`, which are all invisible.
 void LinkCourse::perform_steps_until(Time now) {
     if (runs_from_ <= now) {
         if (state_->packets.now < runs_from_)

@@ -33,7 +33,7 @@ const Mnemonics& mnemonics() {
                          {"opr", {Unit::direct, operate, all_models}}};
         for (int i = 0; i < static_cast<int>(Operation::go_on); ++i) {
             const Instruction& each = description_of(static_cast<Operation>(i));
-            const Models others = result[each.name].models; // models that execute it in another way
+            const Models others = result[each.name].models; // models for which the table has another row with this name
             result[each.name] = {each.unit, each.code, each.models | others};
         }
         return result;
@@ -51,7 +51,7 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-/// Returns the place of the first mark outside of quotes, or the length of the text.
+/// Returns the position of the first `mark` in the text that is outside of quotes, or the length of the text.
 std::size_t place_of(std::string_view mark, std::string_view text) {
     bool quoted = false;
     for (std::size_t i = 0; i < text.size(); ++i) {

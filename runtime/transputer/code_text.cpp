@@ -77,7 +77,8 @@ private:
         for (std::size_t i = 0; i < lines.size() && (i == 0 || !lines[i].begins_block); ++i) {
             CycleRange cycles = published_cycles(lines[i].instruction, model_);
             if (lines[i].selected != Operation::unknown) {
-                const unsigned more = description_of(lines[i].selected).real_cycles - 1u; // fpentry takes the first
+                // The cycle of fpentry is counted already.
+                const unsigned more = description_of(lines[i].selected).real_cycles - 1u;
                 cycles = {cycles.least + more, *cycles.most + more};
             }
             sum.least += cycles.least;

@@ -132,8 +132,8 @@ private:
         drop_islands(begin, end);
     }
 
-    /// Returns the position of the next byte to which code that follow() reached refers, or the end. An instruction or
-    /// data begins at this byte.
+    /// Returns the position of the next byte that is a target of code reached by follow(), or the end. An instruction
+    /// or data begins at this byte.
     Word next_reference(Word at, Word end) const {
         end = std::min(end, longest_end(at));
         while (++at < end && !is_referred_to_[at]) {
@@ -225,7 +225,7 @@ private:
     Bytes bytes_;
     Model model_;
     std::vector<Role> roles_;
-    std::vector<bool> is_referred_to_; ///< for each byte, whether code that follow() reached refers to it
+    std::vector<bool> is_referred_to_; ///< for each byte, whether it is a target of code reached by follow()
 };
 
 } // namespace

@@ -115,7 +115,7 @@ ErrorNote follow_calls(const Core& core, ErrorNote error, const CodeLines& lines
     return error;
 }
 
-/// Searches the words above the workspace for the return address of a call whose errors have a text.
+/// Searches the words above the workspace for the return address of a call for which the table has an error text.
 ErrorNote find_call(const Core& core, const ErrorNote& error, const CodeLines& lines) {
     constexpr Word most_words = 32;
     if (!lines.error(error.after).empty() || !lines.file_place(error.after - 1).empty())

@@ -116,7 +116,7 @@ public:
     }
 
 private:
-    /// Returns the place of code; "" if it is the same as for the preceding line.
+    /// Returns the place of this code in its file; "" if it is the same as for the preceding line.
     std::string new_place(Word address) {
         const std::string place = lines_.file_place(address);
         return std::exchange(place_, place) == place ? "" : place;
@@ -152,7 +152,7 @@ void Listing::begins(Word at) {
         code_has_changed(here, offset);
 }
 
-/// Finds the count for changed code at a place, or begins a new count.
+/// Continues the count of the code that is now at this place, or begins a new count if this code was not there before.
 void Listing::code_has_changed(Place& here, Word offset) {
     const auto memory = core_.memory().bytes(offset, core_.memory().size() - offset);
     const auto code = memory.first(read_instruction(memory, core_.model()).length);

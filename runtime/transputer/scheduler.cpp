@@ -171,7 +171,7 @@ bool Core::finish_pending(HalfCycles limit, Links links, Pause& pause) {
         watcher_->executed(pending_->at, pending_->spent);
     pending_.reset();
     perform(operation);
-    pause = Pause::on_time; // returned if the caller's limit may be too late now
+    pause = Pause::on_time; // the result if the caller's limit may have become too late
     return !acts_on_link && (due_ >= due || links == Links::rest);
 }
 
