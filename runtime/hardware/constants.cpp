@@ -101,7 +101,7 @@ std::vector<Constant> of_instructions() {
             row("dist", disable_timeout),
             row("altend", alt_end),
             row("a communication that can be given up", attempt, ours,
-                "the usual cost of a communication, and startp, tin and endp"),
+                "startp, tin and endp, in addition to the usual cost of a communication"),
             row("reset of a channel", reset, ours, "resetch")};
 }
 

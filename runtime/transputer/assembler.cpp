@@ -137,7 +137,8 @@ private:
             bool has_label = false;
             const Word number = value(text, has_label);
             if (has_label)
-                fail(text, "a label has no address yet: use only numbers and names of numbers");
+                fail(text, "the value of a name cannot contain a label, because labels have no address yet: use only "
+                           "numbers and names of numbers");
             define(constants_, name, number);
             text = {};
         }

@@ -83,7 +83,7 @@ std::string_view usual_text(const CodedInstruction& instruction, const ErrorNote
     case Operation::ldiv: return error.a == 0 ? "division by zero" : "overflow of the quotient of a double word";
     case Operation::csub0: return "{b} is outside of the range 0 to {a-1}";
     case Operation::ccnt1: return "{b} is outside of the range 1 to {a}";
-    case Operation::cword: return "{b} has more bits than the check allows";
+    case Operation::cword: return "{b} is outside of the range -{a} to {a-1}";
     case Operation::csngl: return "a double word does not fit in a word";
     case Operation::cflerr: return "a real is an infinity or a NaN";
     case Operation::fpchkerror: return "an operation on reals: overflow, division by zero, an infinity or a NaN";
