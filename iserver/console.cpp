@@ -96,7 +96,7 @@ std::optional<std::uint8_t> Console::pressed_key() {
 }
 
 std::string Console::line() {
-    if (mode_ == Mode::keys && is_terminal_) { // keys that were typed ahead have 13 for Enter
+    if (mode_ == Mode::keys && is_terminal_) { // in keys that were typed ahead, Enter is still 13
         read_more(false);
         std::ranges::replace(read_, '\r', '\n');
     }

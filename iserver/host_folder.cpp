@@ -34,7 +34,7 @@ bool is_good(std::string_view name) {
     return !has_drive && std::ranges::none_of(name, is_control_character);
 }
 
-/// Follows the folders of a name. Each folder is opened without following a link.
+/// Opens the folders in a name one after another, without following a link.
 Entry find_entry(const OpenFile& top, std::string_view name) {
     Entry entry{.folder = OpenFile(top ? ::fcntl(top.descriptor(), F_DUPFD_CLOEXEC, 0) : -1), .name = ""};
     if (!is_good(name))

@@ -52,7 +52,7 @@ std::size_t limited(std::size_t bytes) { return std::min(bytes, longest_reply_te
 Reply failure() { return Reply(Result::failed); }
 Reply success() { return Reply(Result::success); }
 
-/// Replies with the last error of a stream. The request succeeds if there was an error.
+/// Replies with the last error of a stream. If the stream had no error, the request fails.
 Reply error_of(const Stream& stream) {
     if (stream.error() == 0)
         return failure();
@@ -153,7 +153,8 @@ Reply Server::reply_for_stream(RequestTag tag, RequestFields& fields) {
         state_ = ServerState::waits_for_input;
     switch (tag) {
     case RequestTag::close: return Reply::success_if(streams_.close(number));
-    case RequestTag::read: return success().text(stream->read(limited(fields.count()))); // at the end: success and ""
+    // At the end of the stream, the reply is success and "".
+    case RequestTag::read: return success().text(stream->read(limited(fields.count())));
     case RequestTag::getblock: return get_block(*stream, limited(fields.count()));
     case RequestTag::gets: return get_line(*stream, limited(fields.count()));
     case RequestTag::write: return success().count(stream->write(fields.text()));
@@ -171,7 +172,7 @@ Reply Server::reply_for_stream(RequestTag tag, RequestFields& fields) {
         return Reply::success_if(stream->at_end() || (number == 0 && was_out_of_keys_));
     case RequestTag::ferror: return error_of(*stream);
     case RequestTag::isatty: return success().byte(stream->is_terminal() ? 1 : 0);
-    default: return success(); // flush: nothing is ever held back
+    default: return success(); // flush: output is never held back
     }
 }
 
@@ -217,7 +218,7 @@ Reply Server::core(RequestFields& fields) const {
 }
 
 Reply Server::exit(RequestFields& fields) {
-    constexpr std::int32_t usual = 999'999'999; // with its sign: success or failure
+    constexpr std::int32_t usual = 999'999'999; // success; the negative number is failure
     const std::int32_t status = fields.word();
     if (!fields.good())
         return failure();

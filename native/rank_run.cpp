@@ -233,7 +233,8 @@ private:
         throw UserError(text);
     }
 
-    /// Converts the records of all ranks to the clock of rank 0. The run lasts from the first begin to the last end.
+    /// Converts the records of all ranks to the clock of rank 0. The run lasts from the moment at which the first rank
+    /// began to the moment at which the last rank ended.
     void hand_over_logs(RunReport& report, const std::vector<ComparedClock>& before,
                         const std::vector<ComparedClock>& after) {
         std::vector<Reading> begun;

@@ -52,7 +52,7 @@ void print_best(const char* program, unsigned number, unsigned seed, pagmo::algo
 
 void search_constrained(unsigned number, unsigned seed, unsigned generations) {
     pagmo::problem problem{pagmo::cec2006(number)};
-    pagmo::vector_double tolerances(problem.get_nc(), 0.0); // equations come first
+    pagmo::vector_double tolerances(problem.get_nc(), 0.0); // equations precede inequalities
     std::fill_n(tolerances.begin(), problem.get_nec(), 1e-4);
     problem.set_c_tol(tolerances);
     const pagmo::population begin(problem, survivors, seed);
