@@ -132,7 +132,7 @@ ByteView BoardSession::receive() {
             return ByteView(received_).first(static_cast<std::size_t>(count));
         if (count == 0 || (errno != EAGAIN && errno != EINTR))
             fail(fmt::format("the board closed the connection after {}: {}", counted(run_.requests, "request"),
-                             count == 0 ? "the program has not ended" : reason()));
+                             count == 0 ? "the program had not ended yet" : reason()));
     }
 }
 

@@ -336,10 +336,10 @@ std::string print_ended(const std::vector<StuckChannel>& rows) {
         const bool inputs = row.waiting == "inputter";
         std::string_view partner = inputs ? row.outputter : row.inputter;
         if (partner.ends_with(ended))
-            out += fmt::format(
-                "no wait cycle: {} {} for ever, but {} has ended; do both expect the same number of messages?\n",
-                inputs ? row.inputter : row.outputter, inputs ? "inputs" : "outputs",
-                partner.substr(0, partner.size() - ended.size()));
+            out += fmt::format("no wait cycle: {} {} for ever, but {} has ended; do both processes expect the same "
+                               "number of messages?\n",
+                               inputs ? row.inputter : row.outputter, inputs ? "inputs" : "outputs",
+                               partner.substr(0, partner.size() - ended.size()));
     }
     return out;
 }

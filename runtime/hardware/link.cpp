@@ -26,7 +26,7 @@ std::size_t last_travelling_part(const WireForm& form) {
 const LinkTiming& checked(const LinkTiming& timing, const std::string& end) {
     if (timing.bits_per_second <= 0 || timing.wire_delay < Time{0})
         throw std::logic_error(
-            fmt::format("the link at {}: its speed must be positive and its delay not negative", end));
+            fmt::format("the link at {}: its speed must be positive, and its delay must not be negative", end));
     return timing;
 }
 

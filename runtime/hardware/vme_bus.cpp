@@ -32,9 +32,9 @@ VmeBus::VmeBus(Kernel& kernel, std::string name, Arbitration arbitration, const 
     : kernel_(kernel), name_(std::move(name)), arbitration_(arbitration), timing_(timing),
       first_rank_(kernel.new_ranks(2)) {
     if (timing.word <= Time{0} || timing.byte <= Time{0} || timing.time_out <= Time{0} || timing.arbitration < Time{0})
-        throw std::logic_error(
-            "bus " + name_ +
-            ": the times of a word, a byte and the time-out must be positive, the time of arbitration not negative");
+        throw std::logic_error("bus " + name_ +
+                               ": the times of a word, a byte and the time-out must be positive, and the time of "
+                               "arbitration must not be negative");
 }
 
 void VmeBus::attach(VmeMaster& master) {

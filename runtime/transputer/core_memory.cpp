@@ -147,7 +147,8 @@ std::string Core::why_stopped() const {
         return fmt::format(
             "the instruction at #{:08X} uses the address #{:08X}, but memory is from #80000000 to #{:08X}", at,
             stopped_at_, most_negative + memory_.size() - 1);
-    case Stopped::by_analyse: return fmt::format("the analyse pin stopped it before the instruction at #{:08X}", at);
+    case Stopped::by_analyse:
+        return fmt::format("the analyse pin stopped the processor before the instruction at #{:08X}", at);
     case Stopped::by_break: return fmt::format("the instruction before #{:08X} is a breakpoint", at);
     }
     return "";

@@ -130,7 +130,8 @@ std::string print_queues(const Core& core, const CodeLines& lines) {
 }
 
 std::string print_analysis(const Core& core, const CodeLines& lines) {
-    std::string result = core.is_running() ? "" : "no process runs: the registers are those of the last process\n";
+    std::string result =
+        core.is_running() ? "" : "no process runs: the registers still hold the values of the last process\n";
     result += print_registers(core) + print_flags(core) + print_queues(core, lines);
     const std::vector<WaitingProcess> waiting = waiting_processes(core);
     result += fmt::format("waiting:{}\n", waiting.empty() ? " none" : "");

@@ -334,11 +334,12 @@ TEST_CASE("different messages on the channels of a broadcast are refused") {
     };
     CHECK_NOTHROW(run(Octets{1, 2}, Octets{1, 2}));
     CHECK_THROWS_WITH_AS(run(Octets{1, 2}, Octets{1, 2, 3}),
-                         doctest::Contains("channel c1 is broadcast with c0, but its message has 4 + 3 bytes, not 4 + "
-                                           "2 bytes"),
+                         doctest::Contains("channel c1 is broadcast with c0, but the lengths of their messages differ: "
+                                           "4 + 3 bytes and 4 + 2 bytes"),
                          BroadcastError);
     CHECK_THROWS_WITH_AS(run(Octets{1, 2}, Octets{1, 3}),
-                         doctest::Contains("channel c1 is broadcast with c0, but its message differs"), BroadcastError);
+                         doctest::Contains("channel c1 is broadcast with c0, but their messages differ"),
+                         BroadcastError);
     struct WithoutEquality {
         double number = 0;
     };
