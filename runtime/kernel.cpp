@@ -71,7 +71,7 @@ void Kernel::refuse_outside_a_run() {
     throw Unwinding{};
 }
 
-/// Handles the rare cases of begin_operation(). They are a separate function, so that begin_operation() stays short.
+/// Handles the rare cases of begin_operation(), in a function of its own, so that begin_operation() stays short.
 [[gnu::cold, gnu::noinline]] ReplayLog* Kernel::attend(const Process& running) {
     if (hot_.rare_conditions.any_of(RareConditions::unwinding | RareConditions::interrupted))
         give_way();

@@ -22,7 +22,7 @@ enum class MadeNan : std::uint32_t {
     shortened = 0x7F820000, ///< a REAL64 NaN as a REAL32
     remainder_of_infinity = 0x7F804000,
     remainder_by_zero = 0x7F802000,
-    quotient_without_remainder = 0x7F801000 ///< in FB
+    quotient_without_remainder = 0x7F801000 ///< left in register FB
 };
 
 /// A result before it is put into a register.

@@ -16,7 +16,7 @@
 namespace placedpar::transputer {
 namespace {
 
-constexpr std::size_t most_versions = 8; // of code at an address; a program may rewrite its code without end
+constexpr std::size_t most_versions = 8; // at one address; a program may rewrite its code without end
 constexpr std::size_t most_hot_blocks = 10;
 
 Word end_of(const Listing::Line& line) { return line.address + line.instruction.length; }

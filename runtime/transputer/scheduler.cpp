@@ -24,7 +24,7 @@ CodeTiming code_timing(Model model, const CoreTiming& timing) {
     return {model, traits_of(model).bytes_on_chip, more, static_cast<HalfCycles16>(2 * more)};
 }
 
-/// Returns whether an interrupt need not wait for the end of the instruction.
+/// Returns whether an interrupt can happen before the end of the instruction.
 bool can_be_interrupted(Operation operation) {
     switch (operation) {
     case Operation::move:
