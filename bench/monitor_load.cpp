@@ -236,7 +236,7 @@ int main(int argc, char** argv) try {
     command.add_option("--state", state, "store the state of the diagnosis in this folder, which must be empty")
         ->check(CLI::ExistingDirectory);
     int period_ms = 20;
-    command.add_option("--period", period_ms, "time between the samples of a paced client, in ms")
+    command.add_option("--period", period_ms, "time between the samples of a client, in ms; not used in the last part")
         ->check(CLI::Range(1, 60000))
         ->capture_default_str();
     CLI11_PARSE(command, argc, argv);

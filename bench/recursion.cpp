@@ -60,11 +60,11 @@ void compare(std::size_t window, std::size_t trials, long seeds, Fingerprint& al
         recursions.push_back(recursion_ns(record, all));
         quotients.push_back(searches.back() / recursions.back());
     }
-    fmt::print(
-        "window {}, generations a sample {}: {:7.1f} us, recursion {:5.2f} us, times {:5.1f} (95 % of seeds: {:.1f} "
-        "to {:.1f})\n",
-        window, trials, 1e-3 * median(searches), 1e-3 * median(recursions), median(quotients),
-        quantile(quotients, 0.025), quantile(quotients, 0.975));
+    fmt::print("window {}, generations a sample {}: search {:7.1f} us, recursion {:5.2f} us, ratio {:5.1f} (95 % of "
+               "seeds: {:.1f} "
+               "to {:.1f})\n",
+               window, trials, 1e-3 * median(searches), 1e-3 * median(recursions), median(quotients),
+               quantile(quotients, 0.025), quantile(quotients, 0.975));
 }
 
 } // namespace

@@ -52,9 +52,9 @@ const char* const sieve = R"(
       all: j once
 )";
 
-// A program of ours with the mix of Dhrystone: records that are copied and changed through pointers, strings that are
-// compared, elements of arrays, procedures with parameters, decisions, and a little arithmetic. Records and arrays are
-// in external memory. Word 16 counts the turns, and word 17 the strings that were equal.
+// Our own program, with operations like those of Dhrystone: records that are copied and changed through pointers,
+// strings that are compared, elements of arrays, procedures with parameters, decisions, and a little arithmetic.
+// Records and arrays are in external memory. Word 16 counts the turns, and word 17 the strings that were equal.
 const char* const dhrystone_of_ours = R"(
            ajw 8; ldc 0; stl 16; ldc 0; stl 17
            mint; ldc #2000; bsub; stl 10           -- the first record, which points to the second

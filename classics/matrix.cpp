@@ -84,7 +84,7 @@ ProcessKind cell() {
 
 ProcessKind column() {
     return {.name = "csp.column",
-            .about = "Inputs a column of the product and measures it.",
+            .about = "Inputs a column of the product, and reports its elements as measurements.",
             .ports = {from("in", "sums")},
             .parameters = {rows()},
             .measurements = {{"row[0] and so on", "", "the elements of the column"}},

@@ -75,7 +75,8 @@ ProcessKind sieve_process() {
             .ports = {packets_in("in", "numbers"), optional(packets_out("out", "numbers"))},
             .parameters = {integer("cycles", {.unit = "cycles", .by_default = 40, .least = 0, .most = 1e9},
                                    "workload: a division by the prime")},
-            .measurements = {{"prime", "", "0: no number arrived"}, {"passed", "", "numbers passed on"}},
+            .measurements = {{"prime", "", "the prime of this process; 0: no number arrived"},
+                             {"passed", "", "numbers passed on"}},
             .body = sieve};
 }
 

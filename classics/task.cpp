@@ -41,7 +41,8 @@ std::vector<std::uint32_t> lengths_in(const std::string& text) {
     return lengths;
 }
 
-/// Inputs and outputs run in parallel, so that no partner waits for another partner of the task.
+/// Performs the task. Its inputs run in parallel, and so do its outputs, so that no predecessor or successor waits for
+/// another one.
 void perform_task(ProcessEnvironment& environment) {
     const auto from = environment.inputs<Packet>("in");
     const auto to = environment.outputs<Packet>("out");

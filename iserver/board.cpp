@@ -43,7 +43,7 @@ OpenFile open_device(const std::string& name) {
     return device;
 }
 
-/// Tries one address. Returns 0, or the error as in errno; EINTR after an interruption.
+/// Tries to connect to one address. Returns 0 for success, EINTR after an interruption, or another number of errno.
 int try_to_connect(const OpenFile& socket, const addrinfo& address, const Interrupted& interrupted) {
     if (::connect(socket.descriptor(), address.ai_addr, address.ai_addrlen) == 0)
         return 0;
@@ -63,7 +63,7 @@ OpenFile connect_by_network(const std::string& name, const Interrupted& interrup
     for (const addrinfo* each = addresses.get(); each; each = each->ai_next) {
         OpenFile socket(::socket(each->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
         error = socket ? try_to_connect(socket, *each, interrupted) : errno;
-        const int at_once = 1; // requests are short, and each waits for the previous reply
+        const int at_once = 1; // sends each short reply at once, since the program waits for it
         ::setsockopt(socket.descriptor(), IPPROTO_TCP, TCP_NODELAY, &at_once, sizeof at_once);
         if (error == 0 || error == EINTR)
             return error == 0 ? std::move(socket) : OpenFile{};
@@ -71,7 +71,7 @@ OpenFile connect_by_network(const std::string& name, const Interrupted& interrup
     throw UserError(fmt::format("{}: {}", name, reason(error)));
 }
 
-/// One program on one board.
+/// Boots one program on one board, and serves its requests.
 class BoardSession {
 public:
     BoardSession(int board, const std::string& name, Server& server, const Interrupted& interrupted,
@@ -116,8 +116,8 @@ bool BoardSession::send(std::string_view bytes, std::string_view what) {
     return true;
 }
 
-/// Receives some bytes; returns none after an interruption. Between two requests the program may compute for as long as
-/// it likes.
+/// Receives some bytes; returns none after an interruption. Between two requests there is no time limit, because the
+/// program may compute for as long as it likes.
 ByteView BoardSession::receive() {
     for (;;) {
         const Wait wait =
@@ -132,7 +132,7 @@ ByteView BoardSession::receive() {
             return ByteView(received_).first(static_cast<std::size_t>(count));
         if (count == 0 || (errno != EAGAIN && errno != EINTR))
             fail(fmt::format("the board closed the connection after {}: {}", counted(run_.requests, "request"),
-                             count == 0 ? "the program has not ended" : reason()));
+                             count == 0 ? "the program had not ended yet" : reason()));
     }
 }
 

@@ -55,7 +55,8 @@ void Console::set_mode(Mode mode) {
     ::tcsetattr(input_, TCSANOW, &settings);
 }
 
-/// An error counts as the end: a program in the background, for example, has no terminal to read from.
+/// Reads bytes that have been typed; if `waits`, first waits for some. An error counts as the end of the input: a
+/// program in the background, for example, has no terminal to read from.
 void Console::read_more(bool waits) {
     pollfd source{.fd = input_, .events = POLLIN, .revents = 0};
     int ready = 0;
@@ -95,7 +96,7 @@ std::optional<std::uint8_t> Console::pressed_key() {
 }
 
 std::string Console::line() {
-    if (mode_ == Mode::keys && is_terminal_) { // keys that were typed ahead have 13 for Enter
+    if (mode_ == Mode::keys && is_terminal_) { // in keys that were typed ahead, Enter is still 13
         read_more(false);
         std::ranges::replace(read_, '\r', '\n');
     }

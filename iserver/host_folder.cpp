@@ -19,7 +19,7 @@ namespace placedpar::iserver {
 
 namespace {
 
-/// A file's name in the folder that has it.
+/// The name of a file, with the open folder that contains the file.
 struct Entry {
     OpenFile folder; ///< none: the name is refused, or a folder is missing
     std::string name;
@@ -34,7 +34,7 @@ bool is_good(std::string_view name) {
     return !has_drive && std::ranges::none_of(name, is_control_character);
 }
 
-/// Follows the folders of a name. Each folder is opened without following a link.
+/// Opens the folders in a name one after another, without following a link.
 Entry find_entry(const OpenFile& top, std::string_view name) {
     Entry entry{.folder = OpenFile(top ? ::fcntl(top.descriptor(), F_DUPFD_CLOEXEC, 0) : -1), .name = ""};
     if (!is_good(name))
@@ -93,8 +93,8 @@ HostFolder::HostFolder(const std::filesystem::path& folder)
                                     std::generic_category().message(errno)));
 }
 
-/// Another program may replace the file between the two checks. O_NONBLOCK then prevents waiting for the other end of a
-/// pipe; it has no effect on a regular file.
+/// The file is checked before and after it is opened, because another program may replace it in between. If it is then
+/// a pipe, O_NONBLOCK prevents a wait for the pipe's other end; for a regular file, O_NONBLOCK has no effect.
 OpenFile HostFolder::open(std::string_view name, OpenMode mode, bool& created) const {
     const Entry entry = find_entry(folder_, name);
     const Found found = entry.folder ? what_is(entry) : Found::other;

@@ -89,7 +89,7 @@ bool OfferedBoard::wait_for_program() {
         if (wait_for(listener_.descriptor(), POLLIN, interrupted_, std::nullopt) == Wait::interrupted)
             return false;
         link_ = OpenFile(::accept4(listener_.descriptor(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
-        const int at_once = 1; // the program waits for each reply
+        const int at_once = 1; // sends each request at once, since its sender waits for the reply
         ::setsockopt(link_.descriptor(), IPPROTO_TCP, TCP_NODELAY, &at_once, sizeof at_once);
         return true;
     }

@@ -32,7 +32,7 @@ ByteView PacketReader::take(ByteView& bytes) {
 void PacketReader::check_length() {
     const std::size_t length = this->length();
     if (complete_ == 0 && length == 4) // AFserver sends words, and begins each integer with the word 4
-        refusal_ = "the program's first request is of the older AFserver (alien file server) protocol; "
+        refusal_ = "the program's first request belongs to the older AFserver (alien file server) protocol; "
                    "only programs for iserver can be served";
     else if (length < shortest_data || length > longest_data || length % 2 != 0)
         refusal_ =

@@ -52,7 +52,7 @@ std::size_t limited(std::size_t bytes) { return std::min(bytes, longest_reply_te
 Reply failure() { return Reply(Result::failed); }
 Reply success() { return Reply(Result::success); }
 
-/// Replies with the last error of a stream. The request succeeds if there was an error.
+/// Replies with the last error of a stream. If the stream had no error, the request fails.
 Reply error_of(const Stream& stream) {
     if (stream.error() == 0)
         return failure();
@@ -115,8 +115,8 @@ void Server::finish() {
         terminal_.write(rest);
 }
 
-/// A missing field reads as 0 or "", with which no request changes anything. So answer() may check the fields
-/// afterwards.
+/// Performs the request. A missing field reads as 0 or "", and with these values no request changes anything, so
+/// answer() may check the fields afterwards.
 Reply Server::reply_to(RequestTag tag, RequestFields& fields) {
     switch (tag) {
     case RequestTag::open: return open(fields);
@@ -153,7 +153,8 @@ Reply Server::reply_for_stream(RequestTag tag, RequestFields& fields) {
         state_ = ServerState::waits_for_input;
     switch (tag) {
     case RequestTag::close: return Reply::success_if(streams_.close(number));
-    case RequestTag::read: return success().text(stream->read(limited(fields.count()))); // at the end: success and ""
+    // At the end of the stream, the reply is success and "".
+    case RequestTag::read: return success().text(stream->read(limited(fields.count())));
     case RequestTag::getblock: return get_block(*stream, limited(fields.count()));
     case RequestTag::gets: return get_line(*stream, limited(fields.count()));
     case RequestTag::write: return success().count(stream->write(fields.text()));
@@ -167,11 +168,11 @@ Reply Server::reply_for_stream(RequestTag tag, RequestFields& fields) {
         return Reply::success_if(stream->seek(offset, fields.word()));
     }
     case RequestTag::tell: return position_of(*stream);
-    case RequestTag::eof: // a poll for a key has seen the end of standard input, too
+    case RequestTag::eof: // pollkey may have found the end of standard input before a stream did
         return Reply::success_if(stream->at_end() || (number == 0 && was_out_of_keys_));
     case RequestTag::ferror: return error_of(*stream);
     case RequestTag::isatty: return success().byte(stream->is_terminal() ? 1 : 0);
-    default: return success(); // flush: nothing is ever held back
+    default: return success(); // flush: output is never held back
     }
 }
 
@@ -217,7 +218,7 @@ Reply Server::core(RequestFields& fields) const {
 }
 
 Reply Server::exit(RequestFields& fields) {
-    constexpr std::int32_t usual = 999'999'999; // with its sign: success or failure
+    constexpr std::int32_t usual = 999'999'999; // success; the negative number is failure
     const std::int32_t status = fields.word();
     if (!fields.good())
         return failure();

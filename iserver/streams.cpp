@@ -42,7 +42,7 @@ std::string FileStream::read(std::size_t most) {
     return bytes;
 }
 
-/// Reads too far, and returns to the byte after the newline.
+/// Reads a line. Since it reads beyond the newline, it then sets the position back to the byte after the newline.
 std::optional<std::string> FileStream::line(std::size_t most) {
     const bool was_at_end = at_end_;
     std::string bytes = read(most);
@@ -57,7 +57,8 @@ std::optional<std::string> FileStream::line(std::size_t most) {
     return bytes.substr(0, newline);
 }
 
-/// The quota also counts the bytes between the file's end and the position, which the write would fill with zeros.
+/// Writes as many bytes as the quota allows. The quota also counts the bytes between the file's end and the position,
+/// which a write fills with zeros.
 std::size_t FileStream::write(std::string_view bytes) {
     struct stat status;
     if (bytes.empty() || ::fstat(file_.descriptor(), &status) != 0)
@@ -127,7 +128,8 @@ std::string TerminalInput::front(std::size_t most) {
     return front;
 }
 
-/// A person expects an answer to each line, so the function does not wait for later lines.
+/// Returns up to `most` bytes. If a person types them, returns after each line, because the person may expect an answer
+/// before typing the next one.
 std::string TerminalInput::read(std::size_t most) {
     std::string bytes = front(most);
     while (!terminal_.is_interactive() && !at_end_ && bytes.size() < most)

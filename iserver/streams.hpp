@@ -21,8 +21,9 @@ public:
     static constexpr std::uint64_t new_file = 4096;
 
     explicit WriteQuota(std::uint64_t bytes) : left_(bytes) {}
-    /// Takes the whole `gap`, and up to `bytes` more. Returns how many of `bytes` were taken. If none of them can be
-    /// taken, takes nothing of the gap, either.
+    /// Takes bytes from the quota for a write of `bytes` bytes, which also fills `gap` bytes before them with zeros.
+    /// Takes the whole gap and as many of `bytes` as are left. Returns how many of `bytes` were taken. If this number
+    /// would be 0, takes nothing of the gap, either.
     std::uint64_t take(std::uint64_t bytes, std::uint64_t gap = 0);
     /// Returns whether a program asked for more than was left.
     bool exceeded() const { return exceeded_; }

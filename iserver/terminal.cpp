@@ -33,7 +33,7 @@ Piece sequence_of(std::string_view bytes) {
                                                                                            : Piece::wrong;
 }
 
-/// Classifies the bytes of a character of UTF-8 that is not ASCII. The control characters from 0x80 on are wrong.
+/// Classifies the bytes of a character of UTF-8 that is not ASCII. Control characters, from 0x80 to 0x9f, are wrong.
 Piece character_of(std::string_view bytes) {
     const Utf8Character character = first_character(bytes);
     if (character.bytes > 0)

@@ -55,7 +55,8 @@ class VisibleText {
 public:
     /// Returns the visible form of the bytes. A sequence or character that is not complete waits for later bytes.
     std::string next(std::string_view bytes);
-    /// Returns the visible form of what waits, and the sequence that resets the colours if any were set.
+    /// Returns the visible form of an incomplete sequence or character that still waits, and the sequence that resets
+    /// the colours if any were set.
     std::string end();
 
 private:

@@ -33,8 +33,8 @@ void Group::wake_all() {
         member.woken_.notify_one();
 }
 
-/// If no kernel has anything to do, counts this and tells all kernels. A kernel that has not yet heard of the last time
-/// counts as busy.
+/// If no kernel has anything to do, increments `times_quiet_` and wakes all kernels. A kernel that has not yet noticed
+/// the previous increment counts as busy.
 void Group::note_if_quiet() {
     const bool is_quiet = std::ranges::all_of(members_, [&](const Member& member) {
         return member.state_ == Member::State::stopped ||
@@ -100,7 +100,8 @@ Surroundings::Rest Member::rest(Time due, bool awaits_end) {
     return Rest::quiet;
 }
 
-/// Waits until all kernels have reached a certain point at the end of the run.
+/// Waits until all kernels have called this function with the counter `arrived`. There is one counter for each point at
+/// which they wait.
 void Group::wait_for_all(std::unique_lock<std::mutex>& lock, std::size_t& arrived) {
     if (++arrived == members_.size())
         at_the_end_.notify_all();

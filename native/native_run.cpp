@@ -199,7 +199,8 @@ private:
     std::deque<Strand> strands_;
     NativeTrace* trace_;
     Group group_;
-    std::map<std::pair<std::size_t, std::size_t>, std::list<Crossing>> crossings_; ///< by the threads: from, to
+    /// The crossings from one thread to another, by the numbers of the two threads.
+    std::map<std::pair<std::size_t, std::size_t>, std::list<Crossing>> crossings_;
     std::atomic<Gate> gate_{Gate::closed};
     std::mutex mutex_;
     std::condition_variable ended_;

@@ -35,7 +35,7 @@ struct Notice {
     bool awaits_timer = false;
 };
 
-/// What happened on one kernel of a native run, in the order of its times.
+/// What happened on one kernel of a native run, in order of time.
 struct Notices {
     std::vector<Notice> all;
     std::vector<std::string> processes, channels;    ///< names

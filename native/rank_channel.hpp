@@ -16,9 +16,9 @@ namespace placedpar::native {
 /// The outputter's end of a channel between two ranks, whose other end is a RankTaker.
 ///
 /// 1. The outputter sends its message, and waits.
-/// 2. The inputter's end replies that a taker has come, as soon as it is certain that the next message will be taken.
-///    If a process is already inputting, the inputter's end replies before the message arrives, otherwise afterwards.
-///    So a message that an ALT does not take remains available.
+/// 2. The inputter's end sends a reply as soon as it is certain that the next message will be taken. If a process is
+///    already inputting, the inputter's end replies before the message arrives, otherwise afterwards. So a message that
+///    an ALT does not take remains available.
 /// 3. The communication of each process ends when this process has sent its part and received the other process's part.
 ///
 /// So the communication is synchronous and each process sends one letter for it. A message too long for a letter is
@@ -48,10 +48,10 @@ private:
     AnyChannel& channel_;
     std::size_t number_;
     int to_;
-    bool is_awaited_ = false; ///< the reply came before the message
+    bool is_awaited_ = false; ///< the reply came before the message was output
     Process* outputter_ = nullptr;
     MessageBytes packed_;
-    std::uint64_t bytes_ = 0; ///< of the current message, on a link
+    std::uint64_t bytes_ = 0; ///< the bytes that a link would carry for the current message
     Traffic sent_;
 };
 
@@ -84,7 +84,7 @@ private:
     };
     enum class State {
         open,     ///< the first message may remain untaken
-        promised, ///< the other end knows that the first message is taken
+        promised, ///< the reply was sent: the first message will be taken
         over      ///< the kernel has stopped
     };
 

@@ -147,7 +147,8 @@ void RankMember::handle_for_process(const RankLetter& letter) {
         ends_[channel]->parcel_announced(PackedForm<std::uint64_t>::read(from));
 }
 
-/// Receives letters and parcels until one is for a process, and stores it in `held_`. Returns whether there is one.
+/// Receives letters and parcels. Stores the first letter for a process in `held_`, and the first parcel for a process
+/// in `held_parcel_`. Returns whether either is held.
 bool RankMember::fetch() {
     while (!held_) {
         std::optional<RankLetter> letter = mail_.receive();
@@ -219,13 +220,14 @@ void RankMember::heed(QuietDetection::Verdict verdict) {
     }
 }
 
-/// Returns the time for which a rank checks for messages without a pause; 0 unless each rank has a core.
+/// Returns the time for which a rank checks for messages without a pause. It is 0 if this computer has fewer cores than
+/// ranks.
 Time RankMember::patience() const {
     static const unsigned cores = std::thread::hardware_concurrency(); // this call takes microseconds
     return static_cast<unsigned>(mail_.count_here()) <= cores ? most_patience_of_rank : Time{0};
 }
 
-/// Returns the reason why the rest ends; nothing if the rest continues.
+/// Returns the reason why rest() must return, or nullopt if it must continue to wait.
 std::optional<Surroundings::Rest> RankMember::look(bool is_due, bool awaits_end, bool may_answer) {
     const bool has_come = fetch();
     if (is_over_)

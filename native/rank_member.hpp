@@ -27,12 +27,12 @@ inline constexpr Time most_patience_of_rank = std::chrono::microseconds(50);
 class RankEnd {
 public:
     virtual void message_came(std::span<const std::uint8_t> /*packed*/) {}
-    /// A parcel with a message of this length is ready to be sent.
+    /// Called when a parcel with a message of this length is ready to be sent.
     virtual void parcel_announced(std::size_t /*bytes*/) {}
     virtual void parcel_came(MessageBytes /*packed*/) {}
-    /// The process at the other end takes the next message.
+    /// Called when it is certain that the process at the other end will take the next message.
     virtual void taker_came() {}
-    /// The kernel has stopped. Receives an announced parcel, because a parcel cannot be cancelled.
+    /// Called when the kernel has stopped. An announced parcel is still received, because a parcel cannot be cancelled.
     virtual void end() {}
 
 protected:

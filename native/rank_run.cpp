@@ -188,7 +188,8 @@ private:
         return failure;
     }
 
-    /// Called when all ranks have stopped, and the processes are still in their waits.
+    /// Notes which processes use the ends of channels between ranks. It is called when all ranks have stopped, while
+    /// their processes still wait.
     void note_ends() { results_[own()].ends = users_of(led_, simulation_.kernel()); }
 
     RankResult& own_result() {
@@ -232,7 +233,8 @@ private:
         throw UserError(text);
     }
 
-    /// Converts the records of all ranks to the clock of rank 0. The run lasts from the first begin to the last end.
+    /// Converts the records of all ranks to the clock of rank 0. The run lasts from the moment at which the first rank
+    /// began to the moment at which the last rank ended.
     void hand_over_logs(RunReport& report, const std::vector<ComparedClock>& before,
                         const std::vector<ComparedClock>& after) {
         std::vector<Reading> begun;

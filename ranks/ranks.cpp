@@ -28,7 +28,7 @@ constexpr const char* module_name = "placedpar_mpi.so";
 void* load_module() {
     const std::filesystem::path place = module_of_ranks();
     const std::string path = place.empty() ? module_name : place.string();
-    return dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL); // global for Open MPI's own modules
+    return dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL); // global, so that Open MPI's own modules find its functions
 }
 
 } // namespace

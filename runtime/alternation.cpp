@@ -29,7 +29,8 @@ std::optional<std::size_t> first_ready(std::span<const Guard> guards) {
     return found - guards.begin();
 }
 
-/// Returns the first ready guard, and reserves its message, which then cannot be given up.
+/// Returns the first ready guard. If this guard is an input, reserves its message, so that the sender can no longer
+/// give the message up.
 std::optional<std::size_t> first_kept(std::span<const Guard> guards) {
     auto found = std::ranges::find_if(guards, [](const Guard& guard) {
         return is_ready(guard) && (guard.kind != Guard::input || guard.channel->keep_message());
@@ -154,12 +155,11 @@ std::size_t choose(Process& self, std::span<const Guard> guards, const SourceLoc
     charge(self, first_ready(guards) ? &OperationCosts::alternation_wait_ready : &OperationCosts::alternation_wait);
     std::optional<std::size_t> ready = first_kept(guards);
     const bool has_to_sleep = !ready;
-    for (; !ready; ready = first_kept(guards)) // the message that woke the process may have been given up since
+    for (; !ready; ready = first_kept(guards)) // the sender may have given up the message that woke the process
         sleep(self, guards, where);
     const std::size_t chosen = *ready;
     charge_disabling(self, guards);
-    // A process that polls and is not placed takes no virtual time. If it did not wait here, no other process would
-    // run.
+    // A process without an executive polls in no virtual time. If it did not wait here, no other process would run.
     if (!has_to_sleep && !self.executive() && guards[chosen].kind != Guard::input)
         wait_until(now(), where);
     return chosen;

@@ -24,9 +24,9 @@ struct Guard {
 };
 
 /// Waits until a guard is ready and returns its index. If several guards are ready, returns the first of them in the
-/// given order, as occam's PRI ALT does; the transputer's instructions do the same for ALT. Guards of kind `never`,
-/// whose condition is false, are ignored. Does not input the message of an input guard. Throws std::logic_error if no
-/// guard can ever become ready (in occam such an ALT acts as STOP).
+/// given order, as occam's PRI ALT does; on a transputer, an ALT does the same. Guards of kind `never`, whose condition
+/// is false, are ignored. Does not input the message of an input guard. Throws std::logic_error if no guard can ever
+/// become ready (in occam such an ALT acts as STOP).
 std::size_t select(std::span<const Guard> guards, const SourceLocation& = SourceLocation::current());
 
 /// Makes an input guard with the process that it guards: `on(c, [&](int x) { ... })`.
@@ -43,9 +43,9 @@ auto after(Time due, Body body, const SourceLocation& where = SourceLocation::cu
 }
 
 /// Makes occam's SKIP guard, which is always ready. Guards listed before it are chosen if they are ready; guards listed
-/// after it are never chosen. A placed process pays cycles for polling. A process that is not placed polls in no
-/// virtual time: other processes get their turn at the same instant, but time passes only when the polling process
-/// waits.
+/// after it are never chosen. A process on an executive pays cycles for polling. A process without an executive polls
+/// in no virtual time: other processes get their turn at the same instant, but time passes only when the polling
+/// process waits.
 template <std::invocable Body>
 auto skip(Body body, const SourceLocation& where = SourceLocation::current()) {
     return std::pair(Guard{Guard::skip, nullptr, Time{}, where}, std::move(body));
@@ -139,8 +139,8 @@ auto either(std::pair<Guard, Bodies>... alternatives) {
                   }};
 }
 
-/// Adds a condition to each guard of a group, `ALT i = 0 FOR n  wanted[i] & c[i] ? x`: `when([&](std::size_t i) {
-/// return wanted[i]; }, each(...))`.
+/// Adds a condition to each guard of a group, as in occam's `ALT i = 0 FOR n wanted[i] & c[i] ? x`:
+/// `when([&](std::size_t i) { return wanted[i]; }, each(...))`.
 template <std::predicate<std::size_t> Condition, class Body>
 auto when(Condition condition, Guards<Body> several) {
     for (std::size_t k = 0; k < several.guards.size(); ++k)

@@ -66,7 +66,7 @@ void write_number(T number, MessageBytes& to) {
     to.insert(to.end(), bytes.begin(), bytes.end());
 }
 
-/// REQUIRES: `bytes` contains the element with this index.
+/// Reads the element with this index. REQUIRES: `bytes` contains the element.
 template <PlainNumber T>
 T read_number(std::span<const std::uint8_t> bytes, std::size_t element = 0) {
     if constexpr (std::same_as<T, bool>) {

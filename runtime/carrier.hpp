@@ -48,7 +48,7 @@ public:
     // The next functions are for carriers whose messages can be given up (runtime/recovery.hpp).
     /// Returns the reason why messages cannot be given up, or "" if they can. The text follows the channel's name, as
     /// in "travels in packets".
-    virtual std::string why_not_given_up() const { return "is on a carrier that transfers only whole messages"; }
+    virtual std::string why_not_given_up() const { return "is on a connection that transfers only whole messages"; }
     /// Make output (input) return, so that the process continues without its message. Return false and do nothing if
     /// the process's part of the transfer is already complete. REQUIRES: called by an event, while a process is in
     /// output (input).

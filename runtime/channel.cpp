@@ -10,14 +10,14 @@
 
 namespace placedpar {
 
-void refuse_end_without_channel() { throw std::logic_error("an end that belongs to no channel is used"); }
+void refuse_end_without_channel() { throw std::logic_error("a channel end that belongs to no channel is used"); }
 
 namespace {
 
 AnyChannel::User user(const Process& process) { return {&process, &process.outermost(), process.ordinal()}; }
 
-/// Returns whether the process may use an end after its last user. The process and the last user must belong to the
-/// same outermost process, and must not be two components of one PAR.
+/// Returns whether the process may use a channel end after another user of this end. The process and the last user must
+/// belong to the same outermost process, and must not be two components of one PAR.
 bool may_follow(const AnyChannel::User& last, const Process& process) {
     return last.outermost == &process.outermost() && !process.is_beside(last.ordinal);
 }
@@ -35,8 +35,8 @@ void require_unused(const void* end, const AnyChannel& channel) {
 
 } // namespace
 
-/// Derives the identity from the process that makes the channel. Outside of a run with histories, derives it from the
-/// channel's name.
+/// Derives the identity from the process that makes the channel. If no run that keeps histories
+/// (runtime/replay_log.hpp) is under way, derives it from the channel's name.
 std::uint64_t AnyChannel::new_identity(const std::string& name) {
     const Kernel* kernel = Kernel::current();
     if (!kernel || !kernel->keeps_histories())
@@ -70,7 +70,7 @@ void AnyChannel::expect_inputter(const Process& process) { own_input(process); }
     end = user(process);
 }
 
-/// Throws, because the process left the end in the middle of a message and did not reset it.
+/// Throws, because the process gave up a message at this end and did not reset the end.
 void AnyChannel::refuse_unreset(const Process& self, const char* verb) const {
     throw std::logic_error(
         fmt::format("process {} {} channel {}, on which it gave up a message: reset this end of the channel first",

@@ -22,8 +22,8 @@
 
 namespace placedpar {
 
-/// Receives a call when a message begins to wait in a channel. Alternations are listeners. An attempt that a message in
-/// another channel can end is a listener, too.
+/// Receives a call when a message begins to wait in a channel. Alternations are listeners. An attempt
+/// (runtime/recovery.hpp) that a message in another channel can end is a listener, too.
 class Listener {
 public:
     /// Called when a message waits in the channel and no process has asked for it.
@@ -42,7 +42,8 @@ protected:
     ~AttemptObserver() = default;
 };
 
-/// A channel of any protocol. It is synchronous and unbuffered, and leads from one process to one other process.
+/// A channel of any protocol. It is synchronous and unbuffered, and leads from one process to one other process. A
+/// process is "in" the channel from the beginning to the end of its output or input.
 ///
 /// The two processes need not know whether the channel is soft or hard. On a soft channel, the process that arrives
 /// second copies the message and continues, and the first process is made ready. On a hard channel, a carrier transfers
@@ -160,9 +161,9 @@ public:
     // The next functions are for carriers.
     /// Hands the outputter's message to the inputter. REQUIRES: both processes are in the channel.
     void hand_over();
-    /// Hands the message of another channel to the inputter of this one: the two channels are the halves of a channel
-    /// between two kernels. REQUIRES: both channels have the same protocol; a process is in output on `other`; a
-    /// process is in input on this channel.
+    /// Hands the message of another channel to the inputter of this channel. The two channels are the halves of a
+    /// channel between two kernels. REQUIRES: both channels have the same protocol; a process is in output on `other`;
+    /// a process is in input on this channel.
     void take_from(AnyChannel& other);
     /// Returns how messages of the protocol are written as bytes; null if they have no byte form.
     virtual const AnyByteForm* byte_form() const = 0;
@@ -373,8 +374,7 @@ class Channel;
 
 namespace detail {
 
-/// True if C++ would convert one type to the other and lose information: a number's fraction, or the target of a
-/// pointer.
+/// True if an implicit conversion would lose information: a number's fraction, or the target of a pointer.
 template <class From, class To>
 concept Loses = (std::floating_point<From> && std::integral<To>) || (std::is_pointer_v<From> && std::same_as<To, bool>);
 

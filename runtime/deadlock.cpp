@@ -21,14 +21,14 @@ namespace {
 
 using Processes = std::vector<const Process*>; ///< grouped by kernel, and in order of creation
 
-/// Returns a number that orders the processes of a run.
+/// Returns a sort key: it orders the processes of a run by kernel, and the processes of each kernel by their creation.
 std::uint64_t place_of(const Process& outermost, std::uint32_t ordinal) {
     return std::uint64_t{outermost.kernel().number()} << 32 | ordinal;
 }
 std::uint64_t place_of(const Process* process) { return place_of(process->outermost(), process->ordinal()); }
 
-/// Returns the process that has to act at a channel's end. This is the end's last user or, if this user was a component
-/// that has ended, the component's outermost ancestor.
+/// Returns the process that has to act at a channel's end. This is the end's last user. If this user was a component of
+/// a PAR and has ended, it is the outermost process that the component belonged to.
 const Process* who_is(const AnyChannel::User& user, const Processes& living) {
     if (!user.outermost)
         return nullptr;
@@ -51,7 +51,7 @@ std::string path_of(const AnyChannel& channel, const AnyChannel::User& user, con
 bool halted(const Process& process) { return process.executive() && process.executive()->halted(); }
 
 /// Adds the processes that have to act before the outputting process can continue. These are the inputter, or the
-/// processes that hold up the message.
+/// processes that hold up the message (Carrier::held_up_by).
 void add_awaited_by_output(const AnyChannel& channel, const Processes& living, Processes& partners) {
     auto held_up_by = channel.held_up_by();
     if (held_up_by.empty() || (channel.output_waits() && !channel.input_waits()))
@@ -60,7 +60,8 @@ void add_awaited_by_output(const AnyChannel& channel, const Processes& living, P
         partners.push_back(who_is(other->output_waits() ? other->last_inputter() : other->last_outputter(), living));
 }
 
-/// Returns the processes for which this process waits. A wait on channels ends when one of them acts.
+/// Returns the processes for which this process waits. If it waits on channels, it continues when one of these
+/// processes acts.
 Processes awaited_by(const Process& process, const Processes& living) {
     Processes partners;
     if (halted(process))
@@ -78,7 +79,8 @@ Processes awaited_by(const Process& process, const Processes& living) {
     return partners;
 }
 
-/// Returns the channels on which a process waits. Empty if the process is ready and only its executive has halted.
+/// Returns the channels on which a process waits. Returns no channels if the process is ready, and only its executive
+/// has halted.
 std::span<const AnyChannel* const> channels_of_wait(const Process& process) {
     return process.activity() == Activity::ready ? std::span<const AnyChannel* const>{} : process.awaited_channels();
 }
@@ -115,11 +117,12 @@ std::string names_of(const std::vector<const AnyChannel*>& channels) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// Groups the processes by the channels that hold them up.
+/// Describes the outputs that are held up by other channels. Outputs that are held up by the same channels share one
+/// text.
 std::vector<std::string> describe_held_up(const Processes& stuck) {
     using Channels = std::vector<const AnyChannel*>;
-    std::vector<std::pair<Channels, Channels>> held_up; // channels of waiting processes, with the channels that hold
-                                                        // them up
+    // Each entry has channels whose outputs are held up, and the channels that hold them up.
+    std::vector<std::pair<Channels, Channels>> held_up;
     for (const Process* process : stuck)
         if (process->activity() == Activity::outputting)
             for (const AnyChannel* channel : process->awaited_channels())
@@ -132,13 +135,14 @@ std::vector<std::string> describe_held_up(const Processes& stuck) {
     std::vector<std::string> texts;
     for (const auto& [channels, by] : held_up)
         texts.push_back(fmt::format(
-            "{}: waits until the message is {} on {}, too, because one message goes to all these channels{}",
+            "{}: the message waits until it is {} on {}, too, because one message goes to all these channels{}",
             names_of(channels), by.front()->output_waits() ? "taken" : "output", names_of(by),
             by.front()->output_waits() ? "" : ": output it on all of them in a PAR"));
     return texts;
 }
 
-/// Describes channels at which one process gave up a message half-way while the other process is still transferring it.
+/// Describes the channels on which one process gave up a message half-way, while the other process still transfers the
+/// message.
 std::vector<std::string> describe_unreset(const Processes& stuck, const Processes& living) {
     std::vector<std::string> texts;
     std::unordered_set<const AnyChannel*> known;
@@ -148,10 +152,11 @@ std::vector<std::string> describe_unreset(const Processes& stuck, const Processe
             if ((!input && !channel->output_must_be_reset()) || !known.insert(channel).second)
                 continue;
             const auto &left = channel->last_outputter(), &waits = channel->last_inputter();
-            texts.push_back(fmt::format("{}: waits until {}, too, gives up its message and resets its end, because {} "
-                                        "gave up the message in the middle",
-                                        channel->name(), path_of(*channel, input ? waits : left, living),
-                                        path_of(*channel, input ? left : waits, living)));
+            texts.push_back(fmt::format(
+                "{}: no message can pass until {}, too, gives up its message and resets its end, because {} "
+                "gave up the message in the middle",
+                channel->name(), path_of(*channel, input ? waits : left, living),
+                path_of(*channel, input ? left : waits, living)));
         }
     return texts;
 }
@@ -196,9 +201,9 @@ Deadlock deadlock_of(const Processes& stuck, const Processes& living) {
     return deadlock;
 }
 
-/// Returns whether a known partner must still come to the channel. If both partners are in the channel, only time is
-/// needed, unless a link has lost the message. If a link has delivered the message, only its acknowledge is missing,
-/// and no partner is needed.
+/// Returns whether a known partner must still come to the channel. If both processes already communicate on the
+/// channel, the message only needs time, unless a link has lost it. If a link has delivered the message, only the
+/// acknowledge is missing, and no partner is needed.
 bool lacks_partner(const Process& process, const AnyChannel& channel) {
     bool known = channel.last_outputter().process && channel.last_inputter().process;
     switch (process.activity()) {
@@ -223,7 +228,7 @@ bool is_lost(const Process& process) {
            (!process.awaits_timer() && std::ranges::any_of(process.awaited_channels(), lost));
 }
 
-/// Returns whether only known processes can make this process continue, or no process can.
+/// Returns whether it is known which processes can make this process continue. This is also so if no process can.
 bool needs_partner(const Process* process) {
     if (is_lost(*process))
         return true;
@@ -281,7 +286,8 @@ std::optional<Deadlock> find_partial_deadlock(const Kernel& kernel) {
 
 namespace {
 
-/// Returns the text of the last column of a row, or its heading if `row` is null. Empty if there is no netlist.
+/// Returns the text of the last column in a row, or the heading of this column if `row` is null. Returns "" if there is
+/// no netlist.
 template <class Rows>
 std::string last_column(const Rows& rows, const typename Rows::value_type* row) {
     if (std::ranges::all_of(rows, [](const auto& each) { return each.netlist.empty(); }))
@@ -321,7 +327,8 @@ std::string print(const std::vector<StuckChannel>& rows) {
     return out;
 }
 
-/// Lists the processes that wait for a process that has ended. This is the usual cause of a deadlock without a cycle.
+/// Lists the processes that wait for a process that has ended. Such a wait is the usual cause of a deadlock without a
+/// cycle.
 std::string print_ended(const std::vector<StuckChannel>& rows) {
     constexpr std::string_view ended = " (has ended)";
     std::string out;
@@ -329,10 +336,10 @@ std::string print_ended(const std::vector<StuckChannel>& rows) {
         const bool inputs = row.waiting == "inputter";
         std::string_view partner = inputs ? row.outputter : row.inputter;
         if (partner.ends_with(ended))
-            out += fmt::format(
-                "no wait cycle: {} {} for ever, but {} has ended; do both expect the same number of messages?\n",
-                inputs ? row.inputter : row.outputter, inputs ? "inputs" : "outputs",
-                partner.substr(0, partner.size() - ended.size()));
+            out += fmt::format("no wait cycle: {} {} for ever, but {} has ended; do both processes expect the same "
+                               "number of messages?\n",
+                               inputs ? row.inputter : row.outputter, inputs ? "inputs" : "outputs",
+                               partner.substr(0, partner.size() - ended.size()));
     }
     return out;
 }

@@ -5,8 +5,8 @@
 
 namespace placedpar {
 
-/// The number of children of a node. With four children the heap is half as deep as with two, and a step down reads
-/// adjacent cache lines.
+/// The number of children of a node. With four children the heap is half as deep as with two, and each step down the
+/// heap reads adjacent cache lines.
 constexpr std::size_t children = 4;
 
 /// The number of events that fit into a second-level cache of 1 Mbyte (our estimate).
@@ -68,7 +68,7 @@ void EventQueue::remove(std::size_t position) {
         place(last, position);
 }
 
-/// Puts an entry into a free place.
+/// Puts an entry into a free place of the heap.
 inline void EventQueue::place(Entry entry, std::size_t position) {
     if (position > 0 && entry.before(heap_[(position - 1) / children]))
         sift_up(entry, position);
@@ -81,8 +81,8 @@ void EventQueue::put(Entry entry, std::size_t position) {
     entry.event->position_ = position;
 }
 
-// The heap's address and size are kept in local variables. The compiler cannot know that writes to events do not change
-// the address and the size.
+// The next functions keep the heap's address and size in local variables, because the compiler cannot know that writes
+// to events leave both unchanged.
 
 void EventQueue::sift_up(Entry entry, std::size_t position) {
     Entry* const heap = heap_.data();

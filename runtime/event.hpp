@@ -37,8 +37,8 @@ private:
 class EventQueue {
 public:
     /// The order within an instant: requests for a wire, starts of packets on the wire, arrivals that wake processes,
-    /// turns of executives, timers. Events of the first three kinds are ordered by their ranks, the others by
-    /// insertion.
+    /// turns of executives, timers. Simultaneous events of the first three kinds are ordered by their ranks, the others
+    /// in the order in which they were scheduled.
     enum Priority : std::uint64_t { request, start, arrival, turn, timer };
 
     ~EventQueue();

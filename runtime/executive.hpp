@@ -37,8 +37,8 @@ struct OperationCosts {
     Cycles enable_guard{};           ///< a SKIP guard, or an input whose message waits
     Cycles enable_guard_not_ready{}; ///< an input without a message, or a guard that is FALSE
     Cycles enable_timeout{};
-    Cycles alternation_wait_ready{}; ///< wait, when a guard is ready
-    Cycles alternation_wait{};       ///< wait, when no guard is ready
+    Cycles alternation_wait_ready{}; ///< waiting for a guard, if one is ready
+    Cycles alternation_wait{};       ///< waiting for a guard, if none is ready
     Cycles disable_guard{};
     Cycles disable_timeout{};
     Cycles alternation_end{};

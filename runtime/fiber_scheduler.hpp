@@ -11,8 +11,8 @@ namespace placedpar {
 
 /// The part of a running simulation that Boost.Fiber sees. The kernel decides which process runs, and resumes the
 /// process's fiber itself. This algorithm only receives the fibers that Boost announces. It hands new fibers to the
-/// kernel. Fibers that existed before the run (Boost's dispatcher, the host program's own fibers) rest until the run is
-/// over. Boost's own clocks are never used.
+/// kernel. Fibers that existed before the run (Boost's dispatcher, the host program's own fibers) are not resumed until
+/// the run is over. Boost's own clocks are never used.
 class FiberScheduler final : public boost::fibers::algo::algorithm {
 public:
     using Context = boost::fibers::context;

@@ -36,7 +36,8 @@ namespace {
         late == living.end() ? "give the link more speed, or send less" : "shorten its computation or delay")));
 }
 
-/// Moves some ready processes to the end of the queue, at random. Not inlined, because few runs are shuffled.
+/// Moves a random number of processes from the front of the ready queue to its end. This function is not inlined,
+/// because few runs are shuffled.
 [[gnu::cold, gnu::noinline]] void put_off_some(ProcessQueue& ready, RandomStream& lots) {
     while (!ready.empty() && lots.chance(0.5))
         ready.push_back(*ready.pop_front());
@@ -70,15 +71,15 @@ void Kernel::refuse_outside_a_run() {
     throw Unwinding{};
 }
 
-/// Handles the rare cases of begin_operation(). They are a separate function, so that begin_operation() stays short.
+/// Handles the rare cases of begin_operation(), in a function of its own, so that begin_operation() stays short.
 [[gnu::cold, gnu::noinline]] ReplayLog* Kernel::attend(const Process& running) {
     if (hot_.rare_conditions.any_of(RareConditions::unwinding | RareConditions::interrupted))
         give_way();
     return running.history();
 }
 
-/// Checks a process that has done many operations without virtual time passing. Throws std::logic_error after too many
-/// operations. If the run is interrupted, makes the process give way, so that it is unwound.
+/// Checks a process that has done many operations while virtual time stood still. Throws std::logic_error after too
+/// many operations. If the run is interrupted, makes the process give way, so that it is unwound.
 void Kernel::check_timeless_operations() {
     if (hot_.rare_conditions.any_of(RareConditions::unwinding))
         return;
@@ -102,8 +103,8 @@ void Kernel::add(Process& p) {
         hot_.rare_conditions.clear(RareConditions::no_process_left);
 }
 
-/// Subtracts one from the number of processes of the program. Called for a process that has ended, and for a process
-/// that serves the machine.
+/// Subtracts one from the number of the program's processes, because a process has ended, or turns out to serve the
+/// machine, as a router does.
 void Kernel::count_out() {
     if (--population_.of_the_program == 0)
         hot_.rare_conditions.set(RareConditions::no_process_left);
@@ -201,7 +202,7 @@ void Kernel::run_among(Surroundings& surroundings, std::uint32_t number) {
     std::swap(hot_.ready, native_.woken);
     hot_.between_programs = false;
     if (hot_.trace)
-        read_wall_clock(); // a process that a message has woken continues later than the message was sent
+        read_wall_clock(); // so that the trace shows a woken process later than the message that woke it
     if (Process* const woken = native_.turns.next(native_.woken, !hot_.ready.empty()))
         hot_.ready.push_front(*woken);
 }
@@ -218,7 +219,7 @@ void Kernel::run_among(Surroundings& surroundings, std::uint32_t number) {
     return rest != Surroundings::Rest::forever;
 }
 
-/// Ends the work, and wakes the processes that wait for its end. Returns whether any process waits.
+/// Ends the work, and wakes the processes that wait for its end. Returns whether there were such processes.
 [[gnu::cold, gnu::noinline]] bool Kernel::go_on_after_work() {
     if (end_.after_work.empty())
         return false;
@@ -289,8 +290,8 @@ void Kernel::switch_to(Process* p) {
     from.arrive();
 }
 
-/// Gives a fiber to a process that runs for the first time. Returns whether there was enough memory; otherwise the run
-/// ends.
+/// Gives a fiber to a process that runs for the first time. If there is not enough memory, makes the run fail, and
+/// returns false.
 [[gnu::cold, gnu::noinline]] bool Kernel::employ(Process& p) {
     try {
         if (fibers_.idle.empty()) {
@@ -345,7 +346,8 @@ std::optional<StackUser> Kernel::who_overflowed(const void* address) {
     return stack_user(*running);
 }
 
-/// Ends the program if the process has written beyond its stack. Used where no guard zone detects the overflow at once.
+/// Ends the program if the process has written beyond its stack. The kernel calls this function if some stacks have no
+/// guard zone, which would detect an overflow at once.
 [[gnu::cold, gnu::noinline]] void Kernel::require_own_stack(const Process& process) {
     const Stack& stack = process.worker_->memory;
     if (stack.guarded || !stack.has_overflowed())

@@ -53,10 +53,10 @@ struct Failure {
 ///
 /// The rule of ordering: ready processes run in the order in which they became ready, each until it waits. When no
 /// process is ready, the earliest event happens, and virtual time becomes its time. Within an instant events happen by
-/// priority (EventQueue::Priority). Within a priority they happen by rank or, without ranks, by insertion. Nothing else
-/// decides, and no wall clock is read, so a simulation is deterministic.
+/// priority (EventQueue::Priority). Within a priority they happen by rank or, without ranks, in the order in which they
+/// were scheduled. Nothing else decides, and no wall clock is read, so a simulation is deterministic.
 ///
-/// A kernel of a native run differs: see run_among().
+/// A kernel of a native run, which uses the wall clock, differs: see run_among().
 ///
 /// The work is over when no process is ready and no event is scheduled. It is also over when every process of the
 /// program has ended, even if the machine could continue. The run then ends too, unless processes have asked to
@@ -103,7 +103,7 @@ public:
     /// the order of their calls.
     std::uint64_t new_ranks(std::uint64_t count) { return std::exchange(ranks_, ranks_ + count); }
 
-    /// Lets a process continue: at once if it is not placed, otherwise when its turn on the executive comes.
+    /// Lets a process continue: at once if it has no executive, otherwise when its turn on the executive comes.
     void make_ready(Process& p) {
         if (hot_.trace || p.executive())
             tell_and_make_ready(p);
@@ -116,8 +116,9 @@ public:
     /// again. If there is a successor, makes it ready; it must have an executive. Throws Unwinding when the simulation
     /// is over.
     void wait(Process* successor = nullptr);
-    /// Runs other processes until the running process is made ready, but does not take it off its executive. Used for a
-    /// process that keeps its executive while it computes, and for a process that has already left its executive.
+    /// Runs other processes until the running process is made ready, but does not take it off its executive. This
+    /// function is for a process that keeps its executive while it computes, and for a process that has already left
+    /// its executive.
     void give_way();
     /// Begins an operation of the running process: output, input, ALT, computation, delay, PAR. Returns the process's
     /// history, which records the operation, or null if the process keeps no history. Throws Unwinding when the
@@ -141,13 +142,13 @@ public:
             check_timeless_operations();
     }
     static constexpr std::uint64_t most_operations_at_once = 100'000'000;
-    /// The number of clock readings in a row, without time passing, that are not checked. Up to this number, reading
-    /// the clock never throws, so that a destructor may do it.
+    /// The number of clock readings in a row, at one virtual time, that are not checked. Up to this number, reading the
+    /// clock never throws, so that a destructor may do it.
     static constexpr std::uint64_t unchecked_readings = most_operations_at_once / 1000;
     /// Makes a waiting process ready when the work is over.
     void after_work(Process& p) { end_.after_work.push_back(p); }
     /// Advances virtual time to `until` if nothing else can happen before or at that time. Returns whether time was
-    /// advanced. Has the same effect as waiting, without two context switches.
+    /// advanced. This has the same effect as a wait, but saves two context switches.
     bool pass_time(Time until);
 
     /// The functions that the kernel calls at the end of the work, and at the end of the run.
@@ -161,8 +162,8 @@ public:
     /// running on this thread, or if the kernel has run before. Throws std::overflow_error if the next event is beyond
     /// the end of virtual time.
     ///
-    /// May be called from a Boost fiber. The thread's other fibers rest during the run. Afterwards they are scheduled
-    /// round robin, even if another algorithm was in use before.
+    /// May be called from a Boost fiber. The thread's other fibers are not resumed during the run. Afterwards they are
+    /// scheduled round robin, even if another algorithm was in use before.
     Ending run(Time limit, Observer);
     /// Runs ready processes in an order drawn from the seed, and not in the order in which they became ready. This is
     /// another possible execution of the program. It can show that the program depends on the order. The scheduling of

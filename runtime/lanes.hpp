@@ -41,8 +41,8 @@ public:
         });
         return result;
     }
-    // The copy constructor is not trivial, so that Lanes are passed in memory. Code compiled for another width also
-    // expects them there.
+    // The copy constructor is not trivial, so that Lanes are passed in memory. Code that is compiled for another width
+    // also expects Lanes in memory.
     [[gnu::always_inline]] Lanes(const Lanes& other) { *this = other; }
     [[gnu::always_inline]] Lanes& operator=(const Lanes& other) {
         each([&](std::size_t i) { registers_[i] = other.registers_[i]; });
@@ -148,7 +148,7 @@ private:
     }
 
     // The results are `a > b ? a : b` and `a < b ? a : b`. Where GCC 12 does not choose the best instruction, the code
-    // names it.
+    // calls the intrinsic of this instruction.
     [[gnu::always_inline]] static void take_greater(const Register& a, const Register& b, Register& result) {
         result = a > b ? a : b;
     }

@@ -109,7 +109,7 @@ void Process::wait_for(Activity activity, std::span<const AnyChannel* const> cha
     finish_wait();
 }
 
-/// Begins a computation. Returns whether the computation is already done. A process that is not placed computes in no
+/// Begins a computation. Returns whether the computation is already done. A process without an executive computes in no
 /// time.
 inline bool Process::computes_at_once(Cycles cycles, const CodeShape& fineness) {
     kernel_.throw_if_unwinding();
@@ -126,7 +126,7 @@ inline bool Process::computes_at_once(Cycles cycles, const CodeShape& fineness) 
         kernel_.give_way();
 }
 
-/// Begins the communication. Returns whether the process has to wait; if so, it leaves the executive.
+/// Begins the communication. Returns whether the process has to wait; if so, its executive takes the next process.
 bool Process::begin_communication() {
     communicates_ = std::exchange(communication_, nullptr)->begin(*this);
     if (communicates_ && executive_)

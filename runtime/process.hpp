@@ -19,8 +19,8 @@ class Kernel;
 class Process;
 class Worker;
 
-/// The shape of a computation's code: at which points a process can leave the executive, and how many words lie outside
-/// the chip. Lengths are in cycles of the executive, at least 1.
+/// The shape of a computation's code: at which points a process can leave the executive, and how many of its words are
+/// outside the chip. Lengths are in cycles of the executive, at least 1.
 struct CodeShape {
     /// Distance between descheduling points (`j`, `lend`), at which a low-priority process yields after its timeslice.
     Cycles between_points{1};
@@ -35,11 +35,11 @@ struct CodeShape {
 /// The two priorities of occam's processes.
 enum class Priority { high, low };
 
-/// The activity of a process or a place. Process::activity() is `ready`, one of the waits (`stopped` waits for ever),
-/// or `ended`. In a trace, a process can also be `starting`, `executing`, `computing`, or `moving` words over a bus.
-/// The trace itself adds `carrying` for a link with a message, and `arbitrating` for a process that waits during the
-/// arbitration of a bus. Only reports use `halted`: the process's executive has stopped for ever. The numbers up to
-/// `stopped` are in the files of traces and must not change.
+/// The activity of a process or, in a trace, of a link or a bus. Process::activity() is `ready`, one of the waits (a
+/// `stopped` process waits for ever), or `ended`. In a trace, a process can also be `starting`, `executing`,
+/// `computing`, or `moving` words over a bus. The trace itself adds `carrying` for a link with a message, and
+/// `arbitrating` for a process that waits during the arbitration of a bus. Only reports use `halted`: the process's
+/// executive has stopped for ever. The numbers up to `stopped` are in the files of traces and must not change.
 enum class Activity {
     executing,
     carrying,
@@ -148,9 +148,9 @@ public:
     void may_give_up(bool may) { may_give_up_ = may; }
     /// Returns the place in its program at which the process last waited.
     const SourceLocation& place_in_program() const { return where_; }
-    /// Returns for how long the process and all components of its PARs waited at the same time, for partners or delays.
-    /// A wait lasts until the process runs again; a wait that still lasts counts up to now. REQUIRES: a process at the
-    /// outermost level.
+    /// Returns the total time in which the process and all components of its PARs were waiting, all at once, for
+    /// partners or delays. A wait lasts until the process runs again; a wait that still lasts counts up to now.
+    /// REQUIRES: a process at the outermost level.
     Time time_waited() const;
     /// Returns the time since which the process and all its components have waited; nothing if they do not all wait.
     /// REQUIRES: a process at the outermost level.

@@ -29,9 +29,9 @@ void count_on(r123::Philox4x32::ctr_type& counter, std::uint32_t blocks) {
 }
 
 #ifdef __x86_64__
-/// Computes Philox 4x32-10 for consecutive blocks. Each word of a block has two registers, so that one register is busy
-/// while the other waits for its product. A register holds one block for each 64 bits of its width. A word of 32 bits
-/// occupies a lane of 64 bits, whose upper half is not used.
+/// Computes Philox 4x32-10 for 2 * width consecutive blocks. A register has `width` lanes of 64 bits. Each lane holds
+/// one word of 32 bits of one block, and its upper half is not used. Two registers hold the same word of all blocks, so
+/// that the processor can work on one of them while it waits for the product of the other.
 template <std::size_t width>
 class Blocks {
 public:
@@ -96,7 +96,8 @@ private:
                                             Register& product) requires(width == 4) {
         product = reinterpret_cast<Register>(_mm256_mul_epu32(reinterpret_cast<__m256i>(a), _mm256_set1_epi64x(b)));
     }
-    // Uses the form with a mask, because GCC 12 gives a wrong warning for the form without a mask (bug 105593).
+    // This function calls the intrinsic with a mask, because GCC 12 gives a wrong warning for the intrinsic without a
+    // mask (bug 105593).
     [[PLACEDPAR_AVX512]] static void multiply(const Register& a, std::uint32_t b,
                                               Register& product) requires(width == 8) {
         product = reinterpret_cast<Register>(
@@ -126,7 +127,8 @@ void compute(r123::Philox4x32::ctr_type counter, r123::Philox4x32::key_type key,
 #endif
 }
 
-/// Computes blocks and advances the counter. REQUIRES: the number of blocks fills registers of any width.
+/// Computes blocks and advances the counter. REQUIRES: `blocks` is a multiple of 16, so that it fills registers of any
+/// width.
 void compute_blocks(r123::Philox4x32::ctr_type& counter, const r123::Philox4x32::key_type& key, std::size_t blocks,
                     std::uint32_t* numbers) {
     in_vectors([&]<std::size_t width>() { compute<width>(counter, key, blocks, numbers); });
@@ -155,7 +157,7 @@ void RandomStream::fill(std::span<result_type> numbers) {
         numbers = numbers.subspan(count);
     };
     take();
-    // As many numbers as possible are computed directly into `numbers`, so that wide registers are used fully.
+    // Whole multiples of `ahead` numbers are computed directly into `numbers`; this saves a copy.
     if (const std::size_t straight = numbers.size() / ahead * ahead; straight > 0) {
         compute_blocks(counter_, key_, straight / 4, numbers.data());
         numbers = numbers.subspan(straight);

@@ -41,9 +41,9 @@ public:
     /// Makes the next draw return the number that follows the first `drawn` numbers of the stream.
     void go_to(std::uint64_t drawn);
 
-    /// Returns a number uniform in [0, 1), a multiple of 2^-32.
+    /// Returns a number that is distributed uniformly in [0, 1). It is a multiple of 2^-32.
     double uniform() { return (*this)() * 0x1p-32; }
-    /// Returns a number uniform in 0 ... n - 1 without bias. REQUIRES: n > 0.
+    /// Returns a number that is distributed uniformly in 0 ... n - 1, without bias. REQUIRES: n > 0.
     std::uint32_t below(std::uint32_t n) {
         // Lemire's multiplication with rejection (ACM TOMACS 29, 2019).
         std::uint64_t product = std::uint64_t{(*this)()} * n;

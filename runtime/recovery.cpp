@@ -38,7 +38,8 @@ void Attempt::until_told_by(AnyChannel& failure) {
     failure_ = &failure;
 }
 
-/// Schedules the time-out, or enables the failure channel. All other events of the current time happen first.
+/// Schedules the time-out, or enables the failure channel. If the time-out is already over, or a message already waits
+/// on the failure channel, the attempt fails only after all other events of the current time.
 void Attempt::entered() {
     EventQueue& future = process_.kernel().future();
     Time now = process_.kernel().now();

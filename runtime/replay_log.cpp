@@ -41,7 +41,7 @@ void ReplayLog::record_unrepeatable() {
 ReplayLog& ReplayLog::component() {
     std::uint64_t name = name_of(name_, ++begun_);
     if (!original_) {
-        constexpr std::size_t readings = 20; // about the size of a history
+        constexpr std::size_t readings = 20; // a history takes about as much memory as 20 observations
         take_room(readings);
         return components_.emplace_back(course_, name);
     }

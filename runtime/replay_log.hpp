@@ -76,8 +76,8 @@ public:
 
     /// Records an action. `what` is a number below 2^56, or a hash; 56 bits of a hash are enough. `how` has details, in
     /// the same number of words for all actions of a kind. Throws ReplayDivergence if the process acts more often than
-    /// its original, or if any process has departed from its history. A different action is detected at the next
-    /// observation (observe()) or at the end of the process.
+    /// its original, or if any process has departed from its history. If the process performs another action than its
+    /// original, this is detected at the next observation (observe()) or at the end of the process.
     void record(Action action, std::uint64_t what, std::initializer_list<std::uint64_t> how = {}) {
         if (is_silent_)
             return;

@@ -11,7 +11,7 @@
 
 namespace placedpar {
 
-/// Determines whether two messages of a protocol are the same. Used by a carrier that sends one message to several
+/// Determines whether two messages of a protocol are the same. It is for a carrier that sends one message to several
 /// channels at once. The answer is unknown if the type has no == and its bytes do not determine its value. An == of a
 /// base class counts as the type's own.
 template <class T>

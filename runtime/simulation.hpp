@@ -28,7 +28,7 @@ struct RunResult {
     /// the deadlock has only processes that would never have continued.
     std::optional<Deadlock> deadlock;
     /// Processes that never had a turn, because other processes occupied their processor or the processor was halted.
-    /// In the order of creation.
+    /// They are in the order of creation.
     std::vector<std::string> never_ran;
 };
 

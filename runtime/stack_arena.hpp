@@ -23,8 +23,8 @@ struct Stack {
     /// Returns whether a fault at the address is an overflow of this stack. This is so if the address is in the guarded
     /// zone. If the zone is not guarded, it is so if the address is below the zone and the zone has been written to.
     bool was_left_for(const void* address) const;
-    /// Returns whether the 64 bytes of the zone next to the stack, which are zeros at first, have been overwritten.
-    /// Used for stacks that are not guarded.
+    /// Returns whether the 64 bytes of the zone next to the stack, which are zeros at first, have been overwritten. It
+    /// is for stacks that are not guarded.
     bool has_overflowed() const;
 };
 

@@ -19,7 +19,8 @@ constexpr Time pause_after(Time waited) {
     return std::clamp(waited / 8, shortest, longest);
 }
 
-/// The parts of a native run outside of a kernel: the wall clock, and the other kernels of the run. A kernel without
+/// The parts of a native run outside of a kernel: the wall clock, and the other kernels of the run. In a native run the
+/// processes run in real time, on several threads or on ranks of mpirun, each of which has a kernel. A kernel without
 /// surroundings keeps virtual time, and is alone.
 class Surroundings {
 public:

@@ -19,7 +19,7 @@ constexpr Cycles operator+(Cycles a, Cycles b) {
 }
 constexpr Cycles operator*(std::int64_t n, Cycles c) { return Cycles{n * static_cast<std::int64_t>(c)}; }
 
-/// Needed because `periods * 1e12` exceeds 64 bits above 9.2 million periods.
+/// An integer of 128 bits. It is needed because `periods * 1e12` exceeds 64 bits above 9.2 million periods.
 __extension__ typedef __int128 WideInteger;
 
 /// Converts a number of picoseconds to a time, at most Time::max(). REQUIRES: count >= 0.
@@ -58,11 +58,11 @@ public:
 
 private:
     std::int64_t hertz_;
-    Time cycle_;                                                           ///< rounded down
-    std::int64_t left_ = 1'000'000'000'000 % hertz_;                       ///< remainder of a cycle, in picoseconds /
-                                                                           ///< hertz
-    std::int64_t most_ = (Time::max().count() - hertz_ / 2) / (left_ + 1); ///< largest number of cycles for which 64
-                                                                           ///< bits are enough
+    Time cycle_; ///< rounded down
+    /// A cycle lasts left_ / hertz_ picoseconds longer than cycle_.
+    std::int64_t left_ = 1'000'000'000'000 % hertz_;
+    /// The largest number of cycles for which 64 bits are enough.
+    std::int64_t most_ = (Time::max().count() - hertz_ / 2) / (left_ + 1);
 };
 
 constexpr double in_milliseconds(Time t) { return static_cast<double>(t.count()) * 1e-9; }

@@ -16,7 +16,7 @@ struct Alarm final : Event {
     Process& process;
 };
 
-/// Returns the value that the process sees. If it replays a history, this is the recorded value.
+/// Returns the value of look() or, while the process replays a history, the value that was recorded.
 template <class Look>
 std::int64_t seen_by(const Process& self, ReplayLog::Action what, Look look) {
     ReplayLog* history = self.history();
@@ -129,7 +129,7 @@ Time Timer::moment_after(std::int32_t ticks) const {
         return times(since_start, tick());
     auto round = std::uint64_t{1} << bits();
     auto to_come = static_cast<std::int64_t>(static_cast<std::uint64_t>(std::int64_t{ticks} - reading) % round);
-    return times(since_start + to_come + 1, tick()); // at most half of a round
+    return times(since_start + to_come + 1, tick()); // at most half of the clock's range
 }
 
 void Timer::wait_after(std::int32_t ticks, const SourceLocation& where) const {

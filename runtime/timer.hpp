@@ -7,12 +7,12 @@
 
 namespace placedpar {
 
-/// Returns the current virtual time. A placed program should read its Timer instead, as on the real machine.
+/// Returns the current virtual time. A process on an executive should read its Timer instead, as on the real machine.
 Time now();
 
 /// Makes the running process wait until the virtual time `due`. If `due` has passed already, other processes still get
-/// their turn first, so a polling process cannot starve them. A process that is not placed continues after all other
-/// events of the current instant. A placed process pays for the instruction, so its timeslice passes.
+/// their turn first, so a polling process cannot starve them. A process without an executive continues after all other
+/// events of the current instant. A process on an executive pays for the instruction, so its timeslice passes.
 void wait_until(Time due, const SourceLocation& = SourceLocation::current());
 /// Makes the running process wait for the given time. REQUIRES: how_long >= 0.
 void wait_for(Time how_long, const SourceLocation& = SourceLocation::current());
@@ -30,11 +30,11 @@ void wait_until_work_is_over(const SourceLocation& = SourceLocation::current());
 constexpr std::int32_t plus(std::int32_t a, std::int32_t b) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
 }
-/// Returns `a MINUS b`: the ticks from b to a, if they are fewer than half a round.
+/// Returns `a MINUS b`: the ticks from b to a, if they are fewer than half the range of the clock.
 constexpr std::int32_t minus(std::int32_t a, std::int32_t b) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
 }
-/// Returns `a AFTER b`: whether a is later than b, if the two are less than half a round apart.
+/// Returns `a AFTER b`: whether a is later than b, if the two are less than half the range of the clock apart.
 constexpr bool is_after(std::int32_t a, std::int32_t b) { return minus(a, b) > 0; }
 
 /// occam's TIMER: the clock that the running process's executive shows to processes of the same priority. A reading has
@@ -43,9 +43,9 @@ constexpr bool is_after(std::int32_t a, std::int32_t b) { return minus(a, b) > 0
 /// same number of bits.
 class Timer {
 public:
-    /// Returns the tick of the running process's clock, or a microsecond if the process is not placed.
+    /// Returns the tick of the running process's clock, or a microsecond if the process has no executive.
     Time tick() const;
-    /// Returns the number of bits of a clock reading, or 32 if the process is not placed.
+    /// Returns the number of bits of a clock reading, or 32 if the process has no executive.
     int bits() const;
     /// Returns the reading of `timer ? t`: the lowest bits of the number of whole ticks since the start of the run.
     std::int32_t read() const;

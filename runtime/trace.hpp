@@ -9,8 +9,8 @@
 
 namespace placedpar {
 
-/// A place is in use from `since` on. A place is a direction of a link, or a row that the trace shows for a bus or a
-/// device.
+/// States that a place is in use from `since` on. A place is a direction of a link, or a row that the trace shows for a
+/// bus or a device.
 struct PlaceTaken {
     const std::string& place;
     const std::string& subject;          ///< a channel, what the bus carries, or a master that waits for the bus
@@ -18,7 +18,7 @@ struct PlaceTaken {
     const AnyChannel* channel = nullptr; ///< the channel, if the place is a direction of a link
 };
 
-/// The place is no longer in use from `until` on.
+/// States that the place is no longer in use from `until` on.
 struct PlaceLeft {
     const std::string& place;
     Time until;                         ///< may be in the future
@@ -34,8 +34,8 @@ struct AwaitedByProgram {
                          ///< unknown
 };
 
-/// A process of a program that an emulated transputer executes, or of a native run that is over, changes its activity.
-/// The activity is computing (it has the processor), ready, a wait, stopped, or ended.
+/// States that a process changes its activity. The process belongs to a program that an emulated transputer executes,
+/// or to a native run that is over. The activity is computing (it has the processor), ready, a wait, stopped, or ended.
 struct ProgramTurn {
     const std::string& process; ///< "root.phil[2]", or with the address of its workspace "root.#80000144"
     const std::string& place;   ///< the transputer, or the thread or rank of a native run
@@ -45,13 +45,13 @@ struct ProgramTurn {
     const std::string& partner; ///< for `ready`: the process that has ended the wait by a message, if any
 };
 
-/// A process of a native run that is over does its part of a message.
+/// States that a process has done its part in the transfer of a message, in a native run that is over.
 struct MessagePart {
     const std::string& channel;
     std::uint64_t message;      ///< number of the message in the run
     const std::string& process; ///< the outputter or the inputter
     const std::string& partner; ///< the process at the other end, or its ancestor at the outermost level; "" if unknown
-    bool is_input;              ///< the inputter's part of the message
+    bool is_input;              ///< true: the inputter's part of the message; false: the outputter's part
 };
 
 /// Receives the log of a run. A notice states the activity of a process or a place from this time on, until the next
@@ -71,7 +71,7 @@ public:
     ///                     A placed process has no such notice at the end of a PAR. No process has one for a delay
     ///                     without a wait.
     ///   executing         A wait is over, and the program runs again. The process's activity and awaited_channels()
-    ///                     are still those of the wait. In a native run there is such a notice also when the process
+    ///                     are still those of the wait. In a native run, such a notice also comes when the process
     ///                     begins.
     ///   computing         The executive works for the process. This may begin before the program runs again, because
     ///                     a processor already spends time on a process that is ready.

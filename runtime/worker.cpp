@@ -52,8 +52,8 @@ Worker::Worker(Kernel& kernel, const Stack& stack_memory) : memory(stack_memory)
     context_ = kernel.fibers_.scheduler->newest_worker();
 }
 
-// A process first reads its registers, which are at the end of its stack, and its youngest frames above them. Without
-// the prefetch it would wait for each cache line.
+// A process that continues first reads its saved registers, which are at the end of its stack, and the youngest frames
+// above them. Without the prefetch it would wait for each cache line.
 void Worker::fetch_stack(Process* leaves, const Process& next) {
     constexpr std::ptrdiff_t line = 64, lines_below = 2, lines_above = 8;
     if (leaves)

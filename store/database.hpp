@@ -25,7 +25,8 @@ private:
     bool damage_;
 };
 
-/// An open SQLite database. Its functions and its statements' functions throw DatabaseError. Not thread-safe.
+/// An open SQLite database. Its functions and its statements' functions throw DatabaseError. The class is not
+/// thread-safe.
 class Database {
 public:
     /// Opens the database. If `make` is true and the file does not exist, creates the file.

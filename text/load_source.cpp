@@ -46,7 +46,8 @@ std::optional<Diagnostic> binary_problem(const File& file) {
                           : "the control character " + byte + " is not allowed in a text: remove it");
 }
 
-/// Returns whether the text is UTF-16, with a byte order mark or without: every second byte of Latin letters is 0.
+/// Returns whether the text is UTF-16. Without a byte order mark, the text counts as UTF-16 if every second byte at its
+/// beginning is 0, as it is for Latin letters.
 bool is_utf16(std::string_view text) {
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
         return true;

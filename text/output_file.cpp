@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& path, int error) { refuse(path, std::strerror(error)); }
 
-/// Returns the end of a chain of symbolic links, whether it exists or not.
+/// Returns the path at the end of a chain of symbolic links. No file need exist at this path.
 fs::path follow_links(const fs::path& path) {
     constexpr int most_links = 40; // the same limit as in Linux
     fs::path end = path;
@@ -57,7 +57,7 @@ fs::path destination_of(const fs::path& path) {
     return there && !S_ISREG(file.st_mode) ? path : follow_links(path);
 }
 
-/// Returns whether the destination is a device or a pipe, which must not be replaced by a file.
+/// Returns whether the destination is standard output, a device or a pipe, which must not be replaced by a file.
 bool is_written_as_it_goes(const fs::path& destination) {
     std::error_code error;
     return is_standard_stream(destination) || fs::is_other(destination, error);

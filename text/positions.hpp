@@ -40,8 +40,7 @@ std::size_t offset_of(const Location&);
 enum class NamesOf { netlist, occam };
 
 /// Returns the place after the word that begins at a location: after a name, a number or a string in quotes, or after
-/// one other character. Returns the location itself at the end of a line, and if
-/// the location is a whole file (its line is 0).
+/// one other character. Returns the location itself at the end of a line, and for a whole file (line 0).
 Location end_of_word(const Location&, NamesOf);
 
 } // namespace placedpar

@@ -41,9 +41,10 @@ RankSums rank_sums(const std::vector<std::vector<double>>& groups) {
     return ranks;
 }
 
-/// Counts the orders of m figures of one group and n of another. Element u of the result is the number of orders in
-/// which exactly u pairs, each of one figure from each group, have the greater figure in the first group. These numbers
-/// are the coefficients of the Gaussian binomial, the product over i = 1 .. m of (1 - q^(n + i)) / (1 - q^i).
+/// Counts the ways to arrange m figures of a first group and n figures of a second group by size. A pair has one figure
+/// of each group. Element u of the result is the number of ways in which, in exactly u pairs, the greater figure
+/// belongs to the first group. These numbers are the coefficients of the Gaussian binomial, the product over i = 1 .. m
+/// of (1 - q^(n + i)) / (1 - q^i).
 std::vector<double> orders_by_pairs(std::size_t m, std::size_t n) {
     std::vector<double> orders(m * n + 1);
     orders[0] = 1;
@@ -56,7 +57,8 @@ std::vector<double> orders_by_pairs(std::size_t m, std::size_t n) {
     return orders;
 }
 
-/// Returns the two-sided probability: twice the probability of at least `pairs` pairs, but at most 1.
+/// Returns the two-sided probability: twice the probability that at least `pairs` pairs have the greater figure in the
+/// first group, but at most 1.
 double exact_p(std::size_t m, std::size_t n, double pairs) {
     const std::vector<double> orders = orders_by_pairs(m, n);
     double all = 0, extreme = 0;

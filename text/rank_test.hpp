@@ -8,10 +8,10 @@ namespace placedpar {
 struct RankTest {
     /// Probability that ranks differ as much as these, or more, if all groups come from one distribution.
     double p = 1;
-    /// The size of the difference. Two groups: A (A. Vargha and H. Delaney, 2000), the probability that a figure of the
-    /// first group is greater than a figure of the second group, with equal figures counted as a half: 0.5 for no
-    /// difference, 0 or 1 if the groups do not overlap. More groups: epsilon squared, from 0 to 1 (M. Tomczak and E.
-    /// Tomczak, 2014).
+    /// The size of the difference. For two groups it is the probability that a figure of the first group is greater
+    /// than a figure of the second group, with equal figures counted as a half (A of A. Vargha and H. Delaney, 2000).
+    /// It is 0.5 for no difference, and 0 or 1 if the groups do not overlap. For more groups it is epsilon squared,
+    /// from 0 to 1 (M. Tomczak and E. Tomczak, 2014).
     double effect = 0.5;
     bool exact = false; ///< true: p was found by counting all orders; false: p is an approximation
 };

@@ -10,7 +10,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the message with "#" for each number. Digits within a name such as "P1" stay.
+/// Returns the message with "#" in place of each number. Digits within a name such as "P1" are kept.
 std::string without_numbers(std::string_view message) {
     auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
     auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };

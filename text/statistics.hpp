@@ -19,8 +19,8 @@ double median(std::vector<double> values);
 double lower_median(std::vector<double> values);
 
 /// Returns the value with number ceil(share * size), counted from 1, in ascending order (nearest rank); the least value
-/// if the share is 0. At least the given share of the values are at or below the result. REQUIRES: at least one value,
-/// 0 <= share <= 1.
+/// if the share is 0. At least this share of the values is at most as great as the result. REQUIRES: at least one
+/// value, 0 <= share <= 1.
 double quantile(std::vector<double> values, double share);
 
 } // namespace placedpar

@@ -195,8 +195,8 @@ private:
 
     bool trusted() const { return server_->trusts(std::string(parser_->get()[http::field::authorization])); }
 
-    /// Ends the session if the client closes the connection, or sends more, before its request is answered. No browser
-    /// sends more, and unread bytes would hide the end of the connection.
+    /// Ends the session if the client closes the connection, or sends more bytes, before its request is answered. No
+    /// browser sends bytes at this time, and unread bytes would hide the end of the connection.
     void watch() {
         if (buffer_.size() > 0)
             return end();

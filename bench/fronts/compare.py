@@ -3,9 +3,10 @@
 
 usage: compare.py FILE...    each line is "[PROGRAM] PROBLEM SEED VALUE...", from fronts, fronts_pagmo or rival_pymoo.py
 
-For a front prints the hypervolume up to (1.1, 1.1) and the IGD, the mean distance of 500 points of the true front from
-the nearest point found; for a constrained problem the best feasible objective. All are medians over the seeds, with an
-interval of 95 % for the median by the binomial distribution. An infeasible run counts as worse than every feasible run.
+For a front, it prints the hypervolume up to (1.1, 1.1) and the IGD, the mean distance of 500 points of the true front
+from the nearest point found. For a constrained problem, it prints the best feasible objective. All are medians over the
+seeds, with an interval of 95 % for the median by the binomial distribution. An infeasible run counts as worse than every
+feasible run.
 """
 
 import bisect

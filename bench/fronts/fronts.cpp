@@ -46,7 +46,9 @@ void print(const std::string& name, std::uint64_t seed, const FrontResult& found
 int main(int count, char** argument) {
     const auto number = [&](int i) { return count == 4 ? std::strtoul(argument[i], nullptr, 10) : 0; };
     if (number(1) < 1 || number(2) < 2 * survivors || number(3) < 2 * survivors) {
-        std::fprintf(stderr, "usage: fronts SEEDS FRONT_EVALUATIONS CONSTRAINED_EVALUATIONS, at least 200\n");
+        std::fprintf(
+            stderr,
+            "usage: fronts SEEDS FRONT_EVALUATIONS CONSTRAINED_EVALUATIONS, each number of evaluations at least 200\n");
         return 1;
     }
     ProblemRegistry problems;

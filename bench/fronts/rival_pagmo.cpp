@@ -52,7 +52,7 @@ void print_best(const char* program, unsigned number, unsigned seed, pagmo::algo
 
 void search_constrained(unsigned number, unsigned seed, unsigned generations) {
     pagmo::problem problem{pagmo::cec2006(number)};
-    pagmo::vector_double tolerances(problem.get_nc(), 0.0); // equations come first
+    pagmo::vector_double tolerances(problem.get_nc(), 0.0); // equations precede inequalities
     std::fill_n(tolerances.begin(), problem.get_nec(), 1e-4);
     problem.set_c_tol(tolerances);
     const pagmo::population begin(problem, survivors, seed);
@@ -68,7 +68,8 @@ int main(int count, char** argument) {
         return count == 4 ? static_cast<unsigned>(std::strtoul(argument[i], nullptr, 10)) : 0U;
     };
     if (number(1) < 1 || number(2) < 2 * survivors || number(3) < 2 * survivors) {
-        std::fprintf(stderr, "usage: fronts_pagmo SEEDS FRONT_EVALUATIONS CONSTRAINED_EVALUATIONS, at least 200\n");
+        std::fprintf(stderr, "usage: fronts_pagmo SEEDS FRONT_EVALUATIONS CONSTRAINED_EVALUATIONS, each number of "
+                             "evaluations at least 200\n");
         return 1;
     }
     for (unsigned problem = 1; problem <= 4; ++problem)

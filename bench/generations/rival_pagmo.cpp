@@ -52,7 +52,7 @@ Answer genetic(const Chase& chase) {
 }
 
 Answer differential_evolution(const Chase& chase) {
-    // With tolerances of 0 the search never ends early, so the budget is the same.
+    // With tolerances of 0 the search never ends early, so it uses the same budget as the other contestants.
     return follow(chase, pagmo::de(generations, 0.8, 0.9, 2, 0, 0));
 }
 

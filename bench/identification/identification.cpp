@@ -117,7 +117,8 @@ double nanoseconds_of(std::size_t evaluations, int goes, Evaluate evaluate) {
     return 1e9 * fastest / static_cast<double>(evaluations);
 }
 
-/// Prints the time of an error evaluation alone and vectorised. Returns whether both give the same bits.
+/// Prints the time of an error evaluation, once with individuals evaluated one by one and once vectorised. Returns
+/// whether both ways give the same bits.
 bool time_evaluations(const Transient& transient, int goes) {
     auto problem = make_search_problem(CircuitProblem(boom_circuit(), transient.flow));
     RandomStream random(1, "evaluations");

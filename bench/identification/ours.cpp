@@ -128,8 +128,8 @@ Answer universal(const Transient& transient) {
     return with(transient, settings, Coding::gray);
 }
 
-/// Does everything that the monitor and the command do with a link's samples: the search, the gate, the medians and the
-/// standard errors.
+/// Does everything that `placedpar monitor` and `placedpar identify` do with a link's samples: the search, the
+/// excitation gate, the medians and the standard errors.
 Answer serve(const Transient& transient, std::size_t width, Mutation mutation) {
     identification::DiagnosisSettings settings;
     settings.search.mutation = mutation;

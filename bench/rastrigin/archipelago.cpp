@@ -25,7 +25,8 @@ int main(int arguments, char** argument) {
     const auto begun = std::chrono::steady_clock::now();
     pagmo::archipelago archipelago(pagmo::ring(), islands, pagmo::sga(exchange_every), pagmo::rastrigin(dimensions),
                                    individuals, 1U);
-    archipelago.evolve(static_cast<unsigned>(generations - 1) / exchange_every); // a population is evaluated first
+    // The initial population is the first generation.
+    archipelago.evolve(static_cast<unsigned>(generations - 1) / exchange_every);
     archipelago.wait_check();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
     unsigned long long evaluations = 0;

@@ -13,9 +13,9 @@
 
 namespace placedpar {
 
-/// Rastrigin's function in 20 dimensions. The search ends when an individual is below 1e-6, or when all evaluations are
-/// used. objective() then throws Stop, even within a generation, so that the evaluations of all contestants are counted
-/// in the same way.
+/// Rastrigin's function in 20 dimensions. The search ends when the value of an individual is below 1e-6, or when all
+/// evaluations are used. objective() then throws Stop, even within a generation, so that the evaluations of all
+/// contestants are counted in the same way.
 class Valley {
 public:
     static constexpr std::size_t dimensions = 20;

@@ -31,7 +31,7 @@ void descend(Valley& valley, std::uint64_t seed, pagmo::population::size_type in
     algorithm.evolve(pagmo::population(ValleyProblem{&valley}, individuals, static_cast<unsigned>(seed)));
 }
 
-constexpr unsigned endless = 1'000'000'000; // number of generations; the valley ends the search
+constexpr unsigned endless = 1'000'000'000; // generations; the valley ends every search earlier
 
 void genetic(Valley& valley, std::uint64_t seed) {
     descend(valley, seed, 20, pagmo::sga(endless, 0.9, 1, 1.0 / Valley::dimensions, 20, 2, "sbx", "polynomial"));

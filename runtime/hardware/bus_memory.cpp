@@ -71,7 +71,8 @@ void MemoryLane::copy_in_memory(std::int64_t bytes) {
     });
 }
 
-/// Waits until the buffer is full or empty. Only one of its two users can wait at a time.
+/// Waits until the buffer is full, or, if `full` is false, until it is empty. The sender and the receiver never wait at
+/// the same time.
 void MemoryLane::wait_until(bool full, Activity activity, AnyChannel& channel, const SourceLocation& where,
                             bool master) {
     if (full_ == full)

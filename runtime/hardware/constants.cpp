@@ -37,7 +37,7 @@ std::vector<Constant> of_links() {
         {group, "an acknowledge", LinkTiming::acknowledge_bits, "bits", published, databook_links},
         {group, "time from a byte to its acknowledge", LinkTiming::acknowledge_tenths / 10.0, "bits", fitted, rates},
         {group, "time from an acknowledge to the next byte", LinkTiming::restart_tenths / 10.0, "bits", fitted, rates},
-        {group, "in addition, at any speed", in_ns(LinkTiming::restart_logic), "ns", fitted,
+        {group, "additional time before the next byte, at any speed", in_ns(LinkTiming::restart_logic), "ns", fitted,
          "measured data rates, also at 5 and 10 Mbit/s in both directions"},
         {group, "a metre of wire", in_ns(LinkTiming::metre_of_wire), "ns", published,
          "a common figure for transmission lines"},
@@ -101,7 +101,7 @@ std::vector<Constant> of_instructions() {
             row("dist", disable_timeout),
             row("altend", alt_end),
             row("a communication that can be given up", attempt, ours,
-                "the usual cost of a communication, and startp, tin and endp"),
+                "startp, tin and endp, in addition to the usual cost of a communication"),
             row("reset of a channel", reset, ours, "resetch")};
 }
 
@@ -160,7 +160,7 @@ std::vector<Constant> of_bus_masters() {
         {group, "a block read, in addition to the bus", in_cycles(read), "cycles", published, table},
         {group, "a block written, in addition to the bus", in_cycles(write), "cycles", published, table},
         {group, "time from an interrupt to the process", in_cycles(interrupt), "cycles", ours,
-         "the cost of the processor's own interrupt applies"},
+         "only the interrupt of a low-priority process, listed above, costs time"},
         {group, "most unsuccessful polls of the status", static_cast<double>(most_polls), "times", ours,
          "afterwards the process waits for an interrupt"},
         {group, "conversion of a word's byte order", in_cycles(bus_programs::conversion), "cycles", ours,

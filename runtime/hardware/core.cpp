@@ -83,7 +83,8 @@ void ComputerCore::leave(Process&, Process* successor) {
         take_next();
 }
 
-/// Returns the time until the end of the current pause. `waited`: how long the core has waited so far.
+/// Returns how long the core's thread still sleeps: until the end of its current pause (pause_after). `waited`: how
+/// long the core has had nothing to do so far.
 Time ComputerCore::rest_of_pause(Time waited) const {
     Time end = duration(core_.patience);
     while (end < waited)

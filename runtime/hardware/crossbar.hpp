@@ -26,7 +26,7 @@ struct SwitchCommand {
     enum class Kind : std::uint8_t {
         connect_output = 0,    ///< [0][input][output]
         connect_links = 1,     ///< [1][link][link]: connects both directions
-        enquire = 2,           ///< [2][output]: asks for the input of an output
+        enquire = 2,           ///< [2][output]: asks to which input the output is connected
         ready = 3,             ///< [3]: ends a configuration; from now on the new connections carry data
         reset = 4,             ///< [4]: disconnects all outputs
         disconnect_output = 5, ///< [5][output]
@@ -75,7 +75,7 @@ public:
     /// REQUIRES: the run has not begun.
     void lead_on(Link&, int at_a, int at_b);
 
-    /// Data of a link that the switch lost because no output repeated it.
+    /// Data that came over a link and was lost in the switch, because no output repeated it.
     struct Loss {
         const Link* link;
         bool leaves_a; ///< the data came from end a

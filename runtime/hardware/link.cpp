@@ -26,7 +26,7 @@ std::size_t last_travelling_part(const WireForm& form) {
 const LinkTiming& checked(const LinkTiming& timing, const std::string& end) {
     if (timing.bits_per_second <= 0 || timing.wire_delay < Time{0})
         throw std::logic_error(
-            fmt::format("the link at {}: its speed must be positive and its delay not negative", end));
+            fmt::format("the link at {}: its speed must be positive, and its delay must not be negative", end));
     return timing;
 }
 
@@ -56,7 +56,7 @@ LinkFaults& Link::faults() {
 }
 
 /// Returns the time until which no packet has to be checked for faults. While a fault changes the speed, every packet
-/// has to be checked, so the time is now.
+/// has to be checked, so this is the current time.
 Time Link::steady_until() const {
     const bool is_at_speed = faults_->bits_per_second(kernel_.now()) == timing_.bits_per_second;
     return is_at_speed ? faults_->steady_until(kernel_.now()) : kernel_.now();
@@ -193,7 +193,8 @@ bool LinkDirection::receiver_asks(LinkCourse::Touch& touch) {
     const bool all_here =
         has_come && direction.ends != LinkState::Ends::sender_left && touch->packets.streams[number_].bytes_left == 0;
     if (all_here) {
-        // If the first byte's arrival woke an alternation, the last byte may be due at this very time.
+        // If the arrival of the first byte woke an alternation, the arrival of the last byte may still be expected at
+        // this very time.
         touch->drop_last_bytes(number_);
         deliver();
     } else {
@@ -209,7 +210,8 @@ bool LinkDirection::receiver_asks(LinkCourse::Touch& touch) {
     return all_here;
 }
 
-/// Hands the part over, before the receiving or the sending process continues.
+/// Hands the message over if its last part has arrived. This happens before the receiving or the sending process
+/// continues.
 void LinkDirection::deliver() {
     delivered_last_part_ = last_part_;
     if (last_part_)
@@ -320,7 +322,7 @@ void LinkDirection::trace_break(Time byte_started) {
     kernel_.trace()->leaves({name_, later(byte_started, times_.byte().carried), bytes}, kernel_.now());
 }
 
-/// Ends the interval in the trace, because the current message does not continue.
+/// Ends the interval in the trace, because the next byte follows only later, or never.
 void LinkDirection::trace_standstill() {
     if (kernel_.trace() && course_.trace_carries(number_))
         trace_break(state().packets.streams[number_].last_start);

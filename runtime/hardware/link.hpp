@@ -17,8 +17,9 @@
 
 namespace placedpar::hardware {
 
-/// Receives a call before an end of a link changes the link's state by give(), take() or a reset. A processor that has
-/// computed ahead can then return to the present. The function must not wait or throw.
+/// Receives a call before an end of a link changes the link's state by give(), take() or a reset. A transputer whose
+/// core has run ahead of virtual time (transputer/node.hpp) can then return to the present. The function must not wait
+/// or throw.
 class LinkEngineWatcher {
 public:
     virtual void link_will_change() = 0;
@@ -51,8 +52,8 @@ protected:
     ~RegisterUser() = default;
 };
 
-/// The callbacks of a link that moves bytes by counts. They must not wait or throw. They may call give() and take() of
-/// the same direction.
+/// The callbacks of a link that moves bytes by counts (LinkDirection::move_by_counts). They must not wait or throw.
+/// They may call give() and take() of the same direction.
 class ByteUser {
 public:
     virtual void sent() {}       ///< the acknowledge of the last byte of give() has come
@@ -76,7 +77,8 @@ protected:
 /// Throws std::logic_error if a second channel uses the direction, and for a message without bytes.
 class alignas(64) LinkDirection final : public Carrier {
 public:
-    /// `number` is 0 for the direction from a to b, 1 for the other direction. Both directions share the link's course.
+    /// `number` is 0 for the direction from a to b, 1 for the other direction. Both directions share the link's course
+    /// (link_course.hpp).
     LinkDirection(Kernel&, std::string name, const PacketTimes&, LinkCourse&, std::size_t number);
 
     /// States that one of the two engines moves the messages from or to this memory. Throws std::logic_error if both
@@ -173,7 +175,7 @@ private:
     bool receive(Process&);
 
     /// The work of the instructions `out` and `in` for a part of a message. Both objects are members of the direction
-    /// instead of local variables of a process. The direction is needed next anyway, while the stack of a process may
+    /// instead of local variables of a process. The direction is read next anyway, whereas the stack of a process may
     /// be in no cache.
     struct Out final : Communication {
         explicit Out(LinkDirection& d) : direction(d) {}
@@ -262,8 +264,8 @@ private:
     // The next members are needed rarely.
     RegisterUser *writer_ = nullptr, *reader_ = nullptr; ///< null if an engine moves the bytes at this end
     std::unique_ptr<Counts> counts_;                     ///< null if the direction carries messages
-    std::uint64_t bytes_left_over_ = 0;        ///< bytes that arrived of a message that its sender has given up
-    std::uint64_t acknowledged_when_left_ = 0; ///< bytes acknowledged of a message that its receiver has given up
+    std::uint64_t bytes_left_over_ = 0;                  ///< bytes that had arrived when the sender gave up the message
+    std::uint64_t acknowledged_when_left_ = 0;           ///< bytes acknowledged when the receiver gave up the message
     std::uint64_t sent_when_given_up_ = 0, received_when_given_up_ = 0; ///< bytes of a message that was given up; kept
                                                                         ///< until the end is reset
     std::uint64_t bytes_at_old_speed_ = 0; ///< bytes carried before the last change of speed
@@ -292,8 +294,8 @@ public:
     bool is_still() const { return course_.is_still(); }
     /// Prefetches the data that words_moved() reads.
     void fetch() const { course_.fetch(); }
-    /// Returns how many words of the current parts the engines at this memory moved before `now`. Performs steps that
-    /// are due, without a visible effect.
+    /// Returns how many words of the current parts the engines at this memory moved before `now`. This performs steps
+    /// of the link that are due, but has no visible effect.
     std::uint64_t words_moved(const LinkEngineMemory& memory, Time now) {
         return memory.words_in(course_.bytes_begun_before(now, 0)) +
                memory.words_in(course_.bytes_begun_before(now, 1));

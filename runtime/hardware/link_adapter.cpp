@@ -174,8 +174,8 @@ bool AdapterBroadcast::Lane::output_is_lost(const AnyChannel&) const {
 
 bool AdapterBroadcast::Lane::input_is_lost(const AnyChannel& to) const { return link().input_is_lost(to); }
 
-/// Returns whether the other lanes wait for this lane. Before the message is written they wait for its outputter,
-/// afterwards for its inputter.
+/// Returns whether the other lanes wait for this lane. Before the message is written they wait for the outputter of
+/// this lane, afterwards for its inputter.
 bool AdapterBroadcast::Lane::holds_others_up() const {
     if (!broadcast.is_written())
         return outputter == nullptr;
@@ -198,13 +198,13 @@ void AdapterBroadcast::require_same(const AnyChannel& channel, const WireForm& f
     }
     std::string both = fmt::format("channel {} is broadcast with {}", channel.name(), first_->name());
     if (!same(form, *form_))
-        throw BroadcastError(
-            fmt::format("{}, but its message has {}, not {}", both, bytes_in_words(form), bytes_in_words(*form_)));
+        throw BroadcastError(fmt::format("{}, but the lengths of their messages differ: {} and {}", both,
+                                         bytes_in_words(form), bytes_in_words(*form_)));
     auto is_same = channel.has_message_of(*first_);
     if (!is_same)
         throw BroadcastError(both + ", and the messages cannot be compared: their type has no ==");
     if (!*is_same)
-        throw BroadcastError(both + ", but its message differs");
+        throw BroadcastError(both + ", but their messages differ");
 }
 
 void AdapterBroadcast::write_all(const WireForm& form, const SourceLocation& where) {

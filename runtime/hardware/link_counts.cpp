@@ -1,7 +1,8 @@
-// These functions move bytes by counts. Each end states a count, and the two counts may differ.
+// These functions move bytes for ends that state only how many bytes they send (give()) or receive (take()). These two
+// counts may differ.
 //
-// The length of a part is the smaller count. If the count of one end is not complete when a part ends, the next part
-// begins as soon as the other end states a new count.
+// The length of a part is the smaller count. If one end has bytes left to send or to receive when a part ends, the next
+// part begins as soon as the other end states a new count.
 
 #include "runtime/hardware/link.hpp"
 #include "runtime/kernel.hpp"

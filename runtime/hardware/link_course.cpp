@@ -9,7 +9,7 @@ namespace placedpar::hardware {
 
 namespace {
 
-constexpr Time end_of_time = Time::max() - std::chrono::hours{1}; // later times are rounded to this time
+constexpr Time end_of_time = Time::max() - std::chrono::hours{1}; // packets that begin later are computed one by one
 
 bool begins_packet(LinkStep step) { return step == LinkStep::byte_begins || step == LinkStep::acknowledge_begins; }
 
@@ -35,7 +35,8 @@ void LinkCourse::Touch::begin_if_free(std::size_t direction) {
         course_.perform(next);
 }
 
-/// Performs a step. Asks the observer before a packet begins, and reports the step to the observer afterwards.
+/// Performs a step. If a packet begins that a fault may affect, first asks the observer whether it is lost. Reports the
+/// step to the observer afterwards.
 Process* LinkCourse::perform(const LinkState::Next& next) {
     LinkState::Fate fate = state_->may_lose_packets && begins_packet(next.step) ? observer_.packet_begins(next)
                                                                                 : LinkState::Fate::comes_over;
@@ -73,7 +74,7 @@ bool LinkCourse::waits_idly(std::size_t direction) {
     return true;
 }
 
-/// Performs the invisible steps up to `now`.
+/// Performs the steps up to `now`, which are all invisible.
 void LinkCourse::perform_steps_until(Time now) {
     if (runs_from_ <= now) {
         if (state_->packets.now < runs_from_)
@@ -120,8 +121,8 @@ void LinkCourse::look_ahead() {
     }
 }
 
-/// Runs a copy of the state ahead to the next visible step. The next step of the state itself is invisible. If no
-/// visible step follows, schedules the end of the last step: the link then falls silent.
+/// Runs a copy of the state ahead to the next visible step. REQUIRES: the next step of the state itself is invisible.
+/// If no visible step follows, schedules the end of the last step, at which the link falls silent.
 void LinkCourse::run_ahead(LinkState::Next next) {
     *ahead_ = *state_;
     where_next_ = Ahead::after_others;
@@ -135,7 +136,8 @@ void LinkCourse::run_ahead(LinkState::Next next) {
     schedule(next);
 }
 
-/// Returns a time up to which several packets of the copy can be computed together, because only their times change.
+/// Returns a time up to which several packets of the copy can be computed together, because until then packets change
+/// only times and numbers of bytes.
 Time LinkCourse::runs_before() const {
     Time before = std::min({end_of_time, steady_until_, ahead_->arrivals[ahead_->first_arrival()]});
     for (std::size_t direction : {0u, 1u}) {
@@ -148,7 +150,8 @@ Time LinkCourse::runs_before() const {
 }
 
 /// Computes several packets of the copy together; the first begins at `from`. Does nothing if only one packet can be
-/// computed, or if a period is known already, because then catch_up() needs it. Returns whether any packet has begun.
+/// computed. Also does nothing if a period is stored already, because catch_up() still needs this period. Returns
+/// whether any packet has begun.
 bool LinkCourse::run_packets(Time from) {
     if (period_.since != never)
         return false;
@@ -172,7 +175,7 @@ void LinkCourse::schedule(const LinkState::Next& next) {
         return;
     }
     next_ = next;
-    const Time at = next.at == too_late ? Time::max() : next.at; // an event at Time::max() is an error of the run
+    const Time at = next.at == too_late ? Time::max() : next.at; // the run fails at an event at Time::max()
     future.reschedule(*this, at, next.priority(), first_rank_ + next.rank());
 }
 

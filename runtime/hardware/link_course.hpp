@@ -58,7 +58,7 @@ public:
         LinkCourse& course_;
     };
 
-    /// Returns the state at the last Touch. A member that only a Touch changes is correct at any time.
+    /// Returns the state at the last Touch. Members that only a Touch changes are still correct now.
     const LinkState& touched() const { return *state_; }
     /// Returns the state now. A packet that begins now may or may not be included.
     const LinkState& state();
@@ -87,8 +87,8 @@ public:
     void show_every_step() { every_step_from_ = Time{0}; }
     /// Makes the start of each packet that a fault may strike a visible step.
     void show_faults() { state_->may_lose_packets = true; }
-    /// States whether the trace shows the direction as carrying bytes. If it does not, the direction's next byte is
-    /// visible; if it does, the last byte is.
+    /// States whether the trace shows the direction as carrying bytes. If it does not, the start of the direction's
+    /// next byte is a visible step; if it does, the start of the part's last byte is.
     void trace_knows(std::size_t direction, bool carries) { trace_carries_[direction] = carries; }
     bool trace_carries(std::size_t direction) const { return trace_carries_[direction]; }
 

@@ -11,7 +11,7 @@
 namespace placedpar::hardware {
 
 /// A fault of a link. A packet is one byte of data or one acknowledge. Whether the fault strikes a packet is decided
-/// when the packet begins on its wire. This rule is ours, because half a packet would be understood only by chance.
+/// when the packet begins on its wire. This rule is ours: a receiver could understand half a packet only by chance.
 struct LinkFault {
     enum class Kind {
         silent,            ///< packets are lost

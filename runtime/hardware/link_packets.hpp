@@ -43,8 +43,8 @@ struct LinkPackets {
         return std::max(streams[direction].due, free_at[wire_of(direction)]);
     }
     /// Begins the direction's next packet now, and schedules its answer: a byte is answered by its acknowledge, an
-    /// acknowledge by the next byte. Has no branch, because the host processor cannot predict whether the packet is a
-    /// byte.
+    /// acknowledge by the next byte. The function has no branch, because the host processor cannot predict whether the
+    /// packet is a byte.
     void begin(const PacketTimes& times, std::size_t direction) {
         Stream& stream = streams[direction];
         const bool acknowledge = stream.acknowledge;

@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::size_t none = 2;
 
-/// Begins the next packet and returns its direction, or returns `none` if the limit excludes the packet. Of a byte and
-/// an acknowledge that begin together, the acknowledge goes first, because both need the same wire (`orders` in
+/// Begins the next packet and returns its direction, or returns `none` if the limit excludes the packet. If a byte and
+/// an acknowledge can begin at the same time, the acknowledge goes first, because both need the same wire (`orders` in
 /// link_state.cpp). Two bytes or two acknowledges are on different wires and do not affect each other.
 std::size_t begin_next(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) {
     const Time forth = packets.begin_of_next(0), back = packets.begin_of_next(1);
@@ -25,8 +25,8 @@ std::size_t begin_next(LinkPackets& packets, const PacketTimes& times, const Lin
     return direction;
 }
 
-/// Returns the start of a part's last byte; the earlier start if both directions have begun their last bytes. Returns
-/// `never` if no last byte has begun.
+/// Returns when the last byte of a part began. If both directions have begun the last byte of a part, returns the
+/// earlier time; if none has, returns `never`.
 Time end_of_a_part(const LinkPackets& packets) {
     Time end = never;
     for (const LinkPackets::Stream& stream : packets.streams)
@@ -66,8 +66,8 @@ void LinkPeriod::replay(LinkPackets& packets, const PacketTimes& times, const Li
     run_each(packets, times, limit);
 }
 
-/// Compares the packets with the packets at one earlier time that was noted. A new time is noted after 1, 2, 4, 8 ...
-/// bytes, so a period of any length is found.
+/// Compares the packets after each byte with a copy that was noted at an earlier time. A new copy is noted after 1, 2,
+/// 4, 8 ... bytes, so a period of any length is found.
 bool LinkPeriod::find(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) {
     since = never;
     LinkPackets noted;
@@ -98,8 +98,8 @@ bool LinkPeriod::find(LinkPackets& packets, const PacketTimes& times, const Link
     return any;
 }
 
-/// Stores the period between `then` and `now`. A short period is known from its first occurrence on. `starts_before`:
-/// the starts of each direction's last byte but one.
+/// Stores the period between `then` and `now`. A short period can be replayed from `then` on, a long period only from
+/// `now` on. `starts_before`: when each direction began its last byte but one.
 void LinkPeriod::begin(const LinkPackets& then, const LinkPackets& now, const std::array<Time, 2>& starts_before) {
     length = now.now - then.now;
     const LinkPackets& first = length <= longest_simple ? then : now;

@@ -50,8 +50,8 @@ struct alignas(64) LinkPeriod {
     void pass_periods(LinkPackets&, Time before) const;
     /// Returns whether bytes_left() is valid for this time and for the picosecond before.
     bool is_simple_around(Time moment) const { return since < moment && moment < until; }
-    /// Returns how many bytes a direction has not begun at `moment`. Has no branch, because the host processor cannot
-    /// predict the outcome. REQUIRES: since <= moment < until.
+    /// Returns how many bytes a direction has not begun at `moment`. The function has no branch, because the host
+    /// processor cannot predict the outcome. REQUIRES: since <= moment < until.
     std::uint32_t bytes_left(std::size_t direction, Time moment) const {
         const Pace& pace = paces[direction];
         std::int64_t periods = (moment - since - Time{pace.last_start}) / length;

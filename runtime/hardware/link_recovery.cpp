@@ -20,7 +20,7 @@ bool LinkDirection::is_lost(LinkStep step) {
     if (!acknowledge && state().directions[number_].ends != Ends::agree)
         return false;
     const AnyChannel::PacketPayload payload = channel_ ? channel_->payload() : AnyChannel::PacketPayload{};
-    const std::string& own_name = channel_ ? channel_->name() : name_; // without a channel, bytes are moved by counts
+    const std::string& own_name = channel_ ? channel_->name() : name_; // no channel: the ends use give() and take()
     FaultEffect::Hit hit{kernel_.now(), payload.channel ? payload.channel->name() : own_name, acknowledge,
                          bytes_before_part_ + bytes_started() + std::uint64_t{!acknowledge}};
     if (payload.channel)
@@ -28,7 +28,8 @@ bool LinkDirection::is_lost(LinkStep step) {
     return faults_->strike(hit, acknowledge != (number_ == 0));
 }
 
-/// Returns whether the current message is stuck: a packet is lost, or the receiver left before the next byte was sent.
+/// Returns whether the current message is stuck: a packet was lost, or the receiver gave up the message before the next
+/// byte was sent.
 bool LinkDirection::gets_no_further() const {
     const Phase now = phase();
     return now == Phase::byte_lost || now == Phase::acknowledge_lost ||
@@ -49,8 +50,8 @@ bool LinkDirection::input_must_be_reset(const AnyChannel&) const {
 
 bool LinkDirection::is_sending() const { return counts_ ? counts_->gives : channel_ && channel_->output_waits(); }
 
-/// Returns how many bytes of the current message the receiving end has. A byte that no process has asked for counts
-/// when the whole byte has arrived.
+/// Returns how many bytes of the current message the receiving end has. If no process has asked for a byte, the byte is
+/// counted only when all of it has arrived.
 std::uint64_t LinkDirection::bytes_received() const {
     const LinkState::Direction& direction = state().directions[number_];
     const LinkPackets::Stream& stream = state().packets.streams[number_];
@@ -72,8 +73,8 @@ std::uint64_t LinkDirection::bytes_acknowledged() const {
     return bytes_before_part_ + bytes_started() - std::uint64_t{state().is_unacknowledged(number_)};
 }
 
-/// Drops the expected arrivals of the current part. The last byte of the previous part may still be on a long wire. Its
-/// arrival is kept, because its receiver waits for it.
+/// Drops the expected arrivals of the current part. The last byte of the previous part may still be on a long wire;
+/// this arrival is kept, because the receiver waits for it.
 void LinkDirection::break_off(LinkCourse::Touch& touch) {
     touch->drop_first_byte(number_);
     const bool last_byte_has_begun = bytes_started() > 0 && touch->packets.streams[number_].bytes_left == 0;
@@ -115,7 +116,8 @@ bool LinkDirection::give_up_output(AnyChannel& channel) {
     return true;
 }
 
-/// Takes the receiving end out of its message. The sender's current message cannot continue.
+/// Makes the receiving end leave its message. If part of the message has arrived, the sender cannot continue this
+/// message.
 void LinkDirection::receiver_leaves(LinkCourse::Touch& touch) {
     LinkState::Direction& direction = touch->directions[number_];
     const bool in_message = bytes_received() > 0;
@@ -133,7 +135,8 @@ void LinkDirection::receiver_leaves(LinkCourse::Touch& touch) {
     direction.first_byte = LinkState::FirstByte::asked_for;
 }
 
-/// Takes back the receiver's request. A byte that is on its way becomes an unrequested byte.
+/// Withdraws the receiver's request for bytes. A byte that is on its way then counts as a byte that no process has
+/// asked for.
 void LinkDirection::forget_asked_byte(LinkCourse::Touch& touch) {
     LinkState::Direction& direction = touch->directions[number_];
     LinkPackets::Stream& stream = touch->packets.streams[number_];

@@ -103,8 +103,8 @@ LinkState::Outcome LinkState::perform(const Next& next, const PacketTimes& times
     return {};
 }
 
-/// Begins a byte. A first byte whose receiver waits is noticed before the whole byte has arrived. If packets cannot be
-/// lost, the arrival of this byte then changes nothing, and is left out.
+/// Begins a byte. If a receiver waits for the first byte of a part, the link notices this byte before all of it has
+/// arrived. If, in addition, packets cannot be lost, the arrival of this byte changes nothing, and is left out.
 LinkState::Outcome LinkState::begin_byte(std::size_t d, const PacketTimes& times, Fate fate) {
     Direction& direction = directions[d];
     LinkPackets::Stream& stream = packets.streams[d];
@@ -147,7 +147,7 @@ LinkState::Outcome LinkState::begin_acknowledge(std::size_t d, const PacketTimes
 }
 
 /// Handles the arrival of a part's last byte. If the acknowledge of this byte has begun, the part was handed over when
-/// the acknowledge began. This is always so if the next part has begun.
+/// the acknowledge began. If the next part has begun, the acknowledge has always begun, too.
 LinkState::Outcome LinkState::last_byte_arrives(std::size_t d) {
     Direction& direction = directions[d];
     const LinkPackets::Stream& stream = packets.streams[d];

@@ -69,8 +69,8 @@ struct alignas(64) LinkState {
     /// end of sending. If they are simultaneous, they happen in this order.
     static constexpr std::size_t arrivals_of_a_direction = 3, most_arrivals = 6;
     std::array<Time, most_arrivals> arrivals = {never, never, never, never, never, never};
-    /// The arrivals of the last bytes of the next part. This part can begin before the last byte of the current part
-    /// has arrived.
+    /// For each direction, when the last byte of the next part arrives. This part can begin before the last byte of the
+    /// current part has arrived.
     std::array<Time, 2> last_bytes_after = {never, never};
     Time busy_until{}; ///< the wires are busy until then, if no step comes later; set if a waiting packet is withdrawn
     std::array<Users, 2> users;
@@ -140,7 +140,8 @@ struct alignas(64) LinkState {
     bool is_sure_of_receiver(std::size_t direction) const {
         return directions[direction].receiver == Receiver::waits && !expects_last_byte(direction);
     }
-    /// Returns a time up to which packets of this direction can be computed together, because only their times change.
+    /// Returns a time up to which packets of this direction can be computed together, because until then they change
+    /// only times and numbers of bytes.
     Time runs_before(std::size_t direction, const PacketTimes&) const;
     /// Returns the index of the earliest entry of `arrivals`.
     std::size_t first_arrival() const;

@@ -14,7 +14,7 @@ namespace placedpar::hardware {
 namespace {
 
 /// Returns the costs of occam's operations, plus the calls of the program's communication library, plus the accesses to
-/// words in this memory. A word that is copied is read and written.
+/// words in this memory. A copied word takes two accesses: a read and a write.
 OperationCosts costs_with(Cycles channel_call, const Memory& memory) {
     OperationCosts costs = instructions::t800;
     costs.copied_word = 2 * memory.access;
@@ -33,7 +33,7 @@ std::int64_t checked_clock(std::int64_t clock_hz, const std::string& processor) 
     return clock_hz;
 }
 
-/// Throws std::logic_error for negative numbers, and for 0 except in `cycles` and `words_outside`.
+/// Throws std::logic_error if a number is negative, or if a member of `grain` other than `words_outside` is 0.
 void require_sense(const Process& self, Cycles cycles, const CodeShape& grain) {
     if (cycles < Cycles{0})
         throw std::logic_error("process " + self.path() + " computes for a negative number of cycles");
@@ -198,7 +198,8 @@ void Processor::take_turn() {
     schedule_end();
 }
 
-/// Schedules the end of the work. Busy links make the end later; settle() computes the delay when the event happens.
+/// Schedules the end of the work, or the end of the timeslice if it is earlier and other processes wait. Busy links
+/// delay the end of the work; settle() adds this delay when the event happens.
 void Processor::schedule_end() {
     Time end = std::min(later(kernel_.now(), work_left(*current_)), halts_at_);
     if (has_low_rivals())

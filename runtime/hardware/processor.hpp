@@ -55,7 +55,8 @@ public:
     static constexpr std::int64_t usual_clock = 20'000'000;
 
     /// The cycles of a switch to the next process, beyond the instruction that gives up the processor. No table states
-    /// them. A loop of genuine code for COMMSTIME takes 282 cycles by the instruction table; 301 were published.
+    /// them. By the instruction table, one loop of the benchmark COMMSTIME in genuine code takes 282 cycles; the
+    /// published figure is 301 cycles.
     static constexpr Cycles usual_switching{0};
 
     /// `channel_call`: cycles that the program's communication library adds to each input and output, on soft and hard

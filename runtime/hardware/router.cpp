@@ -78,8 +78,8 @@ bool Router::Port::halted() const { return router_.executive_ && router_.executi
 
 bool Router::Port::stands_still() const { return out_.output_is_lost() || halted() || opposite_->halted(); }
 
-/// Returns whether a packet of the route is here. If only the acknowledge of its last byte was lost, the packet itself
-/// has crossed the link.
+/// Returns whether this port still holds a packet of the route. If only the acknowledge of the packet's last byte was
+/// lost, the packet itself has crossed the link.
 bool Router::Port::holds_packet_of(const Route& route) const {
     bool has_got_over = on_link_ && !out_.output_waits();
     return (being_sent_ == &route && !has_got_over) ||

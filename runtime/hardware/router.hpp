@@ -42,8 +42,8 @@ struct RouterCosts {
     /// priority. At low priority they wait for such a process, up to two timeslice periods for each packet that they
     /// send or receive.
     Priority priority = Priority::high;
-    /// Cost of sending or receiving a packet, in addition to the instructions. Ours: queueing, looking up the route,
-    /// rescheduling.
+    /// Cost of sending or receiving a packet, in addition to the instructions. This is our choice, for queueing the
+    /// packet, looking up its route, and rescheduling.
     Cycles handling{200};
 };
 

@@ -32,9 +32,9 @@ VmeBus::VmeBus(Kernel& kernel, std::string name, Arbitration arbitration, const 
     : kernel_(kernel), name_(std::move(name)), arbitration_(arbitration), timing_(timing),
       first_rank_(kernel.new_ranks(2)) {
     if (timing.word <= Time{0} || timing.byte <= Time{0} || timing.time_out <= Time{0} || timing.arbitration < Time{0})
-        throw std::logic_error(
-            "bus " + name_ +
-            ": the times of a word, a byte and the time-out must be positive, the time of arbitration not negative");
+        throw std::logic_error("bus " + name_ +
+                               ": the times of a word, a byte and the time-out must be positive, and the time of "
+                               "arbitration must not be negative");
 }
 
 void VmeBus::attach(VmeMaster& master) {
@@ -114,7 +114,7 @@ void VmeBus::grant(VmeMaster& master) {
     move_block();
 }
 
-/// Moves the holder's first block. The block ends early if another master must get the bus.
+/// Moves the holder's first block, or only one word of it if the holder must yield to another master.
 void VmeBus::move_block() {
     VmeMaster::Block& block = *holder_->blocks_.front();
     block_began_ = kernel_.now();

@@ -123,7 +123,7 @@ void Core::start_clocks(Word value) {
     find_next_timer();
 }
 
-/// Returns the earliest time at which a clock is after `time`.
+/// Returns the earliest time at which the clock of this priority is after `time`.
 Time Core::when_after(Word time, int priority) const {
     if (!clocks_run_)
         return Time::max();
@@ -163,7 +163,8 @@ void Core::join_timers(Word time) {
     find_next_timer();
 }
 
-/// If a process that was woken by something other than its timer is in its timer queue, removes it, and notes the time.
+/// Removes the process from its timer queue, and stores the time in its workspace. Does nothing if it is not in this
+/// queue. REQUIRES: something other than its timer has woken the process.
 void Core::leave_timers(Word workspace, int priority, Time now) {
     Word place = reserved::timer_heads + 4 * static_cast<Word>(priority);
     for (Word next = load(place), left = longest_queue(); next != not_a_process && left > 0;

@@ -33,7 +33,7 @@ const Mnemonics& mnemonics() {
                          {"opr", {Unit::direct, operate, all_models}}};
         for (int i = 0; i < static_cast<int>(Operation::go_on); ++i) {
             const Instruction& each = description_of(static_cast<Operation>(i));
-            const Models others = result[each.name].models; // models that execute it in another way
+            const Models others = result[each.name].models; // models for which the table has another row with this name
             result[each.name] = {each.unit, each.code, each.models | others};
         }
         return result;
@@ -51,7 +51,7 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-/// Returns the place of the first mark outside of quotes, or the length of the text.
+/// Returns the position of the first `mark` in the text that is outside of quotes, or the length of the text.
 std::size_t place_of(std::string_view mark, std::string_view text) {
     bool quoted = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -137,7 +137,8 @@ private:
             bool has_label = false;
             const Word number = value(text, has_label);
             if (has_label)
-                fail(text, "a label has no address yet: use only numbers and names of numbers");
+                fail(text, "the value of a name cannot contain a label, because labels have no address yet: use only "
+                           "numbers and names of numbers");
             define(constants_, name, number);
             text = {};
         }
@@ -147,7 +148,10 @@ private:
 
     void define(std::map<std::string, Word, std::less<>>& names, std::string_view name, Word value) {
         if (!is_name(name))
-            fail(name, fmt::format("\"{}\" cannot be a name: a name has letters, digits, _ and .", name));
+            fail(name,
+                 fmt::format(
+                     "\"{}\" cannot be a name: a name has letters, digits, _ and ., and does not begin with a digit",
+                     name));
         if (program_.labels.contains(name) || constants_.contains(name))
             fail(name, fmt::format("\"{}\" is defined already: choose another name", name));
         names.emplace(name, value);
@@ -216,7 +220,7 @@ private:
                                   : encoded(function, static_cast<std::int32_t>(sum), statement.bytes.size());
     }
 
-    /// Returns ldc and ldpi, which load the address of a label wherever the program lies.
+    /// Returns ldc and ldpi. Together they load the address of a label, wherever the program is in memory.
     CodeBytes address_of(const Statement& statement) {
         constexpr Word size_of_ldpi = 2;
         bool has_label = false;
@@ -226,8 +230,9 @@ private:
                             : CodeBytes{0};
     }
 
-    /// Returns an instruction whose operand is a distance that counts from the next instruction: a longer instruction
-    /// may need a longer distance. `from_here` is the distance from the beginning of the instruction.
+    /// Returns an instruction whose operand is the distance from the next instruction to a label. The distance depends
+    /// on the length of the instruction, so all lengths are tried, shortest first. `from_here` is the distance from the
+    /// beginning of the instruction.
     static CodeBytes relative(unsigned function, Word from_here, std::size_t least) {
         for (std::size_t length = std::max(least, std::size_t{1});; ++length)
             if (auto code = encoded(function, static_cast<std::int32_t>(from_here - length), length);
@@ -290,7 +295,7 @@ private:
         return number;
     }
 
-    /// REQUIRES: `where` is a part of the current line.
+    /// Throws AssemblyError with the line and column of `where`. REQUIRES: `where` is a part of the current line.
     [[noreturn]] void fail(std::string_view where, const std::string& what) const {
         throw AssemblyError(what, line_, static_cast<std::size_t>(where.data() - line_begin_) + 1);
     }
@@ -307,8 +312,8 @@ private:
 } // namespace
 
 std::vector<std::uint8_t> encoded(unsigned function, std::int32_t operand, std::size_t least) {
-    // A prefix shifts what has been loaded by 4 bits. The first prefix of a negative operand is nfix, which also
-    // complements the result.
+    // A prefix shifts the operand register by 4 bits. The first prefix of a negative operand is nfix, which also
+    // complements the register.
     const std::int64_t value = operand;
     std::size_t length = std::max(least, std::size_t{operand < 0 ? 2U : 1U});
     while (length < 8 && (value >= std::int64_t{1} << 4 * length || value < -(std::int64_t{1} << 4 * length)))

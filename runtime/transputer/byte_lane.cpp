@@ -66,7 +66,8 @@ void ByteLane::move(std::uint32_t bytes) {
     }
 }
 
-// The acknowledge of a byte may arrive before the end of the byte: in this case, the contents arrive slightly early.
+// The acknowledge of a byte may arrive before the end of the byte. In this case, sent() stores the byte slightly too
+// early.
 void ByteLane::sent() {
     move(to_give_);
     gives_ = false;

@@ -9,11 +9,11 @@ namespace placedpar::transputer {
 
 class ByteLane;
 
-/// An end of a link that gives and takes bytes by counts: a node, a host, a process that inputs messages. The functions
-/// must not wait or throw.
+/// An end of a link that states how many bytes it gives or takes: the end of a node, of a host, or of processes in C++
+/// that exchange messages. The functions must not wait or throw.
 class ByteEnd {
 public:
-    /// Copies the next bytes of give().
+    /// Copies the next bytes that this end has offered by give().
     virtual void read(std::span<std::uint8_t>) = 0;
     /// Called when all bytes of give() have been acknowledged.
     virtual void given() = 0;
@@ -32,7 +32,8 @@ protected:
 };
 
 /// One direction of a link, with the contents of its bytes. The wire moves bytes by the counts of both ends
-/// (LinkDirection::give and take). The contents are moved when a count is done.
+/// (LinkDirection::give and take). The contents are moved when all bytes of a give() or of a take() have been
+/// transferred.
 class ByteLane final : private hardware::ByteUser {
 public:
     /// Leads from `source` to `sink`, and becomes a lane of both. REQUIRES: the run has not begun; the arguments
@@ -46,7 +47,7 @@ public:
     void take(std::uint32_t bytes);
     /// Cancel the bytes that this end still has to give or take: see LinkDirection::reset_giving.
     void reset_giving();
-    /// Returns how many bytes of the current count had arrived; 0 if there is none.
+    /// Returns how many bytes of the current take() had arrived; 0 if there is none.
     std::uint32_t reset_taking();
     /// Stores the bytes of take() if the receiver has all of them, although the last bits may still be on the wire.
     /// Returns whether the bytes were stored.
@@ -69,7 +70,7 @@ private:
     hardware::LinkDirection& wire_;
     ByteEnd &source_, &sink_;
     const AnyChannel* channel_ = nullptr;     ///< the channel whose messages travel here; null if none does
-    std::uint32_t to_give_ = 0, to_take_ = 0; ///< bytes of the counts that have not been moved
+    std::uint32_t to_give_ = 0, to_take_ = 0; ///< bytes of give() and of take() that have not been moved
     bool gives_ = false, takes_ = false;
 };
 

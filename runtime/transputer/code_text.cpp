@@ -48,7 +48,7 @@ std::string print_data(CodeView bytes) {
 /// Prints lines with labels.
 class CodePrinter {
 public:
-    /// `label` returns the address of a byte by its number.
+    /// `label` returns the text that labels the byte with this index.
     CodePrinter(CodeView bytes, Model model, std::function<std::string(Word)> label)
         : bytes_(bytes), model_(model), label_(std::move(label)) {}
 
@@ -77,7 +77,8 @@ private:
         for (std::size_t i = 0; i < lines.size() && (i == 0 || !lines[i].begins_block); ++i) {
             CycleRange cycles = published_cycles(lines[i].instruction, model_);
             if (lines[i].selected != Operation::unknown) {
-                const unsigned more = description_of(lines[i].selected).real_cycles - 1u; // fpentry is its first cycle
+                // The cycle of fpentry is counted already.
+                const unsigned more = description_of(lines[i].selected).real_cycles - 1u;
                 cycles = {cycles.least + more, *cycles.most + more};
             }
             sum.least += cycles.least;
@@ -96,7 +97,7 @@ private:
 /// The collectors of INMOS's toolsets divide code into packets of this number of bytes, each preceded by its length
 /// (observed in files).
 constexpr std::size_t packet_bytes = 60;
-/// The greatest length of a stage. A longer stage is shown in parts.
+/// The greatest length of a stage, in bytes. A longer stage is shown in parts.
 constexpr std::size_t longest_stage = 4096 * (packet_bytes + 1);
 
 /// Bytes of a file that are loaded together into memory.
@@ -158,7 +159,8 @@ private:
             add("other bytes", since, at - since);
     }
 
-    /// Joins full packets and a last, shorter packet.
+    /// Adds a stage of all full packets from `at` on and the shorter packet that follows them. Returns the position
+    /// after them.
     std::size_t add_packets(std::size_t at) {
         BootStage stage{.name = "packets", .first = at + 1, .in_packets = true};
         for (bool more = true; more && at < file_.size() && stage.bytes.size() < longest_stage;) {
@@ -178,7 +180,8 @@ private:
     std::vector<BootStage> stages_;
 };
 
-/// Returns the label of a byte of a stage: its address in the loader, else its position in the file.
+/// Returns the label of a byte of a stage. For the loader this is the byte's address in memory, for other stages its
+/// position in the file.
 std::string label_in(const BootStage& stage, bool is_loader, Model model, Word i) {
     if (is_loader)
         return print_address(most_negative + traits_of(model).memory_start + i);

@@ -67,7 +67,7 @@ public:
         idle,    ///< no process can run before a timer is due or a link wakes one
         stopped  ///< see stopped()
     };
-    /// What links may do to the core before the core reaches the limit of a run.
+    /// The actions of links that are possible before the core reaches the limit of run().
     enum class Links {
         rest,          ///< nothing
         take_accesses, ///< take accesses to the memory. Effects that depend on clocks happen at their own times, after
@@ -125,7 +125,7 @@ public:
     /// Returns whether a link may change at any moment what the core executes: a process of high priority waits for a
     /// link, or the running process has used up its timeslice and continues only because no other process is ready.
     bool may_be_interrupted() const;
-    /// Copy bytes for a link or a boot. Offsets outside of the memory stop the core.
+    /// Copy bytes for a link or a boot. Offsets outside of the memory stop the core, unless addresses wrap.
     void copy_from_memory(Word offset, std::span<std::uint8_t>);
     void copy_to_memory(Word offset, std::span<const std::uint8_t>);
     bool is_running() const { return running_; }
@@ -149,7 +149,7 @@ public:
         Time at;
     };
     /// Returns the processes that `stoperr` has stopped, and processes that stopped at an instruction for which the
-    /// table has an error text. The list has only the first few of these processes, in order of time.
+    /// table has an error text. The list has only the first 1,000 of these processes, in order of time.
     std::span<const StoppedProcess> stopped_processes() const {
         return {stops_.data(), std::min(errors_, stops_.size())};
     }
@@ -182,7 +182,7 @@ public:
     Word back(int priority) const { return back_[static_cast<std::size_t>(priority)]; }
     Word clock(int priority) const { return clock_at(local_time(), priority); }
     Word clock_at(Time, int priority) const;
-    /// Returns the time for which instructions were executed.
+    /// Returns for how many half cycles instructions were executed.
     HalfCycles busy() const { return busy_before_ + local_; }
     std::uint64_t instructions() const { return instructions_; }
 
@@ -391,7 +391,8 @@ private:
 
     CoreState kept_;
     const CodeLines* lines_ = nullptr;
-    std::vector<StoppedProcess> stops_; ///< entries after the first `errors_` have been taken back
+    /// Only the first `errors_` entries count: the core may have gone back to a time before the others.
+    std::vector<StoppedProcess> stops_;
     Watcher* watcher_ = nullptr;
     ProcessWatcher* process_watcher_ = nullptr;
 };

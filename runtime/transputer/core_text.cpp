@@ -12,7 +12,7 @@
 namespace placedpar::transputer {
 namespace {
 
-constexpr std::size_t most_listed = 1024; // a program may write a circle into a queue
+constexpr std::size_t most_listed = 1024; // a limit, because a program may turn a queue into a circle
 
 std::string print_real(const Real& real) {
     return real.length == Length::real32
@@ -130,7 +130,8 @@ std::string print_queues(const Core& core, const CodeLines& lines) {
 }
 
 std::string print_analysis(const Core& core, const CodeLines& lines) {
-    std::string result = core.is_running() ? "" : "no process runs: the registers are those of the last process\n";
+    std::string result =
+        core.is_running() ? "" : "no process runs: the registers still hold the values of the last process\n";
     result += print_registers(core) + print_flags(core) + print_queues(core, lines);
     const std::vector<WaitingProcess> waiting = waiting_processes(core);
     result += fmt::format("waiting:{}\n", waiting.empty() ? " none" : "");

@@ -165,7 +165,7 @@ std::unique_ptr<Block> DecodedCode::spare_block() {
     return block;
 }
 
-/// REQUIRES: the pages of the bytes exist.
+/// Marks these bytes as decoded. REQUIRES: the pages of the bytes exist.
 void DecodedCode::mark_decoded(Word offset, Word bytes) {
     for (Word at = offset; at < offset + bytes; ++at)
         decoded_[at / NodeMemory::page_bytes]->set(at % NodeMemory::page_bytes);
@@ -210,7 +210,7 @@ void DecodedCode::forget_blocks(Word page, Word offset, Word bytes) {
     }
 }
 
-/// Does the same as forget() for an interval in one page.
+/// Forgets the blocks that have bytes in an interval of one page.
 void DecodedCode::forget_in_page(Word index, Word offset, Word bytes) {
     Page* const page = pages_[index].get();
     if (!page)

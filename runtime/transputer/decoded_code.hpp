@@ -72,7 +72,7 @@ public:
     /// Returns a block with the one instruction at an address outside of the memory, which wraps. Returns null if the
     /// instruction crosses an end of the memory. The result is valid until the next call of a function.
     Block* at_wrapped(Word address);
-    /// Frees forgotten blocks, or uses them again. Call this function when no forgotten block is being executed.
+    /// Frees the discarded blocks, or keeps them for later use. Call this function when none of them is being executed.
     void sweep();
     bool must_sweep() const { return !forgotten_.empty(); }
     /// Returns whether a byte belongs to instructions that were decoded, and has not been written to since. The result
@@ -113,11 +113,11 @@ private:
     NodeMemory& memory_;
     CodeTiming timing_;
     std::vector<std::unique_ptr<Page>> pages_;
-    /// For each page, the bytes that belong to blocks, and some bytes of forgotten blocks; null if the page never had a
+    /// For each page, the bytes that belong to blocks, and some bytes of discarded blocks; null if the page never had a
     /// block.
     std::vector<std::unique_ptr<std::bitset<NodeMemory::page_bytes>>> decoded_;
     std::vector<std::unique_ptr<Block>> forgotten_;
-    std::vector<std::unique_ptr<Block>> spare_; ///< forgotten blocks, with their entries and bounds
+    std::vector<std::unique_ptr<Block>> spare_; ///< discarded blocks that can be used again
     std::uint64_t bytes_used_ = 0;
     Block front_; ///< the result of front_of()
     std::vector<Entry> scratch_;

@@ -11,8 +11,9 @@ using Bytes = std::span<const std::uint8_t>;
 
 bool is_text(std::uint8_t byte) { return (byte >= ' ' && byte < 0x7f) || byte == '\n' || byte == '\r' || byte == '\t'; }
 
-/// Returns whether an assembler may have made an instruction: nfix does not precede another prefix, and the instruction
-/// has only as many prefixes as a word needs. Compilers pad with pfix 0.
+/// Returns whether an assembler may have made this instruction: no other prefix follows nfix, and the instruction has
+/// at most as many prefixes as a word needs. Each pfix 0 at the beginning is ignored, because compilers pad
+/// instructions with it.
 bool is_proper(Bytes instruction) {
     while (instruction.size() > 1 && instruction.front() == 0x20)
         instruction = instruction.subspan(1);
@@ -22,7 +23,7 @@ bool is_proper(Bytes instruction) {
     return instruction.size() <= 8;
 }
 
-/// Follows and searches code.
+/// Follows the code from its entries, and then searches the remaining bytes for code.
 class Disassembly {
 public:
     Disassembly(Bytes bytes, Model model)
@@ -37,7 +38,7 @@ public:
         }
     }
 
-    /// Decides which of the bytes that were not followed are code.
+    /// Decides which of the bytes that follow() did not reach are code.
     void search() {
         for (Word at = 0; at < size();) {
             while (at < size() && roles_[at] != Role::unknown)
@@ -64,13 +65,13 @@ private:
 
     Word size() const { return static_cast<Word>(bytes_.size()); }
     CodedInstruction read(Word at, Word end) const { return read_instruction(bytes_.subspan(at, end - at), model_); }
-    /// Returns the end of the unknown bytes, up to a limit.
+    /// Returns the end of the unknown bytes that begin at `at`, or the limit if it comes first.
     Word gap_end(Word at, Word limit) const {
         while (at < limit && roles_[at] == Role::unknown)
             ++at;
         return at;
     }
-    /// Returns a limit that no instruction reaches.
+    /// Returns the last position at which an instruction that begins at `at` can end.
     Word longest_end(Word at) const { return at + std::min<Word>(size() - at, most_prefixes + 1); }
 
     void mark(Word at, Word length, Role role) {
@@ -131,7 +132,8 @@ private:
         drop_islands(begin, end);
     }
 
-    /// Returns the next byte that followed code refers to, or the end. An instruction or data begins there.
+    /// Returns the position of the next byte that is a target of code reached by follow(), or the end. An instruction
+    /// or data begins at this byte.
     Word next_reference(Word at, Word end) const {
         end = std::min(end, longest_end(at));
         while (++at < end && !is_referred_to_[at]) {
@@ -160,7 +162,7 @@ private:
         return 0;
     }
 
-    /// Returns the number of zeros from here on if there are at least three.
+    /// Returns the number of zeros from `at` on, or 0 if there are fewer than three.
     Word zeros(Word at, Word end) const {
         Word after = at;
         while (after < end && bytes_[after] == 0)
@@ -196,7 +198,7 @@ private:
         return line;
     }
 
-    /// Returns how many bytes of data a line shows: eight, or any number of equal bytes.
+    /// Returns how many bytes of data a line shows: at most eight, or all of at least 16 equal bytes.
     Word data_length(Word at) const {
         Word end = at + 1;
         const auto is_data = [&] { return end < size() && roles_[end] == Role::data; };
@@ -223,7 +225,7 @@ private:
     Bytes bytes_;
     Model model_;
     std::vector<Role> roles_;
-    std::vector<bool> is_referred_to_; ///< for each byte, whether followed code refers to it
+    std::vector<bool> is_referred_to_; ///< for each byte, whether it is a target of code reached by follow()
 };
 
 } // namespace

@@ -8,7 +8,8 @@
 #include <tuple>
 #include <utility>
 
-// Each instruction jumps to the next instruction by the address of a label, which is an extension of GCC and Clang.
+// Each instruction jumps to the next instruction through the address of a label (computed goto), which is an extension
+// of GCC and Clang.
 #pragma GCC diagnostic ignored "-Wpedantic"
 
 // GCC would move common parts of instructions before the jumps between them, and would then run out of host registers.
@@ -20,8 +21,8 @@
 
 namespace placedpar::transputer {
 
-// The macros of instructions.inc. `spent`: the half cycles of the preceding blocks, plus the half cycles that effects
-// added in this block.
+// These are the macros that the effects in instructions.inc use. `spent` is the number of half cycles of the preceding
+// blocks, plus the half cycles that effects have added in this block.
 
 #define OPERAND (entry->operand)
 #define NEXT_ADDRESS (entry->operand)
@@ -122,8 +123,9 @@ namespace placedpar::transputer {
         STORE((address) + 4, stored_both >> 32);                                                                       \
     } while (false)
 
-// Instructions of the floating-point unit. The integer unit continues after one cycle. It waits at the next
-// floating-point instruction until the unit is free; RESULT also waits for the result.
+// These macros are for instructions of the floating-point unit. The integer unit continues one cycle after it has
+// passed such an instruction on. At the next floating-point instruction it waits until the floating-point unit is free;
+// at a RESULT it also waits for the result.
 #define AWAIT_REALS(own_cycles)                                                                                        \
     const HalfCycles begins = local_ + spent + entry->after - 2;                                                       \
     if (fpu_free_ > begins)                                                                                            \
@@ -146,8 +148,8 @@ namespace placedpar::transputer {
         goto* labels[static_cast<std::size_t>(entered)];                                                               \
     } while (false)
 
-// Instructions of the scheduler. `function` performs the instruction if nothing can act on the core before the
-// instruction ends.
+// This macro is for instructions of the scheduler. `function` performs the instruction if nothing can act on the core
+// before the instruction ends.
 #define AT_ONCE(function, operation_)                                                                                  \
     {                                                                                                                  \
         Registers r{entry->operand, W, A, B, C, registers_.error};                                                     \
@@ -318,7 +320,8 @@ std::uint64_t Core::instructions_after(const Block& block, const Entry& entry) {
     return block.instructions - static_cast<std::uint64_t>(&entry - block.entries.get()) - 1;
 }
 
-/// Sets Error. Notes the registers before the instruction, unless an earlier error has not been handled yet.
+/// Sets Error. Notes the registers as they were before the instruction, unless an earlier error has not been handled
+/// yet.
 [[gnu::cold, gnu::noinline]] void Core::note_error(const Block& block, const Entry& entry, ErrorNote found) {
     if (std::exchange(registers_.error, true))
         return;

@@ -23,7 +23,7 @@ std::int64_t double_word(std::int64_t upper, std::int64_t lower) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(upper) << 32 | static_cast<Word>(lower));
 }
 
-/// Returns a number with its sign; nothing if the text is something else.
+/// Returns the number that the text consists of, with or without a sign. Returns nullopt if the text is something else.
 std::optional<int> signed_number(std::string_view text) {
     const std::string_view digits = text.substr(text.starts_with('+') ? 1 : 0);
     int number = 0;
@@ -31,7 +31,8 @@ std::optional<int> signed_number(std::string_view text) {
     return wrong == std::errc{} && end == digits.data() + digits.size() ? std::optional(number) : std::nullopt;
 }
 
-/// Returns the number that the text between two braces means; nothing if it has no meaning.
+/// Returns the number that stands for a text between two braces, such as a-1 or w+12. Returns nullopt if the text has
+/// no meaning.
 std::optional<std::int64_t> number_for(std::string_view text, const Core& core, const ErrorNote& error) {
     if (text == "ba")
         return double_word(error.b, error.a);
@@ -77,14 +78,14 @@ std::string_view usual_text(const CodedInstruction& instruction, const ErrorNote
     case Operation::fmul: return "overflow of the product of two fractions, {b} and {a}";
     case Operation::div: return error.a == 0 ? "division by zero: {b} / 0" : "overflow: {b} / {a}";
     case Operation::rem: return error.a == 0 ? "division by zero: {b} \\ 0" : "overflow: {b} \\ {a}";
-    case Operation::ladd: return "overflow: the upper words are {b} + {a}";
-    case Operation::lsub: return "overflow: the upper words are {b} - {a}";
+    case Operation::ladd: return "overflow of the upper words: {b} + {a}";
+    case Operation::lsub: return "overflow of the upper words: {b} - {a}";
     case Operation::ldiv: return error.a == 0 ? "division by zero" : "overflow of the quotient of a double word";
     case Operation::csub0: return "{b} is outside of the range 0 to {a-1}";
     case Operation::ccnt1: return "{b} is outside of the range 1 to {a}";
-    case Operation::cword: return "{b} has more bits than the check allows";
+    case Operation::cword: return "{b} is outside of the range -{a} to {a-1}";
     case Operation::csngl: return "a double word does not fit in a word";
-    case Operation::cflerr: return "an infinity or a NaN";
+    case Operation::cflerr: return "a real is an infinity or a NaN";
     case Operation::fpchkerror: return "an operation on reals: overflow, division by zero, an infinity or a NaN";
     default: return "the program has set the Error flag";
     }
@@ -92,8 +93,8 @@ std::string_view usual_text(const CodedInstruction& instruction, const ErrorNote
 
 constexpr Word bytes_of_call = 16;
 
-/// Returns the call of a routine if the text is like "called from {w+12}", which states the word above the workspace
-/// that holds the return address.
+/// Returns the call of a routine, if the text is one such as "called from {w+12}". The number in the text says which
+/// word above the workspace holds the return address.
 std::optional<ErrorNote> call_named_by(std::string_view text, const Core& core, const ErrorNote& error) {
     constexpr std::string_view begin = "called from {w";
     if (!text.starts_with(begin) || !text.ends_with('}'))
@@ -114,7 +115,7 @@ ErrorNote follow_calls(const Core& core, ErrorNote error, const CodeLines& lines
     return error;
 }
 
-/// Searches the words above the workspace for the return address of a call whose errors have a text.
+/// Searches the words above the workspace for the return address of a call for which the table has an error text.
 ErrorNote find_call(const Core& core, const ErrorNote& error, const CodeLines& lines) {
     constexpr Word most_words = 32;
     if (!lines.error(error.after).empty() || !lines.file_place(error.after - 1).empty())

@@ -22,10 +22,10 @@ enum class MadeNan : std::uint32_t {
     shortened = 0x7F820000, ///< a REAL64 NaN as a REAL32
     remainder_of_infinity = 0x7F804000,
     remainder_by_zero = 0x7F802000,
-    quotient_without_remainder = 0x7F801000 ///< in FB
+    quotient_without_remainder = 0x7F801000 ///< left in register FB
 };
 
-/// A result before it is in a register.
+/// A result before it is put into a register.
 template <typename T>
 struct RealResult {
     RealPattern<T> pattern;
@@ -208,8 +208,8 @@ double value_with_whole_fraction(const Real& real) {
     return RealPattern<double>(wide.word() | (real.bits >> 32)).value();
 }
 
-/// Returns left op right, rounded once to a REAL32. The last bit of an intermediate REAL64 stands for all the bits that
-/// the REAL64 lacks.
+/// Returns the result of the operation, rounded once to a REAL32. The intermediate REAL64 is rounded to odd: its last
+/// bit is set if it is not exact.
 RealResult<float> combined_unrounded(RealOperation operation, Rounding mode, const Real& left, const Real& right) {
     const double first = value_with_whole_fraction(left), second = value_with_whole_fraction(right);
     const auto compute = [&](Rounding each) {
@@ -241,7 +241,7 @@ void Fpu::combine_by_rules(RealOperation operation, const Real& left, const Real
     rounding_ = Rounding::nearest;
 }
 
-/// FA := FA * factor, a power of 2.
+/// Multiplies FA by the factor, which is a power of 2.
 void Fpu::scale(float factor) {
     const Real by = in_type_of(a_.length, [&](auto type) { return real_of(RealPattern<decltype(type)>::of(factor)); });
     combine(RealOperation::multiply, a_, by);

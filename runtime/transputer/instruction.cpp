@@ -6,7 +6,7 @@
 namespace placedpar::transputer {
 namespace {
 
-/// Removes the underscore that distinguishes a name from a word of C++.
+/// Removes the underscore that distinguishes a name from a keyword of C++.
 constexpr std::string_view without_underscore(std::string_view name) {
     return name.ends_with('_') ? name.substr(0, name.size() - 1) : name;
 }
@@ -17,8 +17,8 @@ constexpr Instruction instruction_table[] = {
     {NAME(name), code, Unit::direct, cycles, extra, accesses, all_models},
 #define OPERATION(code, name, cycles, extra, accesses, models, ...)                                                    \
     {NAME(name), code, Unit::integer, cycles, extra, accesses, models},
-// The integer unit waits at an operation on reals at most for the preceding operations on reals; each of these adds its
-// own cycles.
+// At an operation on reals, the integer unit waits at most until the preceding operations on reals have ended. So it is
+// enough if each operation on reals counts its own cycles as extra cycles.
 #define CYCLES(cycles, is_double) [](bool DOUBLE [[maybe_unused]]) -> std::uint16_t { return cycles; }(is_double)
 #define REAL(code, name, cycles, accesses, ...)                                                                        \
     {NAME(name), code, Unit::reals, 1, CYCLES(cycles, true), accesses, with_reals, CYCLES(cycles, false)},

@@ -62,7 +62,7 @@ struct Instruction {
     Unit unit;
     std::uint16_t cycles;       ///< with code and data on the chip, without prefixes; 1 for an operation on reals
     std::uint16_t extra_cycles; ///< upper bound for additional cycles (of later waits, for an operation on reals)
-    std::uint8_t accesses;      ///< upper bound for the words of data
+    std::uint8_t accesses;      ///< upper bound for the number of data words that it accesses
     Models models;
     std::uint16_t real_cycles = 0; ///< cycles of the floating-point unit; if they vary, the cycles for single length
 };

@@ -16,7 +16,7 @@
 namespace placedpar::transputer {
 namespace {
 
-constexpr std::size_t most_versions = 8; // of code at an address; a program may rewrite its code without end
+constexpr std::size_t most_versions = 8; // at one address; a program may rewrite its code without end
 constexpr std::size_t most_hot_blocks = 10;
 
 Word end_of(const Listing::Line& line) { return line.address + line.instruction.length; }
@@ -60,7 +60,8 @@ std::vector<ListedBlock> blocks_of(std::span<const Listing::Line> lines, std::sp
     return blocks;
 }
 
-/// Returns cycles with commas; halves only where code outside of the chip was fetched.
+/// Returns a number of cycles as a text with commas. It has half a cycle only if code was fetched from outside of the
+/// chip.
 std::string print_cycles_of(HalfCycles half_cycles) {
     std::string result = fmt::format("{}", half_cycles / 2);
     for (std::size_t i = result.size(); i > 3; i -= 3)
@@ -115,7 +116,7 @@ public:
     }
 
 private:
-    /// Returns the place of code; "" if it is the same as for the preceding line.
+    /// Returns the place of this code in its file; "" if it is the same as for the preceding line.
     std::string new_place(Word address) {
         const std::string place = lines_.file_place(address);
         return std::exchange(place_, place) == place ? "" : place;
@@ -151,7 +152,7 @@ void Listing::begins(Word at) {
         code_has_changed(here, offset);
 }
 
-/// Finds the count for changed code at a place, or begins a new count.
+/// Continues the count of the code that is now at this place, or begins a new count if this code was not there before.
 void Listing::code_has_changed(Place& here, Word offset) {
     const auto memory = core_.memory().bytes(offset, core_.memory().size() - offset);
     const auto code = memory.first(read_instruction(memory, core_.model()).length);

@@ -49,7 +49,8 @@ public:
     }
     /// Does the same as wrapped(), but leaves an offset in the memory unchanged.
     Word wrapped_or_not(Word offset) const { return offset < size_ ? offset : wrapped(offset); }
-    /// Returns the end of the area that contains a place from wrapped(): the memory, or the hidden bytes after it.
+    /// Returns the end of the area that contains an offset returned by wrapped(): the memory, or the hidden bytes after
+    /// it.
     Word end_around(Word place) const { return place < size_ ? size_ : size_ + hidden_; }
     bool holds(Word offset, Word bytes) const { return offset <= size_ && bytes <= size_ - offset; }
 

@@ -52,7 +52,7 @@ void MessageEnd::Transfer::wake() {
         waiting->kernel().make_ready(*waiting);
 }
 
-/// `of_part` is the number of bytes of the current part that this end has moved.
+/// Gives up the message. `of_part` is the number of bytes of the current part that this end has moved.
 void MessageEnd::Transfer::give_up(std::uint64_t of_part) {
     given_up = true;
     moved_when_given_up = moved + of_part;

@@ -20,9 +20,9 @@ class Process;
 namespace placedpar::transputer {
 
 /// The end of a link at which processes in C++ output and input messages, while a transputer that executes its own code
-/// moves bytes at the other end. One channel can use each direction. Its messages travel as bytes (ByteForm): each part
-/// of a message is a count of this end, as it is for the instructions `out` and `in`. A process continues when the last
-/// byte has been acknowledged, or has arrived. The other end may move the bytes by other counts.
+/// moves bytes at the other end. One channel can use each direction. Its messages travel as bytes (ByteForm): this end
+/// gives or takes all bytes of a part together, as the instructions `out` and `in` do. A process continues when the
+/// last byte has been acknowledged, or has arrived. The other end may move the bytes by other counts.
 ///
 /// input() throws NoMessage for bytes that are not a message of the channel's protocol.
 class MessageEnd final : public ByteEnd, public Carrier {

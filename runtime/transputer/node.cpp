@@ -19,12 +19,13 @@ Word word_of(std::span<const std::uint8_t, 4> bytes) {
     return result;
 }
 
-/// Returns the least time in which both directions of a link move a word. Each wire then carries only the bytes of its
-/// direction and the acknowledges of the other one.
+/// Returns the least time in which both directions of a link move a word. In this time, each wire carries only the
+/// bytes of its own direction and the acknowledges of the opposite direction.
 Time time_of_word(const hardware::LinkTiming& timing) { return 4 * (timing.data() + timing.acknowledge()); }
 
-/// Returns a time that no instruction exceeds, including a wait for the floating-point unit and accesses to the memory.
-/// The instructions of the scheduler can take longer, but the core lets their cycles pass before their effect.
+/// Returns a time that no instruction of the integer unit exceeds, including its wait for the floating-point unit and
+/// its accesses to the memory. Instructions of the scheduler can take longer, but the core can pause before their
+/// effect.
 Time longest_instruction(const CoreTiming& timing) {
     return duration_of(128 + 8 * std::int64_t{timing.memory_cycles}, timing.clock_hz);
 }
@@ -94,16 +95,17 @@ Core::Pause Node::run_to_limit() {
                                                         : Core::Links::take_accesses);
 }
 
-/// The result leaves room for one instruction before the end of the run, a halt or an analysis. Otherwise the core
-/// could begin an instruction that ends after the run, the halt or the analysis, before it knows what links did
-/// earlier.
+/// Returns how far the core may run: at most `most_ahead` from now on. One instruction must fit between this time and
+/// the end of the run, a halt or an analysis. Otherwise the core could execute an instruction beyond these times,
+/// although a link may still act on it before.
 Time Node::horizon(Time most_ahead) const {
     return std::min(later(kernel_.now(), most_ahead),
                     std::min({halts_at_, analysed_at_, kernel_.limit()}) - longest_instruction_);
 }
 
-/// Returns whether the core can run ahead although a link may act on it meanwhile. If a link acts, the core comes back.
-/// While a link takes accesses to the memory, local time is not known in advance.
+/// Returns whether the core can run ahead although a link may act on it meanwhile. If a link acts, come_back() restores
+/// an earlier state. The core cannot run ahead while a link accesses the memory, because these accesses delay the core
+/// by a time that is not known in advance.
 bool Node::may_run_ahead() const {
     return most_ahead_ > Time{0} && !core_.is_watched() && !wires_.empty() &&
            std::ranges::all_of(wires_, &hardware::Link::is_still);
@@ -135,8 +137,8 @@ void Node::come_back() {
 /// Returns the local time up to which nothing else can act on the core.
 ///
 /// While link engines take accesses to the memory, the local time advances by these accesses, too. So the core executes
-/// only about a quarter of the way at once. It then stays within the limit as long as the engines leave it a quarter of
-/// the time. If the memory is too slow for this, the core executes a single instruction.
+/// at once only about a quarter of the time that is left until the limit. It then stays within the limit as long as the
+/// engines leave it a quarter of the time. If the memory is too slow for this, the core executes a single instruction.
 HalfCycles Node::limit() const {
     const EventQueue& future = kernel_.future();
     const Time next_event = future.empty() ? Time::max() : future.next_time();
@@ -173,7 +175,8 @@ std::uint64_t Node::words_moved() {
     return words;
 }
 
-/// Notes what a link has done, for the next turn of the core. An idle core has its turn at once, after all links.
+/// Notes what a link has done, for the next turn of the core. An idle core continues at the current time, after all
+/// links have acted.
 void Node::note(const Wake& wake) {
     if (activity_ != Activity::booted || is_halted())
         return;
@@ -318,7 +321,7 @@ void Node::hear(std::span<const std::uint8_t> bytes) { heard_.insert(heard_.end(
 /// Returns the offset of a word. Addresses outside of the memory wrap, as on most boards.
 Word Node::wrapped(Word address) const { return NodeMemory::offset_of(address) % core_.memory().size() & ~Word{3}; }
 
-/// Acts on a command, or on the bytes that belong to it.
+/// Acts on the bytes that the link has read: a command, or the bytes that follow a command.
 void Node::obey(int link) {
     if (is_halted())
         return;
@@ -344,7 +347,7 @@ void Node::obey(int link) {
     }
 }
 
-/// Executes code as after a boot by this link.
+/// Stores the code in the memory, and executes it as after a boot from this link.
 void Node::begin(std::span<const std::uint8_t> code, int link) {
     activity_ = Activity::booted;
     core_.copy_to_memory(traits_of(core_.model()).memory_start, code);
@@ -366,7 +369,8 @@ void Node::start(const Image& image) {
     kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
 }
 
-/// A process that stops leaves the address of its next instruction below its workspace.
+/// Returns whether the image's program has stopped at its end. A process that stops leaves the address of its next
+/// instruction below its workspace.
 bool Node::has_ended(const Image& image) const {
     return core_.memory().word(image.workspace - 4) == most_negative + image.end;
 }

@@ -28,14 +28,14 @@ class ProcessTrace; // runtime/transputer/process_trace.hpp
 /// over a link selects what this link does: it boots the transputer, reads its memory (peek) or writes its memory
 /// (poke). After a boot, the core executes.
 ///
-/// The core runs ahead of virtual time, in one of two ways. While all links rest, the core saves its state, and
-/// executes up to its next link instruction as if no link acted on it. If one of its links is about to act on it, the
-/// core first returns to the saved state, and executes again up to the present. While a link is under way, the core
-/// executes only as far as nothing can act on it. It stops before a change of its queues if a link may wake a process.
-/// It stops at the next event of any other device if a high-priority process waits for a link. It always stops when a
-/// timer or a timeslice ends, or a clock is read. So the results depend neither on how far the core runs ahead, nor on
-/// the order of devices. The only exceptions are programs that read bytes that a link is about to store, or that change
-/// bytes or a channel word that a link is about to read.
+/// The core runs ahead of virtual time, in one of two ways. While nothing is under way on any link, the core saves its
+/// state, and executes up to its next link instruction as if no link acted on it. If one of its links is about to act
+/// on it, the core first returns to the saved state, and executes again up to the present. While a link is under way,
+/// the core executes only as far as nothing can act on it. It stops before a change of its queues if a link may wake a
+/// process. It stops at the next event of any other device if a high-priority process waits for a link. It always stops
+/// when a timer or a timeslice ends, or a clock is read. So the results depend neither on how far the core runs ahead,
+/// nor on the order of devices. The only exceptions are programs that read bytes that a link is about to store, or that
+/// change bytes or a channel word that a link is about to read.
 ///
 /// Processes that links wake at the same time become ready in the order of their channels.
 ///
@@ -66,7 +66,7 @@ public:
     /// Makes each instruction an event of its own. Tests compare such a run with a usual run. REQUIRES: the run has not
     /// begun.
     void run_instruction_by_instruction() { run_ahead_by(Time{0}); }
-    /// Runs ahead by this time while the links rest. REQUIRES: the run has not begun.
+    /// Runs ahead by this time while nothing is under way on the links. REQUIRES: the run has not begun.
     void run_ahead_by(Time time) {
         most_ahead_ = std::min(most_ahead_, time);
         ahead_by_ = least_ahead_ = longest_ahead_ = time;
@@ -94,8 +94,9 @@ public:
     /// Returns the node's name followed by the name of a process, such as "root.phil[2]". If the process has no name,
     /// the address of its workspace takes the place of the name, as in "root.#80000144".
     std::string name_of_process(Word workspace) const;
-    /// Returns the name of a channel in the table. If the table has none, returns the name of a direction of a link or
-    /// of the channel that C++ processes use there, or "root.event", or a name such as "root.#80000100".
+    /// Returns the name of a channel in the table. If the table has none, returns, for a link's channel, the name of
+    /// the direction, or of the channel that C++ processes use on this direction. For other channels, returns
+    /// "root.event" or a name such as "root.#80000100".
     std::string name_of_channel(Word) const;
     Activity activity() const;
     /// Returns the core, in its state at the present time.
@@ -130,10 +131,10 @@ private:
         Node* node_ = nullptr;
         int number_ = 0;
     };
-    /// What a listening node does with the bytes that come over a link.
+    /// How a listening node uses the bytes that come over a link.
     enum class Listening : std::uint8_t { for_command, for_poke, for_peek, for_code, answering };
 
-    /// What a link has done to a channel.
+    /// An action of a link on a channel of the node: a transfer has ended, or a byte has come.
     struct Wake {
         Time at;
         int channel;
@@ -197,7 +198,7 @@ private:
     std::uint64_t words_settled_ = 0;
     Time busy_{};
     Time most_ahead_ = std::chrono::microseconds{100}; ///< how far the core may run ahead while links may act on it
-    Time ahead_by_ = most_ahead_;                      ///< how far the core runs ahead the next time if all links rest
+    Time ahead_by_ = most_ahead_; ///< how far the core runs ahead the next time if nothing is under way on the links
     Time least_ahead_ = std::chrono::microseconds{10}, longest_ahead_ = std::chrono::milliseconds{1};
     bool is_ahead_ = false; ///< the core has saved a state, and has then run to `ahead_to_`
     HalfCycles ahead_to_ = 0;

@@ -50,8 +50,8 @@ void ProcessTrace::wait(Word workspace, Activity activity, const std::vector<Wor
     add(std::move(notice));
 }
 
-/// Records that the running process leaves the processor. If it has moved to another workspace, its former workspace is
-/// not in use any more.
+/// Records that the running process leaves the processor. If it has moved to another workspace, the trace ends the
+/// process of the former workspace.
 void ProcessTrace::leave(const std::string& process) {
     if (running_ != process && !running_.empty())
         add({core_.local_time(), running_, Activity::ended});

@@ -20,8 +20,9 @@ class Kernel;
 
 namespace placedpar::transputer {
 
-/// Tells the trace of a run what the processes of a node do. A node runs ahead of virtual time, so each notice is kept
-/// until its time has come. Each workspace counts as a process; workspaces with the same name count as one process.
+/// Reports the activities of a node's processes to the trace of a run. A node runs ahead of virtual time, so each
+/// notice is kept until its time has come. Each workspace counts as a process; workspaces with the same name count as
+/// one process.
 class ProcessTrace final : public Core::ProcessWatcher, private Event {
 public:
     using Naming = std::function<std::string(Word)>;

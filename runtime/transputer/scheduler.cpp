@@ -14,7 +14,7 @@
 namespace placedpar::transputer {
 namespace {
 
-/// The cycles of an interrupt, typically (published), and of the return from it (ours).
+/// The cycles of a typical interrupt (published), and of the return from an interrupt (ours).
 constexpr HalfCycles interrupt_cycles = 19, return_cycles = 17;
 static_assert(interrupt_cycles == static_cast<HalfCycles>(hardware::instructions::preemption));
 
@@ -24,7 +24,7 @@ CodeTiming code_timing(Model model, const CoreTiming& timing) {
     return {model, traits_of(model).bytes_on_chip, more, static_cast<HalfCycles16>(2 * more)};
 }
 
-/// Returns whether an interrupt need not wait for the end of the instruction.
+/// Returns whether an interrupt can happen before the end of the instruction.
 bool can_be_interrupted(Operation operation) {
     switch (operation) {
     case Operation::move:
@@ -37,7 +37,8 @@ bool can_be_interrupted(Operation operation) {
     }
 }
 
-/// Returns whether an instruction of the scheduler concerns no clock.
+/// Returns whether perform_at_once() can perform this instruction of the scheduler. It cannot if the instruction uses a
+/// clock.
 bool stays_on_processor(Operation operation) {
     switch (operation) {
     case Operation::enbc:
@@ -92,7 +93,7 @@ Core::Pause Core::run(HalfCycles limit, Links links) {
         if (!has_process)
             return Pause::idle;
         if (local_ >= std::min(limit, due_))
-            continue; // an interrupt or return took the time
+            continue; // an interrupt, or the return from one, took the time
         if (pending_) {
             if (!finish_pending(limit, links, pause))
                 return pause;
@@ -102,8 +103,8 @@ Core::Pause Core::run(HalfCycles limit, Links links) {
     }
 }
 
-/// Executes up to a local time, or one instruction if instructions are watched. `at_once`: effects of the scheduler on
-/// this processor may happen before their own times.
+/// Executes up to a local time, or one instruction if instructions are watched. `at_once`: instructions of the
+/// scheduler that affect only this processor may be performed although virtual time has not reached their ends yet.
 void Core::execute_until(HalfCycles until, bool at_once) {
     if (!watcher_)
         return act_on(execute(until, at_once));
@@ -170,7 +171,7 @@ bool Core::finish_pending(HalfCycles limit, Links links, Pause& pause) {
         watcher_->executed(pending_->at, pending_->spent);
     pending_.reset();
     perform(operation);
-    pause = Pause::on_time; // returned if the caller's limit may be too late now
+    pause = Pause::on_time; // the result if the caller's limit may have become too late
     return !acts_on_link && (due_ >= due || links == Links::rest);
 }
 
@@ -305,7 +306,8 @@ bool Core::dispatch() {
         run_front(0);
         return true;
     }
-    if (priority_ == 0 && load(reserved::saved) != not_a_process) { // after analyse the word may be left over
+    // At low priority, the word may be left over from before an analyse.
+    if (priority_ == 0 && load(reserved::saved) != not_a_process) {
         resume_interrupted();
         return true;
     }

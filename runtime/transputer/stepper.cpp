@@ -112,7 +112,7 @@ void Stepper::break_at(const std::string& address) {
     print_(fmt::format("breakpoints:{}\n", list.empty() ? " none" : list));
 }
 
-/// Returns the next instruction.
+/// Returns a text that shows the next instruction.
 std::string Stepper::here() const {
     const Word at = core_.registers().instruction, offset = NodeMemory::offset_of(at), size = core_.memory().size();
     if (offset >= size)

@@ -36,7 +36,7 @@ public:
         b_ = a_;
         a_ = value;
     }
-    /// Replaces A and B by a value of both.
+    /// Replaces A and B by a value that is computed from both.
     template <class Function>
     void combine(const Function& f) {
         a_ = a_ && b_ ? std::optional(f(*b_, *a_)) : std::nullopt;
@@ -59,8 +59,8 @@ private:
     std::optional<Word> a_, b_, c_;
 };
 
-/// Performs an instruction that only loads and computes addresses. Returns false for any other instruction. An operand
-/// that counts words has been multiplied by 4.
+/// Performs an instruction that only loads and computes addresses. Returns false for any other instruction. REQUIRES:
+/// an operand that counts words has been multiplied by 4.
 bool evaluate(const Core& core, Word workspace, Operation operation, Word operand, KnownStack& stack) {
     const auto load = [&](Word address) { return word_of_node(core, address); };
     switch (operation) {
@@ -98,7 +98,8 @@ bool evaluate(const Core& core, Word workspace, Operation operation, Word operan
 bool begins_alternative(Operation operation) { return operation == Operation::alt || operation == Operation::talt; }
 bool enables(Operation operation) { return operation == Operation::enbc || operation == Operation::enbt; }
 
-/// Returns the instructions that compute the channels of a wait, in their order; empty if an ALT does not begin there.
+/// Returns the instructions before `address` that compute the channels of a wait, in the order in which they are
+/// executed. Returns none if the wait is an ALT whose beginning is not found.
 std::vector<CodedInstruction> code_before(const Core& core, Word address, bool alternates) {
     const std::size_t most_instructions = alternates ? 1000 : 24;
     std::vector<CodedInstruction> code;
@@ -150,7 +151,7 @@ constexpr std::array waits{Operation::in,    Operation::out,    Operation::outby
                            Operation::altwt, Operation::taltwt, Operation::tin};
 
 /// Returns the instruction at which a process waits; `unknown` if its saved Iptr follows no instruction that waits, or
-/// follows data that looks like one.
+/// follows data that only looks like such an instruction.
 Operation waits_at(const Core& core, Word workspace) {
     const auto instruction = word_of_node(core, workspace - below::instruction);
     if (!instruction || !core.has_executed_before(*instruction))

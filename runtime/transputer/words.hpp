@@ -57,7 +57,7 @@ namespace below {
 inline constexpr Word instruction = 4, link = 8, state = 12, pointer = 12, timer_link = 16, time = 20;
 } // namespace below
 
-/// Words of a process in an ALT.
+/// Values that the instructions of an ALT store in the words of its process.
 namespace alternative {
 inline constexpr Word enabling = most_negative + 1, waiting = most_negative + 2, ready = most_negative + 3;
 inline constexpr Word time_set = most_negative + 1, time_not_set = most_negative + 2;

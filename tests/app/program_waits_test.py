@@ -128,7 +128,7 @@ class Analyse(ProgramWaits):
     def test_the_state_is_printed_after_each_kind_of_stop(self):
         file = self.assembled("cross", CROSS)
         out = self.run_of(file, "--analyse")
-        self.assertIn("\nroot\nno process runs: the registers are those of the last process\nIptr #8000008B  Wptr #80000144", out)
+        self.assertIn("\nroot\nno process runs: the registers still hold the values of the last process\nIptr #8000008B  Wptr #80000144", out)
         self.assertIn("\nflags: no Error at low priority, no Error at high priority, no HaltOnError, no FPError\n", out)
         self.assertIn("\nhigh priority: empty\nlow priority: empty\ntimer, high: empty\ntimer, low: empty\nwaiting:\n", out)
         self.assertIn("\n  Wptr #80000144, low priority, Iptr #8000008B after out: outputs, its descriptor is at #8000019C\n", out)

@@ -211,16 +211,16 @@ TEST_CASE("a program that runs longer than the host's patience is waited for") {
 TEST_CASE("a board that does not follow the protocol is reported") {
     Case host;
     CHECK(host.failure("boot", [](FakeBoard& board) { board.ask(Request(33)); }) ==
-          "board: the board closed the connection after 1 request: the program has not ended");
+          "board: the board closed the connection after 1 request: the program had not ended yet");
     CHECK(host.failure("boot", [](FakeBoard& board) {
         board.send({7, 0, 1, 2}), board.receive(1);
     }) == "board: request 1 to the host has the length 7; a length must be even, and from 6 to 510");
     CHECK(host.failure("boot",
                        [](FakeBoard& board) {
                            board.send({4, 0, 0, 0, 34, 0, 0, 0}), board.receive(1);
-                       }) ==
-          "board: the program's first request is of the older AFserver (alien file server) protocol; only programs for "
-          "iserver can be served");
+                       }) == "board: the program's first request belongs to the older AFserver (alien file server) "
+                             "protocol; only programs for "
+                             "iserver can be served");
     CHECK(host.failure("boot", [](FakeBoard& board) {
         board.send({40, 0, 13}), board.receive(1);
     }) == "board: the board stopped within request 1: the number of missing bytes is 39");

@@ -96,10 +96,9 @@ TEST_CASE("a length that no packet has is refused") {
 }
 
 TEST_CASE("the first request of an AFserver program is refused by name") {
-    CHECK(
-        refusal_of({4, 0, 0, 0, 34, 0, 0, 0}) ==
-        "the program's first request is of the older AFserver (alien file server) protocol; only programs for iserver "
-        "can be served");
+    CHECK(refusal_of({4, 0, 0, 0, 34, 0, 0, 0}) == "the program's first request belongs to the older AFserver (alien "
+                                                   "file server) protocol; only programs for iserver "
+                                                   "can be served");
 }
 
 TEST_CASE("a reply is filled up to six bytes and an even length") {

@@ -141,7 +141,7 @@ TEST_CASE("the observer of the end of the work cannot compute, because it is not
 }
 
 TEST_CASE("an end that belongs to no channel is refused") {
-    constexpr const char* message = "an end that belongs to no channel is used";
+    constexpr const char* message = "a channel end that belongs to no channel is used";
     CHECK(refusal_of([] { Input<int>().input(); }) == message);
     CHECK(refusal_of([] { Output<int>().output(1); }) == message);
     CHECK(refusal_of([] { alt(on(Input<int>(), [](int) {})); }) == message);

@@ -44,8 +44,8 @@ TEST_CASE("the listed constants give the simulated times") {
     CHECK(ns(link.data()) == bits("a byte"));
     CHECK(ns(link.acknowledge()) == bits("an acknowledge"));
     CHECK(ns(link.acknowledge_latency()) == bits("time from a byte to its acknowledge"));
-    CHECK(ns(link.restart_latency()) ==
-          bits("time from an acknowledge to the next byte") + value_of("links", "in addition, at any speed"));
+    CHECK(ns(link.restart_latency()) == bits("time from an acknowledge to the next byte") +
+                                            value_of("links", "additional time before the next byte, at any speed"));
     const RouterPacket packet{.route = nullptr, .acknowledge = true, .last = true, .hop = 0, .bytes = 0};
     CHECK(static_cast<double>(packet.wire_form().total()) == value_of("channels in packets", "header of a packet"));
 }

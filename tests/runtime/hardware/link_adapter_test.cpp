@@ -334,11 +334,12 @@ TEST_CASE("different messages on the channels of a broadcast are refused") {
     };
     CHECK_NOTHROW(run(Octets{1, 2}, Octets{1, 2}));
     CHECK_THROWS_WITH_AS(run(Octets{1, 2}, Octets{1, 2, 3}),
-                         doctest::Contains("channel c1 is broadcast with c0, but its message has 4 + 3 bytes, not 4 + "
-                                           "2 bytes"),
+                         doctest::Contains("channel c1 is broadcast with c0, but the lengths of their messages differ: "
+                                           "4 + 3 bytes and 4 + 2 bytes"),
                          BroadcastError);
     CHECK_THROWS_WITH_AS(run(Octets{1, 2}, Octets{1, 3}),
-                         doctest::Contains("channel c1 is broadcast with c0, but its message differs"), BroadcastError);
+                         doctest::Contains("channel c1 is broadcast with c0, but their messages differ"),
+                         BroadcastError);
     struct WithoutEquality {
         double number = 0;
     };
@@ -361,9 +362,10 @@ TEST_CASE("a program that outputs on a broadcast's channels in sequence is stuck
         REQUIRE(result.deadlock);
         CHECK(result.deadlock->cycle == std::vector<std::string>{"host"});
         REQUIRE(result.deadlock->held_up.size() == 1);
-        CHECK(result.deadlock->held_up[0] ==
-              "c0: waits until the message is output on c1, c2, too, because one message goes to all these channels: "
-              "output it on all of them in a PAR");
+        CHECK(
+            result.deadlock->held_up[0] ==
+            "c0: the message waits until it is output on c1, c2, too, because one message goes to all these channels: "
+            "output it on all of them in a PAR");
     }
     SUBCASE("while others could go on") {
         host.simulation.process("other", [] { wait_for(milliseconds{5}); });
@@ -387,5 +389,5 @@ TEST_CASE("a receiver that does not come holds up the others, which the report d
     REQUIRE(result.deadlock);
     CHECK(result.deadlock->cycle.empty());
     REQUIRE(!result.deadlock->held_up.empty());
-    CHECK(result.deadlock->held_up[0].find(": waits until the message is taken on c1, too") != std::string::npos);
+    CHECK(result.deadlock->held_up[0].find(": the message waits until it is taken on c1, too") != std::string::npos);
 }

@@ -167,10 +167,12 @@ TEST_CASE("if only one end of a channel is reset within a message, the report na
         for (std::uint32_t head : {0U, 4U})
             for (Time at : {Time{1us}, Time{2us}, Time{100us}}) {
                 CHECK(held_up_after(true, at, head, every_byte) ==
-                      "c: waits until receiver, too, gives up its message and resets its end, because sender gave up "
+                      "c: no message can pass until receiver, too, gives up its message and resets its end, because "
+                      "sender gave up "
                       "the message in the middle");
                 CHECK(held_up_after(false, at, head, every_byte) ==
-                      "c: waits until sender, too, gives up its message and resets its end, because receiver gave up "
+                      "c: no message can pass until sender, too, gives up its message and resets its end, because "
+                      "receiver gave up "
                       "the message in the middle");
                 CHECK(held_up_after(true, Time{1s}, head, every_byte).empty()); // no message is given up
             }

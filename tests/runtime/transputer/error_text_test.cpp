@@ -42,9 +42,9 @@ TEST_CASE("an error of an instruction is told with what it found") {
     CHECK_EQ(said("ldc 10; ldc 8; csub0"), "10 is outside of the range 0 to 7");
     CHECK_EQ(said("ldc 9; ldc 8; ccnt1"), "9 is outside of the range 1 to 8");
     CHECK_EQ(said("ldc 1; ldc 5; ldc 0; ldiv"), "division by zero");
-    CHECK_EQ(said("ldc 300; ldc #80; cword"), "300 has more bits than the check allows");
+    CHECK_EQ(said("ldc 300; ldc #80; cword"), "300 is outside of the range -128 to 127");
     CHECK_EQ(said("ldc 1; ldc 0; csngl"), "a double word does not fit in a word");
-    CHECK_EQ(said("ldc 0; ldc #7FFFFFFF; ldc 1; ladd"), "overflow: the upper words are 2147483647 + 1");
+    CHECK_EQ(said("ldc 0; ldc #7FFFFFFF; ldc 1; ladd"), "overflow of the upper words: 2147483647 + 1");
     CHECK_EQ(said("seterr"), "the program has set the Error flag");
     CHECK_EQ(said("ldc #23; fpentry; fpchkerror"),
              "an operation on reals: overflow, division by zero, an infinity or a NaN");
