@@ -51,7 +51,7 @@ void validate_islands(const IslandsSettings& settings) {
     require_places(settings, neighbours);
 }
 
-/// Returns for each island a list of the islands that begin together with it.
+/// Returns for each island the islands that make their first generation when it does, including the island itself.
 std::vector<std::vector<std::size_t>> islands_in_step(const Schedule& schedule, const Neighbours& neighbours) {
     std::vector<std::vector<std::size_t>> together(neighbours.size());
     auto parts = separate_parts(schedule.in_step() ? neighbours : Neighbours(neighbours.size()));

@@ -14,8 +14,8 @@ namespace placedpar {
 /// any cost and better in at least one cost.
 bool dominates(const Merit&, const Merit&);
 
-/// Returns the indices of the feasible individuals that no other dominates, in ascending order of the first cost,
-/// then of the index.
+/// Returns the indices of the feasible individuals that no other individual dominates, in ascending order of the first
+/// cost, then of the index.
 std::vector<std::size_t> front_of(std::span<const Merit>);
 
 /// Returns all indices, the best first, in the order of NSGA-II (K. Deb, A. Pratap, S. Agarwal and T. Meyarivan, 2002):

@@ -35,7 +35,7 @@ using Places = std::vector<std::optional<std::size_t>>;
 // the individual that it would replace. REQUIRES of every policy: immigrants.size() + island.elite <=
 // island.strings.size(), and all strings have the same length.
 
-/// Replaces the least fit individuals; among equals the lowest index first. Draws no number.
+/// Replaces the least fit individuals; among equals the lowest index first. Draws no random number.
 struct WorstAcceptance {
     static constexpr std::string_view name = "worst", about = "the least fit individual is replaced",
                                       source = "PlacedPar's choice: the thesis states none";
@@ -47,7 +47,7 @@ struct WorstAcceptance {
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };
 
-/// Replaces a random individual outside the elite. Draws at least one number for each immigrant.
+/// Replaces a random individual outside the elite. Draws at least one random number for each immigrant.
 struct RandomAcceptance {
     static constexpr std::string_view name = "random",
                                       about = "an individual outside the elite, drawn at random, is replaced",
@@ -62,7 +62,7 @@ struct RandomAcceptance {
 
 /// Replaces the individual outside the elite with the least Representation::distance() from the immigrant. For binary
 /// strings this is the number of different bits. Among equally distant individuals it replaces the least fit, and among
-/// equally fit individuals the individual with the lowest index. Draws no number.
+/// equally fit individuals the individual with the lowest index. Draws no random number.
 struct AlikeAcceptance {
     static constexpr std::string_view name = "alike",
                                       about = "the most similar individual outside the elite is replaced",
@@ -78,7 +78,7 @@ struct AlikeAcceptance {
 /// Replaces a random individual of the population that has just been bred, except the elite at its beginning. So an
 /// immigrant is evaluated, and may become a parent, one generation later than with the other policies (thesis 5.3.2:
 /// "one generation later"). The new population has no fitness yet, so no immigrant is rejected. Draws at least one
-/// number for each immigrant.
+/// random number for each immigrant.
 struct OffspringAcceptance {
     static constexpr std::string_view name = "offspring",
                                       about = "an individual of the new population outside its elite, drawn at random, "

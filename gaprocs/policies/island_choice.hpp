@@ -74,7 +74,7 @@ struct FixedChoice {
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
-/// Chooses an island at random: a baseline for the other policies. Draws one number.
+/// Chooses an island at random: a baseline for the other policies. Draws one random number.
 struct RandomChoice {
     static constexpr std::string_view name = "random", about = "an island drawn at random each time",
                                       source = "a control for comparisons, not in the thesis";

@@ -158,7 +158,7 @@ ProcessKind analyst_kind(const ProblemRegistry& problems, SearchObserver* observ
         .name = "ga.analyst",
         .about = "Active error analysis (thesis 5.3.2) of islands with different windows. After each exchange it "
                  "chooses the island whose best individual is the answer of all islands, and keeps this answer until "
-                 "the next exchange. The islands do not change.",
+                 "the next exchange. It does not affect the islands.",
         .ports = {from_host(), input<EstimateMessage>("from_islands", "estimate", "an array: one end for each island")},
         .parameters = {policy<IslandChoice>(
                            "choice", "row",

@@ -15,7 +15,7 @@ namespace placedpar {
 
 class ProcessEnvironment;
 
-Split split_named(const std::string&); ///< `name`: value of the parameter `split`
+Split split_named(const std::string&); ///< returns the Split with this value of the parameter `split`
 /// Returns the number of bytes that a string takes in a message: `stated`, or, if `stated` is 0, the bits of the
 /// problem's string rounded up to whole bytes.
 std::uint32_t string_bytes(std::int64_t stated, const SearchProblem&);

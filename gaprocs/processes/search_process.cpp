@@ -186,7 +186,7 @@ private:
         environment_.measure("S_time2", operators_.mean_milliseconds(), "ms");
     }
 
-    /// Reports the generations per second; nothing on a workstation, where a run takes no time.
+    /// Reports the generations per second. Reports nothing on a workstation, where generations take no simulated time.
     void report_rate() {
         auto timed = static_cast<double>(search_.generation() - generations_before_timing_);
         if (double milliseconds = rate_.mean_milliseconds(); milliseconds > 0)

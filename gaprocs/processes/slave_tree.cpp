@@ -106,7 +106,7 @@ private:
     }
 
     const Network& n_;
-    std::map<std::size_t, std::string> reached_; ///< name of the port that reaches each slave, by slave
+    std::map<std::size_t, std::string> reached_; ///< for each slave, the name of the port that leads to it
 };
 
 } // namespace
