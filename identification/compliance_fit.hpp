@@ -19,17 +19,17 @@ struct ComplianceFit {
     double rms_in3_per_s;                       ///< rms of the missing flows
 };
 
-/// Finds the compliances with the least sum of squares of the missing flows, over all junctions and samples (equations
-/// 3.5 to 3.8, flows with their signs). Uses the Gauss-Newton method from `start`, usually the search's answer. Returns
-/// nullopt if the fit does not converge within 50 steps. REQUIRES: samples of this circuit, start.size() ==
-/// circuit.size().
+/// Finds the compliances with the least sum of squares of the missing flows, over all junctions and samples. The
+/// missing flow is the error of a junction's flow balance (equations 3.5 to 3.8, flows with their signs). Uses the
+/// Gauss-Newton method from `start`, usually the search's answer. Returns nullopt if the fit does not converge within
+/// 50 steps. REQUIRES: samples of this circuit, start.size() == circuit.size().
 std::optional<ComplianceFit> fit_compliances(const hydraulics::Circuit& circuit,
                                              std::span<const hydraulics::CircuitSample> samples,
                                              const hydraulics::FlowConstants& flow, std::span<const double> start);
 
-/// Fits compliances as fit_compliances() does, but weighs the missing flows by their scatter (flow_weights.hpp).
-/// Weights and compliances are computed alternately. The standard errors are the least that the noise of the samples
-/// allows (the Cramer-Rao bound).
+/// Fits compliances as fit_compliances() does, but scales the missing flows by FlowWeights (flow_weights.hpp). Weights
+/// and compliances are computed alternately. The standard errors are the least that the noise of the samples allows
+/// (the Cramer-Rao bound).
 std::optional<ComplianceFit> fit_weighed_compliances(const hydraulics::Circuit& circuit,
                                                      std::span<const hydraulics::CircuitSample> samples,
                                                      const hydraulics::FlowConstants& flow,

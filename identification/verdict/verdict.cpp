@@ -83,7 +83,7 @@ double probability_sound(const Deviation& mean, const WayMatrix& information, Ar
     return 1 / all;
 }
 
-/// Returns whether the fault of this verdict exceeds the standard error of its size.
+/// Returns whether the size of the verdict's fault exceeds its standard error.
 bool beyond_error(VerdictKind kind, const Deviation& mean) {
     auto alone = [&](FaultHypothesis way) {
         const FaultSize size = size_alone(way, mean);
