@@ -9,8 +9,8 @@ namespace placedpar::hydraulics {
 namespace {
 
 /// Returns the pressure at which two outlets together take the flow Q; infinite if both are shut. If u^2 is the
-/// pressure drop over `high`, and D the difference between the outlets' pressures, then Q = a u + b sqrt(u^2 + D). The
-/// positive root of this quadratic equation is written without cancellation.
+/// pressure drop over `high`, D the difference between the outlets' pressures, and a and b their conductances, then Q =
+/// a u + b sqrt(u^2 + D). The positive root of this quadratic equation is written without cancellation.
 double common_psi(const Outlet& high, const Outlet& low, double flow) {
     double a = high.conductance, b = low.conductance, difference_psi = high.psi - low.psi;
     double rest = flow * flow - b * b * difference_psi;

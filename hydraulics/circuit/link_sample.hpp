@@ -28,8 +28,8 @@ struct LinkSample {
     friend bool operator==(const LinkSample&, const LinkSample&) = default;
 };
 
-/// These equations judge a trial compliance, one link at a time. Any consistent system of units may be used. T is as in
-/// orifice.hpp, and `conductance` is k a of the inlet or the bypass.
+/// These equations give the flows and pressures that a trial compliance implies, one link at a time. Any consistent
+/// system of units may be used. T is as in orifice.hpp, and `conductance` is k a of the inlet or the bypass.
 
 /// Returns the flow into the cylinder (3.5, B.2), which moves the piston and expands the pump side.
 template <typename T>
