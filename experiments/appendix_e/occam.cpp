@@ -117,9 +117,9 @@ Comparison compare_evaluations(const ReplayContext& context, Fingerprint& finger
         const bool equal = run.number_behind("fitness of all strings") == fitness_in_cpp();
         table.add(judged_by(Judge::own, judged_cell("fitness of the C++ library", column, "", 1, equal, 0, 0)));
     }
-    table.notes =
-        "72 us: 86.4 ms (Table E.1) / (120 strings x 10 samples). Columns: cycles of an access to external "
-        "memory.\nfitness of the C++ library: 1 if the fitness with the orifices known equals it to the last bit\n";
+    table.notes = "72 us: 86.4 ms (Table E.1) / (120 strings x 10 samples). Columns: cycles of an access to external "
+                  "memory.\nfitness of the C++ library: 1 if the program's fitness, with the orifices known, equals "
+                  "the library's to the last bit\n";
     return table;
 }
 
@@ -238,7 +238,7 @@ Replay replay_occam(const ReplayContext& context) {
 
 extern const Experiment occam_experiment{
     .name = "occam",
-    .about = "programs in occam beside INMOS's compiler, and beside the times of the thesis's programs",
+    .about = "programs in occam, compared with INMOS's compiler and with the times of the thesis's programs",
     .chapter = "E",
     .number = 5,
     .run = replay_occam,

@@ -56,8 +56,8 @@ double crossover_by_formula(int alpha) {
     return crossover(most_islands, hybrid);
 }
 
-/// Compares the crossovers of the simulation with those of equation 4.9. Without communication, both may differ by one
-/// step in the hybrid's size.
+/// Compares the crossovers of the simulation with the crossovers of equation 4.9. Without communication, the two may
+/// differ by one step in the hybrid's size.
 Comparison crossover_table(const StudyReplay& study, const Comparison& ideal, const Comparison& on_t800s) {
     Comparison table{.name = "number of processors from which the hybrid is faster than 16 islands of 6",
                      .against = "(4.9)"};

@@ -72,7 +72,7 @@ SchemaBefore look_before(const Schema& schema, const Search& search, const std::
                          settings.mutation_probability)};
 }
 
-/// Makes a generation of a run on f(x) = x^2, and counts the strings of the schemata before and after it.
+/// Makes a generation of a run on f(x) = x^2, and counts the strings of the schemata before and after this generation.
 void count_generation(Search& search, const SearchSettings& settings, const std::vector<Schema>& schemata,
                       CountsByClass& counts) {
     std::vector<double> fitness;
@@ -235,7 +235,7 @@ Replay replay_schemata(const ReplayContext& context) {
 
 extern const Experiment schemata_experiment{
     .name = "schemata",
-    .about = "schemata counted in runs, beside the bound of equation 6.2",
+    .about = "schemata counted in runs, compared with the bound of equation 6.2",
     .chapter = "6",
     .number = 2,
     .run = replay_schemata,
