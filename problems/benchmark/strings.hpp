@@ -47,8 +47,8 @@ struct Trap {
 /// bits after it; the bits form a ring, so the first bit follows the last.
 class Landscape {
 public:
-    /// `contributions` holds 2^(k + 1) numbers for each bit i. The index among them is the natural binary number in the
-    /// bits i ... i + k. REQUIRES: bits > k; contributions.size() == bits * 2^(k + 1).
+    /// `contributions` holds 2^(k + 1) numbers for each bit i. The index among these numbers is the natural binary
+    /// number in the bits i ... i + k. REQUIRES: bits > k; contributions.size() == bits * 2^(k + 1).
     Landscape(std::size_t bits, std::size_t k, std::vector<double> contributions);
 
     BitString representation() const { return BitString(bits_); }
