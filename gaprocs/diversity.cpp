@@ -9,7 +9,7 @@ namespace placedpar {
 
 namespace {
 
-/// Adds a coordinate that is 1 for `count` individuals and 0 for the others.
+/// Adds the coordinate `which` to the spread. It is 1 for `count` individuals and 0 for the others.
 void add_count(Spread& spread, std::uint64_t which, std::uint64_t count) {
     auto individuals = static_cast<double>(spread.individuals), ones = static_cast<double>(count);
     spread.centre.push_back({which, ones / individuals});
@@ -73,7 +73,7 @@ Spread spread_of_reals(std::span<const Genome> population, const RealVector& rea
     return spread;
 }
 
-/// Returns a code for each pair of neighbouring places in each tour, sorted.
+/// Returns, for each pair of neighbouring places in each tour, the code of the pair. The codes are sorted.
 std::vector<std::uint64_t> neighbours_in(std::span<const Genome> tours, const Permutation& permutation) {
     std::vector<std::uint64_t> pairs;
     for (const Genome& genome : tours) {

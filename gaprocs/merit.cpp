@@ -39,7 +39,7 @@ Indices take_front(Indices& left, std::span<const Merit> merits) {
 /// Adds one cost's part to the crowding distance of each individual of the front: the difference of this cost between
 /// the individual's two neighbours, as a fraction of the range of the cost in the front. The distance of the
 /// individuals with the lowest and the highest cost is infinite. If the range is too large for a double, adds nothing
-/// to the others.
+/// to the distances of the other individuals.
 void add_distances(const Indices& front, std::span<const Merit> merits, std::size_t cost,
                    std::vector<double>& distances) {
     Indices order = front;

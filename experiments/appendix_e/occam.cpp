@@ -139,8 +139,7 @@ RunReport run_in_cpp(const char* netlist, const ReplayContext& context) {
     return run_to_the_end(context.examples / "thesis" / netlist, {{"slaves", "0"}}, context);
 }
 
-/// Returns the hash of all strings that a process in C++ has bred, in the form in which the programs in occam print a
-/// hash.
+/// Returns the hash of all strings that a process in C++ has bred, written as the programs in occam write a hash.
 std::string hash_in_cpp(const RunReport& report, const char* process) {
     std::string hash = report.measured_text(process, "populations");
     std::ranges::transform(hash, hash.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
@@ -210,7 +209,7 @@ Comparison compare_islands(const ReplayContext& context, Fingerprint& fingerprin
     return table;
 }
 
-/// Compares the speedup of the machine of Figure E.2 over a single transputer with the thesis.
+/// Compares the speedup of the machine of Figure E.2 over a single transputer with the speedup in the thesis.
 Comparison compare_speedup(const ReplayContext& context) {
     Comparison table{.name = "speedup of sixteen transputers (A + B)"};
     for (const SearchOfCluster& search : {searches_of_clusters[0], searches_of_clusters[1]}) {

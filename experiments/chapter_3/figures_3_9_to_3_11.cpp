@@ -128,8 +128,8 @@ Comparison states_comparison(const TwoLinkMotion& motion, std::uint64_t seed) {
     return comparison;
 }
 
-/// Plots one search without noise over the whole time of Figure 3.9. Once the motion is steady, the gate keeps the
-/// estimate.
+/// Plots one search without noise over the whole time of Figure 3.9. Once the motion is steady, the gate stops the
+/// search, so the last estimate is kept.
 Plot plot_of_found_states(const TwoLinkMotion& motion, std::uint64_t seed) {
     IdentificationWay way = gray_way();
     way.usable.count = samples_in_figure_3_9;

@@ -105,7 +105,7 @@ std::uint64_t fingerprint_of(const StudyReplay& study) {
     return fingerprint.value();
 }
 
-/// Sorts the cells: the hypercube before the hybrid, each by alpha.
+/// Sorts the cells: first the hypercube's cells by alpha, then the hybrid's cells by alpha.
 void order_by_alpha(const StudyReplay& study, Comparison& table) {
     std::ranges::stable_sort(table.cells, {}, [&](const Cell& cell) {
         return std::tuple(cell.row.starts_with("hybrid"), study.number_in(cell.column));

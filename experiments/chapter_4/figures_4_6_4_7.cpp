@@ -187,7 +187,7 @@ Comparison run_pipelined_on_t800s(SpeedupRuns& runs) {
     });
 }
 
-/// A speedup by formula, and the allowed distance of the simulated speedup.
+/// A speedup computed by a formula, and by how much the simulated speedup may differ from it.
 struct FormulaSpeedup {
     double known;
     double whole;   ///< speedup if no evaluation is divided between processors; its difference from `known` is allowed

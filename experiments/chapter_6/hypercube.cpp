@@ -236,8 +236,9 @@ std::string draw_figure_6_1() {
                            {{VertexLook::parent, "maximum among its neighbours"}});
 }
 
-/// Draws the fitness of an impulse at 1011 over x. A second panel shows the fitness over the number of bits that differ
-/// from the best string. The second panel also shows the share of right bits, which rises towards the best string.
+/// Draws an impulse over x: a fitness that is 1 at 1011 and 0 elsewhere. A second panel shows the fitness over the
+/// number of bits that differ from the best string. The second panel also shows the share of right bits, which rises
+/// towards the best string.
 Plot plot_figure_6_5() {
     auto fitness = [](std::uint32_t x) { return x == 0b1011 ? 1. : 0.; };
     Series impulse = curve({.name = "impulse at 1011"}, 15, [&](int x) {

@@ -74,7 +74,8 @@ private:
                                    std::get<std::string>(island.parameters.at("problem")), name(analyst_)));
     }
 
-    /// REQUIRES: every port `from_host` is connected, which the reader of netlists has checked.
+    /// Checks that the analyst and its islands get their samples from the same process. REQUIRES: every port
+    /// `from_host` is connected, which the reader of netlists has checked.
     void check_host() {
         auto host = [&](std::size_t process) { return other_end(network_, process, "from_host")->process; };
         for (const Peer& each : reporters_)

@@ -39,8 +39,8 @@ Archipelago::Archipelago(const Network& network) {
 
 std::size_t Archipelago::number_of(std::size_t process) const { return numbers_.at(process); }
 
-/// Adds the neighbours in the order of the ports' subscripts, in which ProcessInstance::ports lists the ends of an
-/// array.
+/// Adds the neighbours in the order of the ports' subscripts. ProcessInstance::ports lists the ends of an array in this
+/// order.
 void Archipelago::add_neighbours(const Network& network, PlacedIsland& self) {
     for (const PortBinding& binding : network.processes[self.process].ports)
         if (base_name(binding.port) == "to_neighbours" || base_name(binding.port) == "from_neighbours")

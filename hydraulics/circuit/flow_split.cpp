@@ -31,8 +31,8 @@ FlowSplit split_flow(const Outlet& inlet, const Outlet& bypass, double flow_in3_
         double in = flow_through(inlet, relief_psi), by = flow_through(bypass, relief_psi);
         return {relief_psi, in, by, flow_in3_per_s - in - by};
     }
-    // The outlet with the lower pressure takes the remaining flow, so that the sum of the flows is exact to a rounding.
-    // A shut outlet takes nothing.
+    // The outlet with the lower pressure takes the remaining flow, so that the sum of the flows is exact, except for
+    // rounding. A shut outlet takes nothing.
     if (inlet.conductance == 0 || bypass.conductance == 0)
         return {psi, inlet.conductance == 0 ? 0 : flow_in3_per_s, inlet.conductance == 0 ? flow_in3_per_s : 0, 0};
     if (loaded) {

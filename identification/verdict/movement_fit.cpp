@@ -254,8 +254,8 @@ Equations before_movement(Eigen::Index unknowns) {
     return {MatrixXd::Identity(unknowns, unknowns) / (prior_units * prior_units), none, none, none};
 }
 
-/// Adds the moving samples, and notes the part of the information that is noise of their slopes. This part would make a
-/// compliance too small (errors in variables).
+/// Adds the samples during the movement. Also stores which part of the information comes only from the noise of the
+/// slopes: if this part were not removed later, the compliance would be too small (errors in variables).
 void add_moving(Equations& equations, const MovingRows& moving) {
     const Weights weights(moving.rows);
     const MatrixXd information = weights.information();

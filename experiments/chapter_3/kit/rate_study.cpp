@@ -37,8 +37,8 @@ bool accused(const RecordSource& source, AreasFrom from, std::uint64_t seed) {
     return accused || !machine.alarms().empty();
 }
 
-/// Returns whether the diagnosis raises an alarm for a sound machine. Two figures follow for each fault: whether the
-/// fault is found, and whether it is named correctly or left undecided.
+/// Returns the figures of one machine. The first says whether the diagnosis raises an alarm while the machine is sound.
+/// Two figures follow for each fault: whether the fault is found, and whether it is named correctly or left undecided.
 Figures judge_at_rate(const RecordSource& source, AreasFrom from, bool with_faults, std::uint64_t seed) {
     Figures figures{static_cast<double>(accused(source, from, seed))};
     if (!with_faults)
