@@ -16,7 +16,8 @@ namespace placedpar {
 namespace {
 
 /// Returns the objective for a fitness: the fitness itself, or its negative if the objective is minimised. If the
-/// objective was not a finite number, returns the worst infinity. Without an objective, returns the fitness.
+/// objective was not a finite number, returns the infinity that is worst for the goal. Without an objective, returns
+/// the fitness.
 double in_its_own_sign(double fitness, std::optional<Goal> goal) {
     if (goal && fitness <= worst_fitness)
         fitness = -std::numeric_limits<double>::infinity();

@@ -18,9 +18,10 @@ class Checkpoints; // gaprocs/checkpoints.hpp
 
 /// A generation of one search, or of all searches together. For a problem with an objective, the values of the
 /// objective are logged, not the fitness: if the objective is minimised, the best value is the least. An objective that
-/// is not a finite number is logged as the worst infinity.
+/// is not a finite number is logged as the infinity that is worst for the goal: minus infinity if the objective is
+/// maximised.
 struct LoggedGeneration {
-    std::optional<Time> time; ///< time of the generation; for all searches together, their latest time
+    std::optional<Time> time; ///< time of the generation; for all searches together, the latest of their times
     double best_so_far;       ///< best value of `best` up to this generation; if the window moves, the compared fitness
                               ///< values come from different windows
     double best, mean;        ///< fitness or objective; `mean` omits values that are not finite

@@ -125,7 +125,7 @@ private:
         in_step_; ///< for each island, the islands that begin together with it, including itself
     std::vector<SlidingWindow> windows_;
     std::vector<Search> searches_;
-    std::vector<std::vector<double>> fitness_; ///< fitness of the current generation, by island and individual
+    std::vector<std::vector<double>> fitness_; ///< fitness_[island][individual] in the current generation
     std::vector<Migration> migrations_;
     /// For the asynchronous schedule: emigrants that have been sent but not yet received; mail_[to][from] goes from
     /// island `from` to island `to`.

@@ -9,9 +9,9 @@
 namespace placedpar {
 
 /// Returns whether the first merit dominates the second. A feasible individual dominates every infeasible individual.
-/// The lesser violation decides between two infeasible individuals (K. Deb, "An efficient constraint handling method
-/// for genetic algorithms", 2000). A feasible individual dominates another feasible individual if it is not worse in
-/// any cost and better in at least one cost.
+/// An infeasible individual dominates another infeasible individual if its violation is less (K. Deb, "An efficient
+/// constraint handling method for genetic algorithms", 2000). A feasible individual dominates another feasible
+/// individual if it is not worse in any cost and better in at least one cost.
 bool dominates(const Merit&, const Merit&);
 
 /// Returns the indices of the feasible individuals that no other individual dominates, in ascending order of the first

@@ -88,7 +88,7 @@ struct OffspringAcceptance {
                       RandomStream& random) const;
 };
 
-/// A user-defined struct with a call operator like those above. The returned places are checked.
+/// A user-defined struct with the same call operator as the policies above. The returned places are checked.
 class OwnAcceptance : public OwnPolicy {
 public:
     template <class Policy>

@@ -113,7 +113,7 @@ struct OrderCrossover {
     void operator()(Genome& a, Genome& b, const Permutation& permutation, RandomStream& random) const;
 };
 
-/// A user-defined struct with a function fits() like those above, and with the call operator
+/// A user-defined struct with a function fits(), as the policies above have, and with the call operator
 ///
 ///     void operator()(Genome& a, Genome& b, const Representation& representation, RandomStream& random) const;
 class OwnCrossover : public OwnVariation {

@@ -53,7 +53,8 @@ struct TournamentEmigration {
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
 };
 
-/// A user-defined struct with `count` and a call operator like those above. The returned indices are checked.
+/// A user-defined struct with a number `count` and the same call operator as the policies above. The returned indices
+/// are checked.
 class OwnEmigration : public OwnPolicy {
 public:
     template <class Policy>

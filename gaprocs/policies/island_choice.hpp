@@ -81,7 +81,7 @@ struct RandomChoice {
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream& random) const;
 };
 
-/// A user-defined struct with a call operator like those above. The returned island is checked.
+/// A user-defined struct with the same call operator as the policies above. The returned island is checked.
 class OwnChoice : public OwnPolicy {
 public:
     template <class Policy>

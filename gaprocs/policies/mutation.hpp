@@ -138,7 +138,7 @@ struct InversionMutation {
                     RandomStream& random) const;
 };
 
-/// A user-defined struct with a function fits() like those above, and with the call operator
+/// A user-defined struct with a function fits(), as the policies above have, and with the call operator
 ///
 ///     void operator()(Genome& genome, std::size_t place, const Representation& representation,
 ///                     RandomStream& random) const;

@@ -150,7 +150,7 @@ protected:
     auto tried(Work work) const {
         return placedpar::tried([&] { return named(); }, work);
     }
-    /// Throws UserError with the text `otherwise` unless `right`. REQUIRES: called within tried().
+    /// Throws UserError with the text `otherwise` unless `right` is true. REQUIRES: called within tried().
     static void require(bool right, const char* otherwise);
 
 private:

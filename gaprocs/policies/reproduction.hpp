@@ -106,8 +106,8 @@ struct TournamentReproduction {
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
 };
 
-/// A user-defined struct with a call operator and `needs_positive_fitness` like those above. The returned parents are
-/// checked.
+/// A user-defined struct with `needs_positive_fitness` and the same call operator as the policies above. The returned
+/// parents are checked.
 class OwnReproduction : public OwnPolicy {
 public:
     template <class Policy>

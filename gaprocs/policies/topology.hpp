@@ -99,8 +99,8 @@ struct GivenTopology {
     Neighbours operator()(std::size_t islands) const;
 };
 
-/// A user-defined struct with a call operator like those above. The returned neighbours are checked like the list of a
-/// GivenTopology.
+/// A user-defined struct with the same call operator as the policies above. The returned neighbours are checked like
+/// the list of a GivenTopology.
 class OwnTopology : public OwnPolicy {
 public:
     template <class Policy>
