@@ -23,9 +23,9 @@ const std::vector<Sample>& RecordedProblem::record() const {
     if (make_) {
         std::vector<Sample> made = make_();
         if (made.size() != samples_)
-            throw UserError(fmt::format(
-                "RecordToMake::samples is {}, but make() returned {} samples: the two numbers must be equal", samples_,
-                made.size()));
+            throw UserError(fmt::format("RecordToMake::samples is {}, but the number of samples that make() returned "
+                                        "is {}: the two numbers must be equal",
+                                        samples_, made.size()));
         take(std::move(made));
         make_ = nullptr;
     }

@@ -15,7 +15,7 @@ namespace placedpar::identification {
 ///   two halves of `halved` disagree, the valve reading never changes, or the piston retracts while oil flows in;
 /// - impossible: a pressure below vacuum, or a pressure that freezes and then jumps;
 /// - uncertain: the relative standard error of least squares exceeds uncertain_share;
-/// - unconfirmed: least squares over all samples, if known, does not confirm the answer (unconfirmed_flag()).
+/// - unconfirmed: least squares over all samples, if it was computed, does not confirm the answer (unconfirmed_flag()).
 ///
 /// The last two flags are omitted if a bound or the lack of excitation has already been flagged. `samples` holds all
 /// samples that were used.

@@ -39,8 +39,8 @@ FlowWeights weights_at(const hydraulics::Circuit& circuit, std::span<const hydra
                        const hydraulics::FlowConstants& flow, std::span<const double> compliance_in3_per_psi,
                        double mean_square);
 
-/// The mean square of the weighted error at the best individual, as a share of the bias of equation 3.9. Fitness then
-/// selects equally well at each level of noise.
+/// The mean square of the weighted error at the best individual, as a share of the bias of equation 3.9. With this
+/// share, selection by fitness works equally well at each level of noise.
 inline constexpr double share_of_bias = 0.25;
 
 /// Returns the root of the sum of squares of the scaled flows.
