@@ -112,12 +112,11 @@ private:
                     last = run->generations() / every * every; // generation of the last exchange; 0 if there is none
         if (last > 0 && run->samples_at(last) >= longest_window())
             return;
-        std::string why =
-            last == 0 ? fmt::format("the first exchange is due after {}, but the run has only {}",
-                                    counted(every, "generation"), run->generations())
-                      : fmt::format(
-                            "the last exchange comes after sample {}, but the longest window is full only at sample {}",
-                            run->samples_at(last), longest_window());
+        std::string why = last == 0
+                              ? fmt::format("the first exchange is due after {}, but the run has only {}",
+                                            counted(every, "generation"), run->generations())
+                              : fmt::format("the last exchange comes after sample {}, but the longest window needs {}",
+                                            run->samples_at(last), longest_window());
         complaints_.push_back({analyst_, "", fmt::format("\"{}\" gives no answer: {}", name(analyst_), why), "", true});
     }
 

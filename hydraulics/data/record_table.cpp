@@ -239,10 +239,8 @@ Record RecordReader::read_piece(std::vector<Diagnostic>& faults) {
     if (has_errors(faults))
         return record;
     if (!before_ && record.size() < fewest_samples)
-        faults.push_back(error_at(0, 0,
-                                  fmt::format("the number of samples in the record is {}, expected at least {}",
-                                              record.size(), fewest_samples),
-                                  ""));
+        faults.push_back(error_at(
+            0, 0, fmt::format("the sample count is {}, expected at least {}", record.size(), fewest_samples), ""));
     else if (record.size() > 0)
         check(record, faults);
     return record;

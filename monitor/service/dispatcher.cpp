@@ -180,17 +180,16 @@ void Dispatcher::require_allowance(const Client& client, const Hello& hello) {
         if (places_.introduced_by(peer) >= limits_.machines_per_peer)
             make_room(peer, true);
         if (places_.introduced_by(peer) >= limits_.machines_per_peer)
-            throw BadMessage("machine",
-                             fmt::format("the number of machines that {} has announced has reached its limit of {}",
-                                         peer, limits_.machines_per_peer),
-                             "one of these machines; --max-machines-per-peer allows more");
+            throw BadMessage(
+                "machine",
+                fmt::format("{} has announced as many machines as it may: {}", peer, limits_.machines_per_peer),
+                "one of these machines; --max-machines-per-peer allows more");
         if (diagnoses_.full())
             make_room(peer, false);
     } else if (clients_.control_of(hello.machine) && !peers_.take_over(peer, Peers::Clock::now()))
         throw BadMessage(
             "machine",
-            fmt::format("the number of machines that {} has taken over within a minute has reached its limit of {}",
-                        peer, limits_.takeovers_per_peer),
+            fmt::format("the takeovers by {} have reached the limit of {} a minute", peer, limits_.takeovers_per_peer),
             "a pause before the next takeover; --max-takeovers allows more takeovers");
 }
 

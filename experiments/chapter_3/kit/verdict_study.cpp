@@ -133,8 +133,7 @@ Figures judge_machine(const RecordSource& source, AreasFrom from, std::uint64_t 
     Figures figures{static_cast<double>(watch(known, sound, sound_movements, next).found_after)};
     for (LinkFault each : all_faults)
         figures.push_back(evidence_of(judge_of(known), each));
-    // The movements of each fault have numbers of their own, so they differ from fault to fault.
-    std::uint64_t number = next + sound_movements;
+    std::uint64_t number = next + sound_movements; // differs from fault to fault, and so do the movements
     for (const TestedFault& fault : tested_faults(source, from)) {
         const Outcome outcome = watch(fault.from_first_day ? new_machine : known, fault, faulty_movements, ++number);
         figures.push_back(static_cast<double>(outcome.found_after));
