@@ -114,8 +114,9 @@ public:
     /// Throws UserError if the number of immigrants in one exchange exceeds the number of individuals outside the
     /// elite. REQUIRES: elite <= population.
     static void validate_for(std::size_t immigrants, std::size_t population, std::size_t elite);
-    /// Throws what validate_for() throws. REQUIRES: all strings have the same length, island.elite <=
-    /// island.strings.size(), and, unless among_offspring(), every string has a finite fitness.
+    /// Returns, for each immigrant, the individual that it replaces. Throws what validate_for() throws. REQUIRES: all
+    /// strings have the same length, island.elite <= island.strings.size(), and, unless among_offspring(), every string
+    /// has a finite fitness.
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
                       RandomStream& random) const;
 };

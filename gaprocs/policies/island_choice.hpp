@@ -70,7 +70,7 @@ struct FixedChoice {
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"island", &FixedChoice::island, 0, 1e6, "from 0"});
     }
-    /// Throws what IslandChoice::validate_for() throws.
+    /// Returns `island`. Throws what IslandChoice::validate_for() throws.
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 

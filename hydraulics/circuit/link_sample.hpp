@@ -18,7 +18,7 @@ struct LinkSample {
     double inlet_in2;             ///< a_i
     double bypass_in2;            ///< a_e
 
-    /// The number of values. In a list, they are in the order above.
+    /// The number of values. A list of the values has them in the order of the members above.
     static constexpr std::size_t channels = 5;
     /// REQUIRES: values.size() >= channels.
     static LinkSample from(std::span<const double> values) {

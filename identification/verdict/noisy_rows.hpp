@@ -39,7 +39,7 @@ struct NoisyRows {
 /// readings have errors that cancel over a movement, except at its ends; the covariance accounts for this effect.
 class Weights {
 public:
-    /// REQUIRES: the rows have a least variance above 0.
+    /// REQUIRES: the rows were made with a `least_variance` above 0.
     explicit Weights(const NoisyRows&);
 
     const Eigen::MatrixXd& information() const { return information_; }

@@ -79,7 +79,7 @@ struct NkLandscape {
                                        "number of neighbours on which a bit's value depends: K, less than N"},
                           PolicyNumber{"seed", &NkLandscape::seed, 0, 1e15, "seed of the table of values"});
     }
-    /// Throws UserError unless k < bits.
+    /// Returns the landscape with contributions drawn from `seed`. Throws UserError unless k < bits.
     Landscape problem() const;
 };
 
