@@ -187,7 +187,7 @@ std::vector<LogRow> GenerationLog::rows() const {
         for (; answer != answers.end() && answer->generation == number; ++answer)
             rows.push_back(*answer);
     }
-    rows.insert(rows.end(), migration, migrations.end()); // migrations in a generation that no search has logged
+    rows.insert(rows.end(), migration, migrations.end()); // these belong to a generation that no search has logged
     return rows;
 }
 

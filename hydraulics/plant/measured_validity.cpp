@@ -71,8 +71,8 @@ double drain_rate_per_s(const MeasuredExcavator& excavator) {
     return slope / ends_of(excavator.outlet_hose, excavator.boom.outlet_compliance_in3_per_psi).valve_in3_per_psi;
 }
 
-/// The method is stable if a decay rate, or the frequency of an oscillation, times the step is at most about 2.8.
-/// Oscillations need a shorter step to be accurate as well.
+/// The method is stable if the product of the step with each decay rate, and with the frequency of each oscillation, is
+/// at most about 2.8. Oscillations need a shorter step to be accurate as well.
 void require_short_step(const MeasuredExcavator& excavator) {
     const LinkMechanics& boom = excavator.boom;
     auto resolve = [&](std::string_view what, double rate_per_s, double most) {
