@@ -23,13 +23,13 @@ struct SeriesChange {
 /// not show that the standard errors are too small.
 inline constexpr std::size_t fewest_for_scatter = 6;
 
-/// Looks for the one change that explains a series best. For each place, the difference of the weighted means before
-/// and after the place is divided by its standard error. If the estimates scatter around the two means more than their
-/// standard errors allow, the scatter replaces the standard errors. The greatest of these quotients is compared with
-/// the greatest quotients of 9,999 random series without a change, whose errors are normal and have the standard errors
-/// of the series. A change is returned only if its probability is at most `level`. So if `level` is 0.01, a change is
-/// returned by mistake for about 1 % of the series without a change. `level` should be at least 0.001. Equal series
-/// give equal results.
+/// Looks for the one change that explains a series best. For each place between two estimates, the difference of the
+/// weighted means before and after the place is divided by its standard error. If the estimates scatter around the two
+/// means more than their standard errors allow, the scatter replaces the standard errors. The greatest of these
+/// quotients is compared with the greatest quotients of 9,999 random series without a change, whose errors are normal
+/// and have the standard errors of the series. A change is returned only if its probability is at most `level`. So if
+/// `level` is 0.01, a change is returned by mistake for about 1 % of the series without a change. `level` should be at
+/// least 0.001. Equal series give equal results.
 std::optional<SeriesChange> find_change(const std::vector<UncertainValue>& series, double level);
 
 /// Finds all changes: looks for one change in the series, then for further changes in the parts before and after each

@@ -10,7 +10,8 @@
 
 namespace placedpar::identification {
 
-/// These functions compute references for the genetic algorithm's answer, by least squares and by trying all strings.
+/// These functions compute compliances with which the genetic algorithm's answer is compared, by least squares and by
+/// trying all strings.
 
 /// Compliances found by least squares. The standard errors follow from the scatter of the residuals.
 struct ComplianceFit {

@@ -110,7 +110,7 @@ std::vector<double> numbers_of(const Policy& policy) {
     return std::apply(values, stated_numbers<Policy>());
 }
 
-/// REQUIRES: one value for each number of the policy.
+/// Returns the policy with these values of its numbers. REQUIRES: one value for each number of the policy.
 template <class Policy>
 Policy make_policy(const std::vector<double>& values) {
     Policy policy;

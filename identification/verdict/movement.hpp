@@ -13,8 +13,8 @@ namespace placedpar::identification {
 /// One LinkSample for each link, in the order of the circuit's junctions.
 using JunctionSamples = std::vector<hydraulics::LinkSample>;
 
-/// The samples of one movement of an operator: at rest before the valves open, while all valves are open, and at rest
-/// after they have shut.
+/// The samples of one movement that an operator makes: at rest before the valves open, while all valves are open, and
+/// at rest after they have shut.
 struct MovementSamples {
     std::vector<JunctionSamples> at_rest, moving, rest_after; ///< oldest first
 
