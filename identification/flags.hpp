@@ -12,8 +12,8 @@ namespace placedpar::identification {
 /// negative;
 /// - no excitation: the pressure hardly changes over `window`, so noise determines the answer;
 /// - inconsistent: the best individual's flow error exceeds the square root of the bias of the fitness (misfit), the
-///   compliances found in the two halves of the samples `halved` disagree, the valve reading never changes, or the
-///   piston retracts while oil flows in;
+///   two halves of the samples `halved` disagree, the valve reading never changes, or the piston retracts while oil
+///   flows in;
 /// - impossible: a pressure below vacuum, or a pressure that freezes and then jumps;
 /// - uncertain: the relative standard error of least squares exceeds uncertain_share;
 /// - unconfirmed: least squares over all samples, if it was computed, does not confirm the answer (unconfirmed_flag()).
