@@ -18,9 +18,9 @@ namespace placedpar {
 ErrorsOfBest errors_of_best(const SearchProblem& problem, std::span<const Individual> bests,
                             std::span<const std::size_t> windows, std::span<const Sample> samples);
 
-/// Whenever the islands broadcast, chooses one of their best individuals as the answer of all islands. The answer stays
-/// until the next broadcast (thesis 5.3.2: "output the estimated parameters at the broadcasting frequency"). The
-/// islands themselves are not affected.
+/// Whenever the islands broadcast their best individuals, chooses one of these individuals as the answer of all
+/// islands. The answer stays until the next broadcast (thesis 5.3.2: "output the estimated parameters at the
+/// broadcasting frequency"). The islands themselves are not affected.
 class ActiveErrorAnalysis {
 public:
     /// `windows`: the length of each island's window in samples. REQUIRES: `problem` outlives the analysis.

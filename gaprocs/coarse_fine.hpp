@@ -14,8 +14,8 @@ namespace placedpar {
 struct CoarseFineSettings {
     SearchSettings coarse, fine;        ///< settings of the two searches, which must have the same window
     Recoding coarse_reading;            ///< number of most significant bits of each field that the coarse search breeds
-    std::vector<std::size_t> fine_bits; ///< number of bits of each field in the fine search; a field that has all bits
-                                        ///< of the problem's field ignores the bias point
+    std::vector<std::size_t> fine_bits; ///< number of bits of each field in the fine search; a field with all bits of
+                                        ///< the problem's field does not depend on the bias point (see CoarseFine)
 };
 
 /// Runs two searches over the same record. The coarse search has a coarse grid. The fine search has the problem's own

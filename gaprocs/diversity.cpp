@@ -9,7 +9,7 @@ namespace placedpar {
 
 namespace {
 
-/// Adds a coordinate that is 1 for `count` individuals and 0 for the others.
+/// Adds the coordinate `which` to the spread. It is 1 for `count` individuals and 0 for the others.
 void add_count(Spread& spread, std::uint64_t which, std::uint64_t count) {
     auto individuals = static_cast<double>(spread.individuals), ones = static_cast<double>(count);
     spread.centre.push_back({which, ones / individuals});
@@ -38,7 +38,8 @@ Spread spread_of_bits(std::span<const Genome> population, std::size_t bits) {
     return spread;
 }
 
-/// Returns the number with index `number` of each individual, scaled so that the number's range is 0 to 1.
+/// Returns the real number with index `number` in each string, scaled so that 0 and 1 are the ends of the number's
+/// range.
 std::vector<double> places_of(std::span<const Genome> population, const RealVector& reals, std::size_t number) {
     auto [low, high] = reals.range(number);
     std::vector<double> places;
@@ -72,7 +73,7 @@ Spread spread_of_reals(std::span<const Genome> population, const RealVector& rea
     return spread;
 }
 
-/// Returns a code for each pair of neighbouring places in each tour, sorted.
+/// Returns, for each pair of neighbouring places in each tour, the code of the pair. The codes are sorted.
 std::vector<std::uint64_t> neighbours_in(std::span<const Genome> tours, const Permutation& permutation) {
     std::vector<std::uint64_t> pairs;
     for (const Genome& genome : tours) {
@@ -110,7 +111,8 @@ public:
     explicit CentresInStep(std::span<const Spread> populations)
         : populations_(populations), next_(populations.size(), 0), means_(populations.size()) {}
 
-    /// Moves to the next coordinate that at least one centre has. Returns false at the end.
+    /// Moves to the next coordinate that Spread::centre of at least one population lists; elsewhere the coordinate is
+    /// 0. Returns false if there are no more coordinates.
     bool step() {
         constexpr auto none = std::numeric_limits<std::uint64_t>::max();
         std::uint64_t which = none;
@@ -149,10 +151,10 @@ double diversity_within(const Spread& population) {
     return diversity_of(2 * population.squares / static_cast<double>(population.individuals - 1), population);
 }
 
-/// Computes the mean squared distance of two individuals from different populations, a sum of three terms. Two terms,
-/// one for each population, are the mean squared distances of the individuals from the population's centre. The third
-/// term is the squared distance of the two centres; its mean over all pairs of centres follows from the centres'
-/// distances from their own mean.
+/// Computes the mean squared distance of two individuals from different populations, a sum of three terms. The first
+/// two terms are, for each of the two populations, the mean squared distance of its individuals from its centre. The
+/// third term is the squared distance of the two centres. The mean of the third term over all pairs of populations is
+/// computed without a loop over pairs, from the distances of the centres from the mean of all centres.
 double diversity_between(std::span<const Spread> populations) {
     auto count = static_cast<double>(populations.size());
     double from_own = 0, of_centres = 0;

@@ -40,7 +40,7 @@ struct Spread {
     double squares = 0;                  ///< sum of the squared distances of the individuals from the centre
 };
 
-/// REQUIRES: all strings belong to this representation.
+/// Returns the population as points in space. REQUIRES: all strings belong to this representation.
 Spread spread_of(std::span<const Genome> population, const Representation&);
 
 /// Returns the diversity over all pairs of individuals of one population; 0 if there are fewer than two individuals.

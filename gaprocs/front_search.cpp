@@ -19,12 +19,13 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Evaluates generations, and keeps the merits of the survivors.
+/// Evaluates generations. Keeps the merits of the survivors, so that survivors are not evaluated again.
 class FrontEvaluation {
 public:
     explicit FrontEvaluation(const SearchProblem& problem) : problem_(problem) {}
 
-    /// Returns the merits of a population whose first individuals are the survivors of the generation before.
+    /// Returns the merits of a population whose first individuals are the survivors of the previous generation. If
+    /// several individuals are equal, all but the first count as infeasible.
     const std::vector<Merit>& evaluate(const std::vector<Genome>& population) {
         const auto offspring = std::span(population).subspan(merits_.size());
         std::ranges::copy(problem_.merits(offspring), std::back_inserter(merits_));
@@ -35,7 +36,8 @@ public:
                 merits_[i] = {.feasible = false, .costs = {}, .violation = infinite};
         return merits_;
     }
-    /// Keeps the merits of the survivors, in the order in which the search copies them.
+    /// Keeps the merits of the survivors. `survivors`: their indices, in the order in which the search copies them to
+    /// the beginning of the next population.
     void keep(const std::vector<std::size_t>& survivors) {
         std::vector<Merit> kept;
         for (std::size_t each : survivors)
@@ -58,7 +60,7 @@ FrontIndividual front_individual(const SearchProblem& problem, const Genome& gen
     return individual;
 }
 
-/// Adds the front of the survivors to the result.
+/// Adds the survivors that no other survivor dominates to the result. `survivors`: how many individuals survive.
 void take_survivors(FrontResult& result, const SearchProblem& problem, const std::vector<Genome>& population,
                     const std::vector<Merit>& merits, std::size_t survivors) {
     std::vector<Merit> surviving;

@@ -33,10 +33,10 @@ struct FrontIndividual {
 };
 
 struct FrontResult {
-    /// The feasible survivors that no other dominates, in ascending order of the first cost; empty if no survivor is
-    /// feasible.
+    /// The feasible survivors that no other survivor dominates, in ascending order of the first cost; empty if no
+    /// survivor is feasible.
     std::vector<FrontIndividual> front;
-    double least_violation = 0; ///< least violation of a survivor; 0 if one is feasible
+    double least_violation = 0; ///< least violation of a survivor; 0 if a survivor is feasible
     std::uint64_t generations = 0;
     std::uint64_t evaluations = 0; ///< number of individuals evaluated by this call; survivors are not evaluated again
 };

@@ -16,7 +16,8 @@ namespace placedpar {
 namespace {
 
 /// Returns the objective for a fitness: the fitness itself, or its negative if the objective is minimised. If the
-/// objective was not a finite number, returns the worst infinity. Without an objective, returns the fitness.
+/// objective was not a finite number, returns the infinity that is worst for the goal. Without an objective, returns
+/// the fitness.
 double in_its_own_sign(double fitness, std::optional<Goal> goal) {
     if (goal && fitness <= worst_fitness)
         fitness = -std::numeric_limits<double>::infinity();
@@ -186,7 +187,7 @@ std::vector<LogRow> GenerationLog::rows() const {
         for (; answer != answers.end() && answer->generation == number; ++answer)
             rows.push_back(*answer);
     }
-    rows.insert(rows.end(), migration, migrations.end()); // migrations in a generation that no search has logged
+    rows.insert(rows.end(), migration, migrations.end()); // these belong to a generation that no search has logged
     return rows;
 }
 

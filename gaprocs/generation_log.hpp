@@ -18,9 +18,10 @@ class Checkpoints; // gaprocs/checkpoints.hpp
 
 /// A generation of one search, or of all searches together. For a problem with an objective, the values of the
 /// objective are logged, not the fitness: if the objective is minimised, the best value is the least. An objective that
-/// is not a finite number is logged as the worst infinity.
+/// is not a finite number is logged as the infinity that is worst for the goal: minus infinity if the objective is
+/// maximised.
 struct LoggedGeneration {
-    std::optional<Time> time; ///< time of the generation; for all searches together, their latest time
+    std::optional<Time> time; ///< time of the generation; for all searches together, the latest of their times
     double best_so_far;       ///< best value of `best` up to this generation; if the window moves, the compared fitness
                               ///< values come from different windows
     double best, mean;        ///< fitness or objective; `mean` omits values that are not finite
@@ -32,7 +33,7 @@ struct LoggedGeneration {
 
 struct LoggedMigration {
     std::uint64_t generation;
-    std::size_t from, to; ///< numbers of the searches
+    std::size_t from, to; ///< numbers of the searches between which the individual moved
     std::optional<Time> time;
     double fitness;
     bool accepted;
@@ -42,7 +43,7 @@ struct LoggedMigration {
 struct LoggedAnswer {
     std::uint64_t generation;
     std::string analyst;
-    std::size_t chosen; ///< number of the search
+    std::size_t chosen; ///< number of the chosen search
     std::optional<Time> time;
     std::vector<std::string> names; ///< names of the parameters
     std::vector<double> values;
@@ -83,8 +84,8 @@ public:
     std::uint64_t first() const { return first_; }
     /// Returns the generations of a search, beginning with generation number first().
     std::span<const LoggedGeneration> of(std::size_t search) const { return generations_.at(search); }
-    /// Returns an entry for each generation that all searches have completed, with their values taken together. Empty
-    /// unless compares().
+    /// Returns an entry for each generation that all searches have completed. The entry combines the values of all
+    /// searches. Returns nothing unless compares().
     std::span<const LoggedGeneration> of_all() const { return all_; }
     /// Returns the migrations. Migrations to the same search are in the order of arrival.
     std::span<const LoggedMigration> migrations() const { return migrations_; }
@@ -107,7 +108,7 @@ private:
         std::size_t finite; ///< number of individuals whose fitness is finite
         Spread spread;
     };
-    using Row = std::vector<std::optional<Evaluated>>; ///< one generation, by search
+    using Row = std::vector<std::optional<Evaluated>>; ///< one generation, with an element for each search
 
     std::size_t number_of(std::string_view search) const;
     void wait_for_the_others(std::uint64_t generation, std::size_t search, Evaluated&&);

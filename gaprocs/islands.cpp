@@ -36,7 +36,8 @@ void require_places(const IslandsSettings& settings, const Neighbours& neighbour
     }
 }
 
-/// Throws what IslandsSettings::validate_for() throws, but does not compare the windows with the length of the record.
+/// Checks the settings as IslandsSettings::validate_for() does, but does not compare the windows with the length of the
+/// record.
 void validate_islands(const IslandsSettings& settings) {
     settings.topology.require_numbers_in_range();
     settings.schedule.require_numbers_in_range();
@@ -51,7 +52,8 @@ void validate_islands(const IslandsSettings& settings) {
     require_places(settings, neighbours);
 }
 
-/// Returns for each island a list of the islands that begin together with it.
+/// Returns for each island the islands that make their first generation together with this island, including the island
+/// itself.
 std::vector<std::vector<std::size_t>> islands_in_step(const Schedule& schedule, const Neighbours& neighbours) {
     std::vector<std::vector<std::size_t>> together(neighbours.size());
     auto parts = separate_parts(schedule.in_step() ? neighbours : Neighbours(neighbours.size()));

@@ -25,7 +25,7 @@ namespace placedpar {
 class SearchProgress; // gaprocs/search_progress.hpp
 
 /// The settings of several islands. By default they form a ring: after every third generation the best individual of
-/// each island replaces the worst of the next island.
+/// each island replaces the worst individual of the next island.
 struct IslandsSettings {
     /// The settings of each island. All islands must have the same number of generations per sample
     /// (WindowSettings::trials).
@@ -125,9 +125,10 @@ private:
         in_step_; ///< for each island, the islands that begin together with it, including itself
     std::vector<SlidingWindow> windows_;
     std::vector<Search> searches_;
-    std::vector<std::vector<double>> fitness_; ///< fitness of the current generation, by island and individual
+    std::vector<std::vector<double>> fitness_; ///< fitness_[island][individual] in the current generation
     std::vector<Migration> migrations_;
-    /// For the asynchronous schedule: emigrants that have been sent but not yet received, by destination and source.
+    /// For the asynchronous schedule: emigrants that have been sent but not yet received; mail_[to][from] goes from
+    /// island `from` to island `to`.
     std::vector<std::map<std::size_t, std::vector<Migration>>> mail_;
     std::vector<char> made_; ///< see has_made()
     std::vector<std::shared_ptr<SearchProgress>> progress_;

@@ -11,7 +11,8 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-/// Returns whether `a` comes before `b` in an order in which each individual comes before all that it dominates.
+/// Returns whether `a` comes before `b` in an order in which each individual comes before all individuals that it
+/// dominates.
 bool comes_before(const Merit& a, const Merit& b) {
     if (a.feasible != b.feasible)
         return a.feasible;
@@ -22,7 +23,8 @@ void sort_by_costs(Indices& indices, std::span<const Merit> merits) {
     std::ranges::stable_sort(indices, [&](std::size_t a, std::size_t b) { return comes_before(merits[a], merits[b]); });
 }
 
-/// Moves the individuals that no other dominates out of `left`. REQUIRES: left is sorted by costs.
+/// Moves the individuals that no other individual dominates out of `left`, and returns them. REQUIRES: `left` is sorted
+/// by sort_by_costs().
 Indices take_front(Indices& left, std::span<const Merit> merits) {
     Indices front, rest;
     for (std::size_t each : left) {
@@ -34,9 +36,10 @@ Indices take_front(Indices& left, std::span<const Merit> merits) {
     return front;
 }
 
-/// Adds to each individual of the front the distance between its neighbours in one cost, as a fraction of the front's
-/// range. The distance of the two ends of the front is infinite. Costs so far apart that the range is infinite add
-/// nothing.
+/// Adds one cost's part to the crowding distance of each individual of the front: the difference of this cost between
+/// the individual's two neighbours, as a fraction of the range of the cost in the front. The distance of the
+/// individuals with the lowest and the highest cost is infinite. If the range is too large for a double, adds nothing
+/// to the distances of the other individuals.
 void add_distances(const Indices& front, std::span<const Merit> merits, std::size_t cost,
                    std::vector<double>& distances) {
     Indices order = front;

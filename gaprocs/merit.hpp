@@ -9,13 +9,13 @@
 namespace placedpar {
 
 /// Returns whether the first merit dominates the second. A feasible individual dominates every infeasible individual.
-/// The lesser violation decides between two infeasible individuals (K. Deb, "An efficient constraint handling method
-/// for genetic algorithms", 2000). A feasible individual dominates another feasible individual if it is not worse in
-/// any cost and better in at least one cost.
+/// An infeasible individual dominates another infeasible individual if its violation is less (K. Deb, "An efficient
+/// constraint handling method for genetic algorithms", 2000). A feasible individual dominates another feasible
+/// individual if it is not worse in any cost and better in at least one cost.
 bool dominates(const Merit&, const Merit&);
 
-/// Returns the indices of the feasible individuals that no other dominates, in ascending order of the first cost,
-/// then of the index.
+/// Returns the indices of the feasible individuals that no other individual dominates, in ascending order of the first
+/// cost, then of the index.
 std::vector<std::size_t> front_of(std::span<const Merit>);
 
 /// Returns all indices, the best first, in the order of NSGA-II (K. Deb, A. Pratap, S. Agarwal and T. Meyarivan, 2002):

@@ -21,7 +21,8 @@ inline constexpr double worst_fitness = -0x1p1000;
 /// Returns the fitness of an individual with this total violation of constraints. It is less than the fitness of every
 /// feasible individual, and decreases with the violation (K. Deb, "An efficient constraint handling method for genetic
 /// algorithms", 2000). So a reproduction by ranks or tournaments follows Deb's rules. NaN counts as an infinite
-/// violation. Violations that differ only after 42 bits have equal fitness. REQUIRES: the violation is above 0, or NaN.
+/// violation. Violations whose doubles differ only in the last 10 bits have equal fitness. REQUIRES: the violation is
+/// above 0, or NaN.
 inline double infeasible_fitness(double violation) {
     const double counted = std::isnan(violation) ? std::numeric_limits<double>::infinity() : violation;
     const auto above = std::bit_cast<std::uint64_t>(counted) >> 10; // keeps the fitness above -2^1004

@@ -34,7 +34,7 @@ void sum_in_lanes_from(const ParametersFrom& parameters_from, const Samples& sam
             for (const auto& sample : samples)
                 sum += term(sample);
             const auto found = sum.numbers();
-            if (sums.size() - first >= Several::count) // a known length is faster
+            if (sums.size() - first >= Several::count) // a length that the compiler knows makes the loop faster
                 std::memcpy(&sums[first], found.data(), sizeof found);
             else
                 std::copy_n(found.begin(), sums.size() - first, &sums[first]);

@@ -23,9 +23,9 @@ const std::vector<Sample>& RecordedProblem::record() const {
     if (make_) {
         std::vector<Sample> made = make_();
         if (made.size() != samples_)
-            throw UserError(fmt::format(
-                "RecordToMake::samples is {}, but make() returned {} samples: the two numbers must be equal", samples_,
-                made.size()));
+            throw UserError(fmt::format("RecordToMake::samples is {}, but the number of samples that make() returned "
+                                        "is {}: the two numbers must be equal",
+                                        samples_, made.size()));
         take(std::move(made));
         make_ = nullptr;
     }
@@ -76,7 +76,7 @@ void ProblemRegistry::add_reader(std::string format, ProblemReader reader) {
     readers_.emplace(std::move(format), std::move(reader));
 }
 
-/// Returns the problem that a reader reads from a file; null if no reader has this format.
+/// If `name` is "format:FILE", and a reader has this format, returns the problem in the file; otherwise null.
 const RecordedProblem* ProblemRegistry::read(std::string_view name) const {
     const std::size_t colon = name.find(':');
     const auto reader = readers_.find(name.substr(0, colon));

@@ -28,7 +28,7 @@ public:
     std::size_t samples() const { return samples_; }
     const RecordAdvice& advice() const { return advice_; }
     /// Returns the samples, oldest first. If this was constructed with a RecordToMake, the first call makes the record.
-    /// That call throws what the other constructor throws, and UserError if the number of samples differs from
+    /// That call throws what the constructor with a record throws, and UserError if the number of samples differs from
     /// RecordToMake::samples.
     const std::vector<Sample>& record() const;
 
@@ -45,7 +45,7 @@ private:
 /// Reads problems from files.
 struct ProblemReader {
     std::string about; ///< one line
-    /// Throws UserError for a file that cannot be read.
+    /// Returns the problem in the file. Throws UserError for a file that cannot be read.
     std::function<std::shared_ptr<const SearchProblem>(const std::string& file)> read;
 };
 
@@ -66,8 +66,8 @@ public:
     /// directory.
     void add_reader(std::string format, ProblemReader reader);
 
-    /// Returns the problem. Throws UserError if the name is unknown (the message lists the names), or if the numbers
-    /// are wrong or give no valid problem. The reference is valid as long as the registry exists.
+    /// Returns the problem. Throws UserError if the name is unknown (the message lists the names), or if the numbers of
+    /// a family are wrong or give no valid problem. The reference is valid as long as the registry exists.
     const RecordedProblem& find(std::string_view name) const;
 
     /// Returns the names in alphabetical order. A family is listed by its name without numbers.
@@ -86,7 +86,7 @@ private:
     std::map<std::string, RecordedProblem, std::less<>> problems_;
     std::map<std::string, ProblemFamily, std::less<>> families_;
     std::map<std::string, ProblemReader, std::less<>> readers_; ///< by format
-    /// Problems made of families, by name with all numbers, and problems that were read.
+    /// Problems that a family made or a reader read. The key is the name with all numbers, or "format:FILE".
     mutable std::map<std::string, RecordedProblem, std::less<>> made_;
 };
 

@@ -7,7 +7,7 @@ namespace placedpar {
 
 double schema_bound(const Schema& schema, std::span<const Genome> population, std::span<const double> fitness,
                     double crossover_probability, double mutation_probability) {
-    double of_schema = 0, of_all = 0; // m(h) F(h); F times population.size()
+    double of_schema = 0, of_all = 0; // total fitness of the matching strings, and of all strings
     for (std::size_t i = 0; i < population.size(); ++i) {
         double positive = std::max(fitness[i], 0.0);
         of_all += positive;

@@ -14,7 +14,7 @@ namespace placedpar {
 
 namespace {
 
-/// REQUIRES: the population is not empty.
+/// Returns the representation of the population's strings. REQUIRES: the population is not empty.
 BitString strings_of(const std::vector<Genome>& population) {
     return BitString(population.empty() ? 0 : population.front().size());
 }

@@ -21,8 +21,8 @@ SearchSettings usual_settings(const SearchProblem&);
 /// require_fitting_reproduction() and require_fitting_operators() throw.
 SearchSettings settings_for(const SearchProblem&, SearchSettings settings);
 
-/// Throws a UserError that says what would be right if the objective is minimised and the reproduction needs positive
-/// fitness. With a minimised objective the fitness is the negated objective. It is usually negative, so no individual
+/// If the objective is minimised and the reproduction needs positive fitness, throws a UserError that says what would
+/// be right. With a minimised objective the fitness is the negated objective. It is usually negative, so no individual
 /// could become a parent.
 void require_fitting_reproduction(const SearchProblem&, const Reproduction&);
 

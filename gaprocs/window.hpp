@@ -12,7 +12,7 @@ namespace placedpar {
 /// The last `length` measured samples, oldest first.
 class SlidingWindow {
 public:
-    /// Throws UserError if settings.validate() does.
+    /// Makes an empty window. Throws what settings.validate() throws.
     explicit SlidingWindow(const WindowSettings& settings);
 
     /// Adds the newest sample, and removes the oldest from a full window.

@@ -34,21 +34,23 @@ struct Sums {
 };
 
 /// Neighbouring estimates of a series, which are searched for a change. The scatter is computed from the whole series,
-/// so this struct also describes the rest of the series: the sum of the squared distances from its means, in squared
-/// standard errors, and their degrees of freedom.
+/// so this struct also describes the rest of the series: `squares_elsewhere` is the sum of the squared distances of its
+/// estimates from their means, in squared standard errors, and `degrees_elsewhere` is the number of degrees of freedom
+/// of this sum.
 struct Part {
     std::span<const UncertainValue> estimates;
     double squares_elsewhere = 0;
     std::size_t degrees_elsewhere = 0;
 };
 
-/// A place for a change: the estimates before it, and after it.
+/// A possible change in a Part, before the estimate with index `at`: sums over the estimates before and after the
+/// change.
 struct Split {
     std::size_t at = 0;
     Sums before, after;
 
-    /// Returns the mean square of the distances from the means, in squared standard errors. It is about 1 if the
-    /// standard errors are right. Returns 1 for two estimates, which do not determine the scatter.
+    /// Returns the mean square of the estimates' distances from the means, in squared standard errors. The mean square
+    /// is about 1 if the standard errors are right. Returns 1 for two estimates, which do not determine the scatter.
     double scatter(const Part& part) const {
         const std::size_t degrees = part.estimates.size() - 2 + part.degrees_elsewhere;
         const double squares = before.scatter() + after.scatter() + part.squares_elsewhere;
@@ -61,7 +63,8 @@ struct Split {
     }
 };
 
-/// Says which errors divide the difference: the standard errors of the estimates, or their scatter.
+/// Says by which errors the difference of the means is divided: by the standard errors that the estimates state, or by
+/// errors computed from the scatter of the estimates.
 enum class ErrorsBy { standard_errors, scatter };
 
 struct BestSplit {
@@ -150,7 +153,8 @@ private:
             sum += sums_of(number).scatter();
         return sum;
     }
-    /// Returns the mean square of the distances from the means of all parts; 1 for a series that is too short.
+    /// Returns the mean square of the estimates' distances from the means of their parts, in squared standard errors; 1
+    /// if the series is too short.
     double scatter() const {
         const bool tells = series_.size() >= fewest_for_scatter && series_.size() > probabilities_.size() + 1;
         return tells ? squares() / static_cast<double>(series_.size() - probabilities_.size() - 1) : 1;

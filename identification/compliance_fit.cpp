@@ -23,7 +23,8 @@ using PerLinkVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_junctions
 using PerLinkMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_junctions, most_junctions>;
 using Slopes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Eigen::Dynamic, most_junctions>;
 
-/// Computes the missing flows of all samples and junctions as a function of the compliances.
+/// Computes the missing flow (the error of the flow balance) for each sample and junction, as a function of the
+/// compliances.
 class Residuals {
 public:
     /// `weights` scale the missing flows; null: the flows are not scaled.
@@ -84,8 +85,8 @@ ComplianceFit fit_at(const PerLinkVector& compliance, const Eigen::VectorXd& mis
     return fit;
 }
 
-/// Returns the fitness of every string. The index of a string is the string read as a number. Its leftmost bits are the
-/// first junction's code. Unlike in a search, the fitness is not rounded.
+/// Returns the fitness of every string. The index of a string is the string read as a number. The leftmost bits of a
+/// string are the first junction's code. Unlike in a search, the fitness is not rounded.
 std::vector<double> fitness_of_all(const Circuit& circuit, std::span<const CircuitSample> window,
                                    const FlowConstants& flow, InletFlow form, std::size_t bits, double largest,
                                    double bias) {
@@ -123,8 +124,8 @@ std::optional<ComplianceFit> fit(const Circuit& circuit, std::span<const Circuit
             return std::nullopt;
         if (step.cwiseAbs().maxCoeff() < settled)
             return fit_at(compliance, missing, normal);
-        // Far from the solution a full step may reach another branch of the square root. So the step is halved until
-        // the missing flows are not greater than before.
+        // Far from the solution a full step may be too long, because the square root of the orifice equation is not
+        // linear. So the step is halved until the missing flows are not greater than before.
         Eigen::VectorXd then = residuals(compliance - step);
         while (then.squaredNorm() > missing.squaredNorm() && step.cwiseAbs().maxCoeff() >= settled) {
             step /= 2;
@@ -145,7 +146,7 @@ std::optional<ComplianceFit> fit_compliances(const Circuit& circuit, std::span<c
 
 std::optional<ComplianceFit> fit_weighed_compliances(const Circuit& circuit, std::span<const CircuitSample> samples,
                                                      const FlowConstants& flow, std::span<const double> start) {
-    constexpr int turns = 10; // the weights settle within five
+    constexpr int turns = 10; // the weights settle within five turns
     auto found = fit(circuit, samples, flow, start, nullptr);
     for (int i = 0; i < turns && found; ++i) {
         const FlowWeights weights =

@@ -10,7 +10,8 @@
 
 namespace placedpar::identification {
 
-/// These functions compute references for the genetic algorithm's answer, by least squares and by trying all strings.
+/// These functions compute compliances with which the genetic algorithm's answer is compared, by least squares and by
+/// trying all strings.
 
 /// Compliances found by least squares. The standard errors follow from the scatter of the residuals.
 struct ComplianceFit {
@@ -19,17 +20,17 @@ struct ComplianceFit {
     double rms_in3_per_s;                       ///< rms of the missing flows
 };
 
-/// Finds the compliances with the least sum of squares of the missing flows, over all junctions and samples (equations
-/// 3.5 to 3.8, flows with their signs). Uses the Gauss-Newton method from `start`, usually the search's answer. Returns
-/// nullopt if the fit does not converge within 50 steps. REQUIRES: samples of this circuit, start.size() ==
-/// circuit.size().
+/// Finds the compliances with the least sum of squares of the missing flows, over all junctions and samples. The
+/// missing flow is the error of a junction's flow balance (equations 3.5 to 3.8, flows with their signs). Uses the
+/// Gauss-Newton method from `start`, usually the search's answer. Returns nullopt if the fit does not converge within
+/// 50 steps. REQUIRES: samples of this circuit, start.size() == circuit.size().
 std::optional<ComplianceFit> fit_compliances(const hydraulics::Circuit& circuit,
                                              std::span<const hydraulics::CircuitSample> samples,
                                              const hydraulics::FlowConstants& flow, std::span<const double> start);
 
-/// Fits compliances as fit_compliances() does, but weighs the missing flows by their scatter (flow_weights.hpp).
-/// Weights and compliances are computed alternately. The standard errors are the least that the noise of the samples
-/// allows (the Cramer-Rao bound).
+/// Fits compliances as fit_compliances() does, but scales the missing flows by FlowWeights (flow_weights.hpp). Weights
+/// and compliances are computed alternately. The standard errors are the least that the noise of the samples allows
+/// (the Cramer-Rao bound).
 std::optional<ComplianceFit> fit_weighed_compliances(const hydraulics::Circuit& circuit,
                                                      std::span<const hydraulics::CircuitSample> samples,
                                                      const hydraulics::FlowConstants& flow,

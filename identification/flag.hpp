@@ -49,9 +49,8 @@ struct LeastSquares {
 inline constexpr double uncertain_share = 0.1;
 
 /// Return whether an answer is within two steps of the lower end of the search's range, or within three steps of the
-/// upper end. A step is the
-/// difference between neighbouring codes. A spool offset can make the data fit best at a compliance that is negative or
-/// beyond the range. The search then stays at the end of its range.
+/// upper end. A step is the difference between neighbouring codes. A spool offset can make the data fit best at a
+/// compliance that is negative or beyond the range. The search then stays at the end of its range.
 bool at_lower_bound(double compliance_in3_per_psi, double step_in3_per_psi);
 bool at_upper_bound(double compliance_in3_per_psi, double step_in3_per_psi);
 

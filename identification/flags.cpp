@@ -26,7 +26,7 @@ constexpr double halves_differ = 0.3;
 // The difference must also exceed this many standard errors, so that noise alone raises no flag.
 constexpr double halves_differ_errors = 4;
 
-/// This function and the next return whether they have flagged the link.
+/// Flags an answer at a bound of the search. This function and the next return whether they have flagged the link.
 bool flag_bounds(LinkIdentified& link, const CircuitProblem& problem) {
     double step = problem.field().resolution();
     bool low = at_lower_bound(link.compliance_in3_per_psi, step);

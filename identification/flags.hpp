@@ -11,11 +11,12 @@ namespace placedpar::identification {
 /// - at a bound of the search: the true value may lie beyond the bound, and a spool offset can make the best fit
 /// negative;
 /// - no excitation: the pressure hardly changes over `window`, so noise determines the answer;
-/// - inconsistent: the rms error of the circuit's equations exceeds the root of the bias (misfit), the two halves of
-/// `halved` disagree, the valve reading never changes, or the piston retracts while oil flows in;
+/// - inconsistent: the best individual's flow error exceeds the square root of the bias of the fitness (misfit), the
+///   two halves of the samples `halved` disagree, the valve reading never changes, or the piston retracts while oil
+///   flows in;
 /// - impossible: a pressure below vacuum, or a pressure that freezes and then jumps;
 /// - uncertain: the relative standard error of least squares exceeds uncertain_share;
-/// - unconfirmed: least squares over all samples, if known, does not confirm the answer (unconfirmed_flag()).
+/// - unconfirmed: least squares over all samples, if it was computed, does not confirm the answer (unconfirmed_flag()).
 ///
 /// The last two flags are omitted if a bound or the lack of excitation has already been flagged. `samples` holds all
 /// samples that were used.

@@ -13,7 +13,8 @@ using Square = PerJunction<PerJunction<double>>;
 /// without noise.
 constexpr double least_scatter_in3_per_s = 0.1;
 /// With few samples, the mean square of some combination of flows is too small by chance. Therefore shrinkage * mean *
-/// junctions / samples^2 is added to the mean square of each flow, where `mean` is the mean over the flows.
+/// junctions / samples^2 is added to the mean square of each flow, where `mean` is the mean of the mean squares of all
+/// flows.
 constexpr double shrinkage = 10;
 
 Square covariance_at(const Circuit& circuit, std::span<const CircuitSample> samples, const FlowConstants& flow,

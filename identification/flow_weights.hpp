@@ -14,7 +14,7 @@ namespace placedpar::identification {
 /// Scales the missing flows of a circuit so that they become uncorrelated. Two junctions share the flow through a
 /// bypass, so an error in the bypass area appears in two missing flows with opposite signs. The sum of absolute values
 /// in equation 3.11 counts this error twice; the weights remove this effect. The weights are our addition: the thesis
-/// weighs all flows alike.
+/// gives all flows the same weight.
 struct FlowWeights {
     /// The inverse of the Cholesky factor of the scatter (mean products of the missing flows), times a constant. Row j
     /// has entries for the junctions up to j.
@@ -39,8 +39,8 @@ FlowWeights weights_at(const hydraulics::Circuit& circuit, std::span<const hydra
                        const hydraulics::FlowConstants& flow, std::span<const double> compliance_in3_per_psi,
                        double mean_square);
 
-/// The mean square of the weighed error at the best individual, as a share of the bias of equation 3.9. Fitness then
-/// selects equally well at each level of noise.
+/// The mean square of the weighted error at the best individual, as a share of the bias of equation 3.9. With this
+/// share, selection by fitness works equally well at each level of noise.
 inline constexpr double share_of_bias = 0.25;
 
 /// Returns the root of the sum of squares of the scaled flows.

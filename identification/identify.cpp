@@ -45,7 +45,7 @@ void compare_with_least_squares(Identified& result, std::span<const CircuitSampl
 }
 
 /// Stores the result of least squares over all samples with each answer. A search for several compliances can settle on
-/// a wrong string, and a short window does not show the error.
+/// a wrong string, and a short window does not show that the string is wrong.
 void compare_with_all_samples(Identified& result, std::span<const CircuitSample> samples, const FlowConstants& flow) {
     auto fit = fit_beside(result, samples, flow);
     for (std::size_t j = 0; j < result.links.size(); ++j)

@@ -21,8 +21,9 @@ struct SteadySample {
     double inlet_psi, piston_flow_in3_per_s, spool_in;
 };
 
-/// Returns the missing flow if the true spool position is the reading minus the offset. The missing flow falls as the
-/// offset grows, since a smaller spool opens the bypass wider.
+/// Returns by how much the pump's flow exceeds the flows to the cylinder and to the tank, if the true spool position is
+/// the reading minus the offset. This missing flow falls as the offset grows, since a smaller spool position opens the
+/// bypass wider.
 double missing_in3_per_s(const SteadySample& sample, double offset_in, const FlowConstants& flow) {
     OrificeAreas areas = boom_orifices(std::max(sample.spool_in - offset_in, boom_dead_band_in + 1e-4));
     double pump_psi =
@@ -55,7 +56,7 @@ double unrest_psi_per_s(std::span<const CircuitSample> samples, const SteadyMoti
     return unrest > steady.slope_psi_per_s || std::abs(2 * halves_psi / count) > steady.drift_psi ? never : unrest;
 }
 
-/// Returns the position of the spool at each instant: as read, or computed from the voltage by A.1.
+/// Returns the position of the spool at each instant: as read, or computed from the voltage by equation A.1.
 std::vector<double> boom_spool(const Record& record, const LinkCalibration& boom) {
     return boom.from == AreasFrom::servo ? spool_from_volts(record.of(Link::boom, Sensor::servo), record.time_s,
                                                             boom.constants.spool_lag_per_s, record.period_s)

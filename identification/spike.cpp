@@ -18,10 +18,10 @@ double excursion_at_usual_period(Sensor sensor) {
     case Sensor::angle: return 0.08;         // deg
     case Sensor::spool: return 0.008;        // in
     case Sensor::servo: return 0.1;          // V
-    case Sensor::inlet_area: return 0.03;    // in^2: change of the area over .008 in of spool, A.6
+    case Sensor::inlet_area: return 0.03;    // in^2; by A.6 the area changes by this over .008 in of spool
     case Sensor::bypass_area: break;
     }
-    return 0.063; // in^2: change of the area over .008 in of spool, A.3
+    return 0.063; // in^2; by A.3 the area changes by this over .008 in of spool
 }
 
 } // namespace

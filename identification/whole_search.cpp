@@ -65,7 +65,7 @@ SearchRun search_whole(const ComplianceSearch& prepared, std::span<const Circuit
     return run;
 }
 
-/// Stores the results of weighed least squares with each answer.
+/// Stores the results of weighted least squares over all samples with each answer.
 void compare_with_weighed_fit(Identified& result, std::span<const CircuitSample> samples, const FlowConstants& flow) {
     std::vector<double> found;
     for (const LinkIdentified& link : result.links)

@@ -11,8 +11,8 @@
 namespace placedpar::identification {
 
 /// The settings of a search for several compliances over a whole movement. `way.search.window.trials` is the number of
-/// generations of a round. After each round the missing flows are weighed by their scatter at the best individual
-/// (flow_weights.hpp). The first round uses the error of equation 3.11.
+/// generations of a round. After each round new FlowWeights are computed from the scatter of the missing flows at the
+/// best individual (flow_weights.hpp). The first round uses the error of equation 3.11.
 struct WholeWay {
     IdentificationWay way;
     std::size_t rounds = 6;
@@ -29,7 +29,7 @@ WholeWay whole_way(std::size_t links, hydraulics::Side side = hydraulics::Side::
 void flag_limit(LinkIdentified& link);
 
 /// Identifies the compliances from all samples together. LinkIdentified::standard_error and of_all_samples come from
-/// weighed least squares; the standard error is the least that the record's noise allows (the Cramer-Rao bound). Uses
+/// weighted least squares; the standard error is the least that the record's noise allows (the Cramer-Rao bound). Uses
 /// at most the first 1,024 samples (exact_fitness_terms). Throws UnfitRecord if there are fewer samples than the first
 /// generation needs.
 Identified identify_whole(const ComplianceSearch& prepared, const WholeWay& whole, std::uint64_t seed);

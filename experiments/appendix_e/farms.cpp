@@ -64,7 +64,8 @@ Panel farm_panel(const StudyReplay& study, const Comparison& table, const std::s
         auto series = std::ranges::find(panel.series, cell.column, &Series::name);
         if (series == panel.series.end())
             series = panel.series.insert(series, {.name = cell.column, .points = {}});
-        series->points.push_back({study.number_in(cell.row), cell.simulated}); // "12 slaves"
+        // The row's name is a text such as "12 slaves".
+        series->points.push_back({study.number_in(cell.row), cell.simulated});
     }
     return panel;
 }

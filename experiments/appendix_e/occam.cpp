@@ -117,9 +117,9 @@ Comparison compare_evaluations(const ReplayContext& context, Fingerprint& finger
         const bool equal = run.number_behind("fitness of all strings") == fitness_in_cpp();
         table.add(judged_by(Judge::own, judged_cell("fitness of the C++ library", column, "", 1, equal, 0, 0)));
     }
-    table.notes =
-        "72 us: 86.4 ms (Table E.1) / (120 strings x 10 samples). Columns: cycles of an access to external "
-        "memory.\nfitness of the C++ library: 1 if the fitness with the orifices known equals it to the last bit\n";
+    table.notes = "72 us: 86.4 ms (Table E.1) / (120 strings x 10 samples). Columns: cycles of an access to external "
+                  "memory.\nfitness of the C++ library: 1 if the program's fitness, with the orifices known, equals "
+                  "the library's to the last bit\n";
     return table;
 }
 
@@ -139,8 +139,7 @@ RunReport run_in_cpp(const char* netlist, const ReplayContext& context) {
     return run_to_the_end(context.examples / "thesis" / netlist, {{"slaves", "0"}}, context);
 }
 
-/// Returns the hash of all strings that a process in C++ has bred, in the form in which the programs in occam print a
-/// hash.
+/// Returns the hash of all strings that a process in C++ has bred, written as the programs in occam write a hash.
 std::string hash_in_cpp(const RunReport& report, const char* process) {
     std::string hash = report.measured_text(process, "populations");
     std::ranges::transform(hash, hash.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
@@ -210,7 +209,7 @@ Comparison compare_islands(const ReplayContext& context, Fingerprint& fingerprin
     return table;
 }
 
-/// Compares the speedup of the machine of Figure E.2 over a single transputer with the thesis.
+/// Compares the speedup of the machine of Figure E.2 over a single transputer with the speedup in the thesis.
 Comparison compare_speedup(const ReplayContext& context) {
     Comparison table{.name = "speedup of sixteen transputers (A + B)"};
     for (const SearchOfCluster& search : {searches_of_clusters[0], searches_of_clusters[1]}) {
@@ -238,7 +237,7 @@ Replay replay_occam(const ReplayContext& context) {
 
 extern const Experiment occam_experiment{
     .name = "occam",
-    .about = "programs in occam beside INMOS's compiler, and beside the times of the thesis's programs",
+    .about = "programs in occam, compared with INMOS's compiler and with the times of the thesis's programs",
     .chapter = "E",
     .number = 5,
     .run = replay_occam,

@@ -163,8 +163,8 @@ Comparison leak_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& l
     return comparison;
 }
 
-/// Judges the claim that the closed loop masks the leak, by the closed loop's additional lag as a share of the open
-/// loop's additional lag.
+/// Judges the claim that the closed loop masks the leak. The judged figure is the lag that the leak adds in the closed
+/// loop, as a share of the lag that it adds in the open loop.
 Comparison mask_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& leaks) {
     Comparison comparison{.name = "the closed loop's additional lag as a share of the open loop's",
                           .notes = "judged: a quarter or less (a bound chosen here)\n",

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array pressures_psia{100.0, 500.0, 1000.0, 2000.0};
 
-/// Moduli in 1e3 psi, computed independently of this program and rounded to the digits given.
+/// Bulk moduli in 1e3 psi, computed independently of this program and rounded to the digits given.
 struct ModulusRow {
     double air_fraction, exponent;
     std::array<double, 4> modulus_kpsi;

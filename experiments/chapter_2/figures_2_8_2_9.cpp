@@ -15,8 +15,8 @@ namespace {
 
 using Maybe = std::optional<double>;
 
-/// The multiples of C: for Figure 2.8, between the figures, for Figure 2.9, at the limit of stability, and beyond this
-/// limit.
+/// The multiples of the compliance C: for Figure 2.8 (1), between the two figures (2), for Figure 2.9 (4), at the limit
+/// of stability (6), and beyond this limit (7).
 constexpr std::array factors{1.0, 2.0, 4.0, 6.0, 7.0};
 using KnownFigures = std::array<Maybe, factors.size()>; // one for each multiple
 

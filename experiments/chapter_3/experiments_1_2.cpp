@@ -116,7 +116,7 @@ void add_clean_errors(Comparison& comparison, const ThesisExperiment& way, const
 }
 
 /// The largest allowed relative error of an experiment's compliance, for one record and for the median of many records.
-/// One in a thousand of 3,000 records exceeded the limit for one record.
+/// The limit for one record is exceeded by one record in a thousand (measured with 3,000 records).
 struct Allowed {
     double record, median;
 };

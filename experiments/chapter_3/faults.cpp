@@ -128,8 +128,8 @@ Replay replay_faults(const ReplayContext& context) {
     Comparison simple = fault_comparison("simple plant, low noise", simple_plant, seeds), leaks = leak_comparison();
     context.progress("faults of the measured machine");
     Comparison measured = fault_comparison("measured machine, mid noise", measured_machine, seeds);
-    measured.notes =
-        "a drift of the servo-valve changes C by the voltage only; a fault of a hose or cylinder changes both\n";
+    measured.notes = "a drift of the servo-valve changes only the C identified by the voltage; a fault of a hose or "
+                     "cylinder also changes the C identified by the spool\n";
     std::vector<Comparison> comparisons{simple, leaks, measured};
     comparisons.push_back(verdict_comparison(context, "simple plant", simple_plant, AreasFrom::spool));
     for (AreasFrom from : {AreasFrom::spool, AreasFrom::servo})

@@ -78,7 +78,7 @@ struct Curve {
 };
 constexpr std::array<Curve, 3> curves{{{"identified C", 1}, {"half of that C", 0.5}, {"twice that C", 2}}};
 
-// The thesis's "significant difference" has no figure; this value was chosen here.
+// The thesis gives no figure for its "significant difference"; this value was chosen here.
 constexpr double significant_psi = 80;
 
 /// Another motion, and the greatest rms difference with which its simulation still counts as "excellent". This limit is
@@ -147,9 +147,9 @@ Comparison other_comparison(const OtherRecords& other) {
     return comparison;
 }
 
-/// Compares with a simulation whose spool is computed from the voltage. As in the thesis, the compliance was also
-/// identified from the voltage. This check cannot reveal a wrong a_0, since identification and simulation use the same
-/// a_0.
+/// Compares the recorded pressure with simulations whose spool is read, or computed from the voltage with a wrong a_0.
+/// As in the thesis, the compliance was also identified from the voltage. The simulation from the voltage cannot reveal
+/// the wrong a_0, since identification and simulation use the same a_0.
 Comparison blind_comparison(const Seeds& seeds) {
     BoomData clean = measure(motion_at(4, BoomPlant::simple, no_noise, found_by_spool_in3_per_psi), seeds[0]);
     double lag = lag_that_finds(thesis_in3_per_psi, clean);

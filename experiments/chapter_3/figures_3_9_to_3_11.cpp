@@ -117,7 +117,7 @@ Comparison states_comparison(const TwoLinkMotion& motion, std::uint64_t seed) {
     Comparison comparison{.name = "internal states from the best individual (Figure 3.10): greatest error from the "
                                   "sixth sample on, of one search without noise",
                           .notes = "judged: the search with an elite, the first two samples skipped, and Gray code; in "
-                                   "the thesis's search, chance decides\n",
+                                   "the thesis's search, the result depends on chance\n",
                           .against = "thesis",
                           .judged = true};
     StateErrors gray = worst_errors(motion, gray_way(), seed), plain = worst_errors(motion, thesis_way(), seed);
@@ -128,8 +128,8 @@ Comparison states_comparison(const TwoLinkMotion& motion, std::uint64_t seed) {
     return comparison;
 }
 
-/// Plots one search without noise over the whole time of Figure 3.9. Once the motion is steady, the gate keeps the
-/// estimate.
+/// Plots one search without noise over the whole time of Figure 3.9. Once the motion is steady, the gate stops the
+/// search, so the last estimate is kept.
 Plot plot_of_found_states(const TwoLinkMotion& motion, std::uint64_t seed) {
     IdentificationWay way = gray_way();
     way.usable.count = samples_in_figure_3_9;

@@ -116,8 +116,8 @@ Comparison attempt_comparison(const Seeds& seeds) {
         .against = "known"};
     for (const KnownOffset& known : known_offsets)
         add_attempt(comparison, known, seeds);
-    comparison.notes = "the known figures come from an independent prototype; at -.02 in its error differs, so only "
-                       "the sign is judged\n";
+    comparison.notes = "the known figures come from an independent prototype; with -.02 in, the error of the prototype "
+                       "differs, so only the sign is judged\n";
     return comparison;
 }
 
@@ -229,8 +229,8 @@ Comparison cure_comparison(BoomPlant plant, const Seeds& seeds) {
     return comparison;
 }
 
-/// Adds the compliance identified from the slower motion with an offset. With an offset of -.01 in the compliance is
-/// just positive; with -.015 in it is negative.
+/// Adds the compliance identified from the slower motion with an offset. If the offset is -.01 in, the compliance is
+/// just positive; if the offset is -.015 in, the compliance is negative.
 void add_slow(Comparison& comparison, double offset_in) {
     BoomMotion motion{BoomPlant::simple, no_noise, offset_in};
     motion.slow = true;

@@ -138,7 +138,7 @@ Comparison single_run_comparison(const TwoLinkMotion& motion, const Runs& plain,
         .name = fmt::format("{} records, no gate: the generation from which one of the two compliances is off for 100 "
                             "generations, of the searches that found both",
                             plain.size()),
-        .notes = "585: not within the record. Figure 3.11: both \"start to deviate\" at 425\n",
+        .notes = "585: not before the end of the record. Figure 3.11: both \"start to deviate\" at 425\n",
         .judged = true};
     const LosingWay ways[]{
         {"as the thesis", 2.5, 97.5, plain},

@@ -44,7 +44,7 @@ IdentificationWay way_of(std::size_t length) {
     return way;
 }
 
-/// Returns the error of the last answer in percent of the true compliance, for each length.
+/// Returns, for each length of the window, the error of the last answer in percent of the true compliance.
 Figures errors_of(const WindowPlant& plant, std::uint64_t seed) {
     const BoomData data = measure({.plant = plant.plant, .noise = plant.noise}, seed);
     Figures errors;

@@ -56,8 +56,8 @@ double crossover_by_formula(int alpha) {
     return crossover(most_islands, hybrid);
 }
 
-/// Compares the crossovers of the simulation with those of equation 4.9. Without communication, both may differ by one
-/// step in the hybrid's size.
+/// Compares the crossovers of the simulation with the crossovers of equation 4.9. Without communication, the two may
+/// differ by one step in the hybrid's size.
 Comparison crossover_table(const StudyReplay& study, const Comparison& ideal, const Comparison& on_t800s) {
     Comparison table{.name = "number of processors from which the hybrid is faster than 16 islands of 6",
                      .against = "(4.9)"};
@@ -105,7 +105,7 @@ std::uint64_t fingerprint_of(const StudyReplay& study) {
     return fingerprint.value();
 }
 
-/// Sorts the cells: the hypercube before the hybrid, each by alpha.
+/// Sorts the cells: first the hypercube's cells by alpha, then the hybrid's cells by alpha.
 void order_by_alpha(const StudyReplay& study, Comparison& table) {
     std::ranges::stable_sort(table.cells, {}, [&](const Cell& cell) {
         return std::tuple(cell.row.starts_with("hybrid"), study.number_in(cell.column));

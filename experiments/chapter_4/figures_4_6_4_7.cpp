@@ -40,8 +40,8 @@ std::vector<double> parts_of_whole_evaluations(int processors, double own_share)
     return parts;
 }
 
-/// Returns the speedup of equation 4.9 if none of the 300 evaluations is divided between processors. All processors
-/// then wait for the processor with the most evaluations.
+/// Returns the speedup of equation 4.9 if each of the 300 evaluations is made by one processor. All processors then
+/// wait for the processor with the most evaluations.
 double whole_4_9(int alpha, int processors) {
     auto parts = parts_of_whole_evaluations(processors, 1);
     return (alpha + 1) / (alpha * *std::ranges::max_element(parts) + 1);
@@ -187,7 +187,7 @@ Comparison run_pipelined_on_t800s(SpeedupRuns& runs) {
     });
 }
 
-/// A speedup by formula, and the allowed distance of the simulated speedup.
+/// A speedup computed by a formula, and by how much the simulated speedup may differ from it.
 struct FormulaSpeedup {
     double known;
     double whole;   ///< speedup if no evaluation is divided between processors; its difference from `known` is allowed
@@ -282,7 +282,7 @@ Replay replay_speedup(const ReplayContext& context) {
         "   workload:   the 10 error evaluations of an individual take the cycles of table-e1, and breeding takes\n"
         "               1 / alpha of them; both are multiplied by 1,000 where communication takes no time\n"
         "   own share:  with a pipeline the master evaluates (alpha - slaves) / (alpha + 1) of a slave's share, so\n   "
-        "            that both work equally long; without a pipeline the share is 1, or 0 if it only breeds\n";
+        "            that both work equally long; without a pipeline the share is 1, or 0 if the master only breeds\n";
     replay.fingerprint = runs.fingerprint();
     replay.plots = speedup_plots(runs);
     return replay;

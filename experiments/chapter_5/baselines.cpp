@@ -25,7 +25,7 @@ constexpr double least_step = 0.02;
 /// algorithms are claimed to have an additional lag of at least `least_lag_beyond`, and searches over real numbers of
 /// at most `most_lag_beyond`.
 constexpr double least_lag_beyond = 10, most_lag_beyond = 5;
-/// c1 of coloured noise.
+/// The coefficient c1 of coloured noise.
 constexpr double colour = 0.8;
 
 /// Returns the pole found in each generation. It is computed by `find(samples, is_new)`, where `samples` are the

@@ -99,7 +99,7 @@ Comparison diversity_of(const std::vector<PlantStudy>& studies, const std::strin
     return comparison;
 }
 
-/// Judges the medians by the medians over 240 other seeds.
+/// Compares the median numbers of generations with the medians over 240 other seeds.
 Comparison judged_sizes(const std::vector<TaskStudy>& tasks) {
     Comparison comparison{.name = "one-max of 60 bits, generations to all ones", .against = "known"};
     const double known[]{31, 31, 33, 36, 45};

@@ -46,7 +46,7 @@ std::vector<Claim> claims_of(const SequentialStudies& studies, double noise) {
              10}};
 }
 
-/// Judges the delays by the delays over 240 other seeds.
+/// Compares the median delays with the medians over 240 other seeds.
 Comparison judged_figures(const SequentialStudies& noiseless) {
     Comparison comparison{.name = "delay until 20 % of the change is followed, noiseless", .against = "known"};
     auto rows = noiseless.rows();

@@ -82,7 +82,7 @@ Comparison diversity_comparison(const std::string& name, const BroadcastStudies&
     return comparison;
 }
 
-/// Judges the diversity by the diversity over 240 other seeds.
+/// Compares the median diversity with the median over 240 other seeds.
 Comparison judged_diversity(const BroadcastStudies& noiseless) {
     Comparison comparison{.name = "number of the 37 bits in which two individuals of an island differ, noiseless",
                           .against = "known"};

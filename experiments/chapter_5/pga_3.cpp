@@ -67,8 +67,8 @@ PlantIslands sampled_in_every_generation() {
     return islands;
 }
 
-/// Judges the delays for windows 30 and 10 by the delays in an independent prototype. With a sample in every generation
-/// the two delays must differ by at most 30 %, because the search then causes most of the delay.
+/// Compares the delays for windows 30 and 10 with the delays in an independent prototype. With a sample in every
+/// generation the two delays must differ by at most 30 %, because the search then causes most of the delay.
 Comparison judged_delays(const ReplayContext& context, const WindowStudies& noiseless) {
     Comparison comparison{.name = "delay until 20 % of the change is followed, noiseless", .against = "known"};
     auto rows = noiseless.rows();

@@ -77,8 +77,7 @@ std::vector<Claim> all_claims(const PlantStudy& study) {
     return claims;
 }
 
-/// Judges the delays by the delays over 240 other seeds. The printed rule never prefers the shortest window to the
-/// longest, and a choice changes only at a broadcast.
+/// Compares the median delays of the answers with the medians over 240 other seeds.
 Comparison judged_answers(const PlantStudy& noiseless) {
     Comparison comparison{.name = "delay until 20 % of the change is followed, noiseless", .against = "known"};
     for (auto [choice, known] : {std::pair("printed", 123), {"row", 87}, {"random", 87}, {longest_window, 123}})

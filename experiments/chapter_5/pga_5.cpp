@@ -67,7 +67,7 @@ std::vector<Claim> claims_of(const RivalStudies& studies) {
     return claims;
 }
 
-/// Judges the single genetic algorithm by the results of an independent prototype.
+/// Compares the single genetic algorithm with the results of an independent prototype.
 Comparison judged_single(const RivalStudies& noiseless) {
     Comparison comparison{.name = "the genetic algorithm of 100 with window 30, noiseless", .against = "known"};
     auto median = [&](Tracking figure) { return noiseless.single.median(0, figure); };
@@ -102,7 +102,7 @@ Replay replay_pga_5(const ReplayContext& context) {
 
 extern const Experiment pga_5_experiment{
     .name = "pga-5",
-    .about = "islands with active error analysis beside one genetic algorithm (Figure 5.7)",
+    .about = "islands with active error analysis compared with one genetic algorithm (Figure 5.7)",
     .chapter = "5",
     .number = 5,
     .run = replay_pga_5,

@@ -166,8 +166,8 @@ Panel table_6_4_panel(const std::string& title, const std::vector<Tally>& tallie
     return panel;
 }
 
-/// Returns the problem's string for a string of the reading with these codes of alpha and beta, which are the two
-/// fields after the delay. The codes of the other fields are 0.
+/// Returns the problem's string whose fields alpha and beta have these codes in the reading. These are the two fields
+/// after the delay. The codes of the other fields are 0.
 Genome string_at(const Recoding& reading, std::uint64_t alpha, std::uint64_t beta) {
     Genome bred(reading.length());
     bred.set_field(reading.bits[0], reading.bits[1], alpha);

@@ -70,9 +70,9 @@ struct Extremes {
 
 /// The results of one-point crossover for all pairs of parents with the same number of different bits.
 struct Children {
-    std::size_t outside = 0;     ///< offspring outside the hypercube spanned by the difference of the parents
-    std::size_t otherwise = 0;   ///< pairs of offspring whose number of different bits is not that of their parents
-    std::size_t from_own = 0;    ///< greatest difference of A1 from A0, the parent of its first characters
+    std::size_t outside = 0;   ///< offspring outside the hypercube spanned by the difference of the parents
+    std::size_t otherwise = 0; ///< pairs of offspring that differ in another number of bits than their parents
+    std::size_t from_own = 0;  ///< greatest difference of an offspring A1 from A0, the parent of A1's first characters
     std::size_t from_nearer = 0; ///< greatest difference from the nearer parent
 };
 
@@ -122,7 +122,7 @@ Comparison table_6_2() {
     }
     comparison.notes = "own parent: A0 for the offspring A1 in equation 6.5. \"0 to integer(n/2) from A0, B0 "
                        "respectively\" holds for the nearer "
-                       "parent, not for the own one\n";
+                       "parent, not for the offspring's own parent\n";
     return comparison;
 }
 
@@ -236,8 +236,9 @@ std::string draw_figure_6_1() {
                            {{VertexLook::parent, "maximum among its neighbours"}});
 }
 
-/// Draws the fitness of an impulse at 1011 over x. A second panel shows the fitness over the number of bits that differ
-/// from the best string. The second panel also shows the share of right bits, which rises towards the best string.
+/// Draws an impulse over x: a fitness that is 1 at 1011 and 0 elsewhere. A second panel shows the fitness over the
+/// number of bits that differ from the best string. The second panel also shows the share of right bits, which rises
+/// towards the best string.
 Plot plot_figure_6_5() {
     auto fitness = [](std::uint32_t x) { return x == 0b1011 ? 1. : 0.; };
     Series impulse = curve({.name = "impulse at 1011"}, 15, [&](int x) {

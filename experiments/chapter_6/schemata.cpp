@@ -34,9 +34,9 @@ struct SchemaCounts {
     }
 };
 
-/// The class of a schema in a generation, by the mean fitness of its strings. All schemata with the same fixed
-/// positions together always have as many strings as the population. The effect of a generation is therefore visible
-/// only if fit and unfit schemata are counted separately.
+/// The class of a schema in a generation, by the mean fitness of its strings. Each string matches exactly one of the
+/// schemata with the same fixed positions, so these schemata together always have as many strings as the population.
+/// The effect of a generation is therefore visible only if fit and unfit schemata are counted separately.
 enum class SchemaFit : unsigned char { above, below }; ///< relative to the mean fitness of the population
 
 /// The counts of schemata above the mean come first: order 1 at index 0, and order 2 at the index of the defining
@@ -72,7 +72,7 @@ SchemaBefore look_before(const Schema& schema, const Search& search, const std::
                          settings.mutation_probability)};
 }
 
-/// Makes a generation of a run on f(x) = x^2, and counts the strings of the schemata before and after it.
+/// Makes a generation of a run on f(x) = x^2, and counts the strings of the schemata before and after this generation.
 void count_generation(Search& search, const SearchSettings& settings, const std::vector<Schema>& schemata,
                       CountsByClass& counts) {
     std::vector<double> fitness;
@@ -163,7 +163,7 @@ Comparison compare_bounds(const std::vector<SchemaStudy>& studies, SchemaFit fit
     return comparison;
 }
 
-/// Compares the claims that go beyond the bound; each claim is expressed as a number.
+/// Compares the runs with claims that say more than the bound. Each claim is expressed as a number.
 Comparison compare_claims(const SchemaStudy& crossed, const SchemaStudy& uncrossed) {
     Comparison comparison{.name = "claims about schemata above the mean fitness", .against = "claim", .judged = true};
     double most = 0;
@@ -198,7 +198,7 @@ Comparison compare_survival(const SchemaStudy& study) {
     return comparison;
 }
 
-/// Returns the quotients over the defining length, with their intervals.
+/// Returns a curve of the quotients over the defining length, with their intervals.
 Series quotients(const SchemaStudy& study, CountedFigure under) {
     Series series{.name = study.name};
     for (std::size_t length = 1; length < schema_bits; ++length) {
@@ -235,7 +235,7 @@ Replay replay_schemata(const ReplayContext& context) {
 
 extern const Experiment schemata_experiment{
     .name = "schemata",
-    .about = "schemata counted in runs, beside the bound of equation 6.2",
+    .about = "schemata counted in runs, compared with the bound of equation 6.2",
     .chapter = "6",
     .number = 2,
     .run = replay_schemata,

@@ -26,7 +26,7 @@ struct PrintedRun {
 /// cycles. Throws RefusedInput and UnfinishedRun.
 PrintedRun run_occam(const std::filesystem::path&, const occam::CodeOptions&, int memory_cycles, const ReplayContext&);
 
-/// Runs a netlist of the examples in which one processor has a host. Throws as run_to_the_end().
+/// Runs a netlist of the examples in which one processor has a host. Throws what run_to_the_end() throws.
 PrintedRun run_printing(const std::filesystem::path& netlist, const Overrides&, const ReplayContext&);
 
 } // namespace placedpar

@@ -13,7 +13,7 @@ namespace placedpar {
 /// The results of one run of an experiment, in an order that the experiment defines.
 using Figures = std::vector<double>;
 
-/// Returns the seeds of this replay, ReplayContext::seeds in number.
+/// Returns the seeds of this replay; their number is ReplayContext::seeds.
 Seeds seeds_of(const ReplayContext& context);
 
 /// Calls `run` with each seed of the replay, using all cores. Returns the figures in the order of the seeds. Progress

@@ -148,8 +148,8 @@ constexpr const char* turns = R"(
      asks: stopp
 )";
 
-/// Returns the time between the moments at which a process becomes ready and begins, in timeslice periods. `others`
-/// processes that compute become ready after `delay` turns of a loop, just before this process.
+/// Returns how long a process waits, from the moment at which it becomes ready until it begins, in timeslice periods.
+/// `others` processes that compute become ready after `delay` turns of a loop, just before this process.
 double wait_beside(int others, int delay) {
     std::string starts;
     for (int i = 0; i < others; ++i)
@@ -479,7 +479,7 @@ Replay replay_emulated(const ReplayContext& context) {
 
 extern const Experiment emulated_experiment{
     .name = "emulated",
-    .about = "transputers that execute their own code, beside the databook",
+    .about = "transputers that execute their own code, compared with the databook",
     .chapter = "machine",
     .number = 5,
     .run = replay_emulated,

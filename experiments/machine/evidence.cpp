@@ -15,7 +15,7 @@ using hardware::Provenance;
 
 constexpr std::string_view machine = "machine", evidence = "evidence";
 
-/// Collects in one table every published figure that the other experiments of the machine are compared with.
+/// Collects in one table every published figure with which the other experiments in this folder are compared.
 class PublishedFigures {
 public:
     void add(const Replay& replay) {

@@ -101,7 +101,7 @@ Replay replay_links(const ReplayContext& context) {
 
 extern const Experiment links_experiment{
     .name = "links",
-    .about = "data rates of links, beside the databook and measured machines",
+    .about = "data rates of links, compared with the databook and with measured machines",
     .chapter = "machine",
     .number = 1,
     .run = replay_links,

@@ -229,7 +229,7 @@ Replay replay_processor(const ReplayContext& context) {
 
 extern const Experiment processor_experiment{
     .name = "processor",
-    .about = "a transputer's scheduler, its memory and a switch, beside the databook",
+    .about = "a transputer's scheduler, its memory and a switch, compared with the databook",
     .chapter = "machine",
     .number = 3,
     .run = replay_processor,

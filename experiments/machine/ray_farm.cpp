@@ -384,7 +384,7 @@ Replay replay_ray_farm(const ReplayContext& context) {
 
 extern const Experiment ray_farm_experiment{
     .name = "ray-farm",
-    .about = "a farm with routed channels on 73 transputers, beside published times",
+    .about = "a farm with routed channels on 73 transputers, compared with published times",
     .chapter = "machine",
     .number = 4,
     .run = replay_ray_farm,

@@ -16,9 +16,9 @@ namespace placedpar {
 
 namespace {
 
-/// Chooses the place of each immigrant. `candidates`: individuals that may be replaced; each is replaced once at most.
-/// choose(immigrant, candidates) returns the position of the chosen individual in the list of the candidates that are
-/// left.
+/// Chooses, for each immigrant, the individual that it replaces. `candidates`: individuals that may be replaced, each
+/// at most once. choose(immigrant, candidates) is called with the remaining candidates, and returns the position of the
+/// chosen candidate in this list.
 template <class Choose>
 Places give_places(const IslandPopulation& island, std::span<const Individual> immigrants,
                    std::vector<std::size_t> candidates, bool only_if_better, Choose choose) {

@@ -35,7 +35,7 @@ using Places = std::vector<std::optional<std::size_t>>;
 // the individual that it would replace. REQUIRES of every policy: immigrants.size() + island.elite <=
 // island.strings.size(), and all strings have the same length.
 
-/// Replaces the least fit individuals; among equals the lowest index first. Draws no number.
+/// Replaces the least fit individuals; among equals the lowest index first. Draws no random number.
 struct WorstAcceptance {
     static constexpr std::string_view name = "worst", about = "the least fit individual is replaced",
                                       source = "PlacedPar's choice: the thesis states none";
@@ -47,7 +47,7 @@ struct WorstAcceptance {
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };
 
-/// Replaces a random individual outside the elite. Draws at least one number for each immigrant.
+/// Replaces a random individual outside the elite. Draws at least one random number for each immigrant.
 struct RandomAcceptance {
     static constexpr std::string_view name = "random",
                                       about = "an individual outside the elite, drawn at random, is replaced",
@@ -62,7 +62,7 @@ struct RandomAcceptance {
 
 /// Replaces the individual outside the elite with the least Representation::distance() from the immigrant. For binary
 /// strings this is the number of different bits. Among equally distant individuals it replaces the least fit, and among
-/// equally fit individuals the individual with the lowest index. Draws no number.
+/// equally fit individuals the individual with the lowest index. Draws no random number.
 struct AlikeAcceptance {
     static constexpr std::string_view name = "alike",
                                       about = "the most similar individual outside the elite is replaced",
@@ -78,7 +78,7 @@ struct AlikeAcceptance {
 /// Replaces a random individual of the population that has just been bred, except the elite at its beginning. So an
 /// immigrant is evaluated, and may become a parent, one generation later than with the other policies (thesis 5.3.2:
 /// "one generation later"). The new population has no fitness yet, so no immigrant is rejected. Draws at least one
-/// number for each immigrant.
+/// random number for each immigrant.
 struct OffspringAcceptance {
     static constexpr std::string_view name = "offspring",
                                       about = "an individual of the new population outside its elite, drawn at random, "
@@ -88,7 +88,7 @@ struct OffspringAcceptance {
                       RandomStream& random) const;
 };
 
-/// A user-defined struct with a call operator like those above. The returned places are checked.
+/// A user-defined struct with the same call operator as the policies above. The returned places are checked.
 class OwnAcceptance : public OwnPolicy {
 public:
     template <class Policy>
@@ -114,8 +114,9 @@ public:
     /// Throws UserError if the number of immigrants in one exchange exceeds the number of individuals outside the
     /// elite. REQUIRES: elite <= population.
     static void validate_for(std::size_t immigrants, std::size_t population, std::size_t elite);
-    /// Throws what validate_for() throws. REQUIRES: all strings have the same length, island.elite <=
-    /// island.strings.size(), and, unless among_offspring(), every string has a finite fitness.
+    /// Returns, for each immigrant, the individual that it replaces. Throws what validate_for() throws. REQUIRES: all
+    /// strings have the same length, island.elite <= island.strings.size(), and, unless among_offspring(), every string
+    /// has a finite fitness.
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
                       RandomStream& random) const;
 };

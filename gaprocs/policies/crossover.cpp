@@ -12,8 +12,8 @@ namespace placedpar {
 
 namespace {
 
-/// Looks for the next individual that differs from the first in two bits or more. Swaps this individual with the second
-/// and returns true; returns false if there is no such individual.
+/// Looks for the next individual of `unmated` that differs from the first in two bits or more. If there is one, swaps
+/// it with the second individual and returns true; otherwise returns false.
 bool mate_by_difference(std::span<Genome> unmated) {
     auto differs = [&](const Genome& other) { return difference(unmated.front(), other) >= 2; };
     auto mate = std::find_if(unmated.begin() + 1, unmated.end(), differs);
@@ -23,14 +23,15 @@ bool mate_by_difference(std::span<Genome> unmated) {
     return true;
 }
 
-/// Returns two different numbers below `count`, in any order.
+/// Draws two different numbers below `count`; every ordered pair is equally likely.
 std::pair<std::size_t, std::size_t> two_of(std::size_t count, RandomStream& random) {
     auto places = static_cast<std::uint32_t>(count);
     std::size_t first = random.below(places), second = random.below(places - 1);
     return {first, second + (second >= first)};
 }
 
-/// Returns a mask of words that are all ones or all zeros, each with probability 1/2.
+/// Returns a mask for crossing real vectors: each 64-bit word, which selects one number, is all ones or all zeros, each
+/// with probability 1/2.
 Genome whole_words_at_random(std::size_t bits, RandomStream& random) {
     Genome mask(bits);
     for (std::size_t word = 0; word < bits / 64; ++word)
@@ -39,8 +40,9 @@ Genome whole_words_at_random(std::size_t bits, RandomStream& random) {
     return mask;
 }
 
-/// Returns an offspring. At the positions `first` to `end` - 1 (counted around the ring) it has the entries of `kept`.
-/// The missing entries follow, in the order that they have in `other` from position `end` on.
+/// Returns an offspring. Its positions form a ring: position 0 follows the last position. At the positions from `first`
+/// to `end` - 1 the offspring has the entries of `kept`. The missing entries follow from position `end` on, in the
+/// order that they have in `other` from `end` on.
 std::vector<std::size_t> ordered_offspring(const std::vector<std::size_t>& kept, const std::vector<std::size_t>& other,
                                            std::size_t first, std::size_t end) {
     std::size_t places = kept.size();

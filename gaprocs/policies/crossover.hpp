@@ -16,11 +16,12 @@
 namespace placedpar {
 
 // Each policy turns two mates into two offspring. The comment of each policy states how many random numbers the policy
-// draws. A character is a bit of a binary string or a number of a real vector. Crossover never separates the bits of a
-// character; there are `unit` of them, 1 or 64. REQUIRES of every policy: both strings have the same length, at least 2
+// draws. A character is a bit of a binary string or a number of a real vector; it has `unit` bits, 1 or 64. Crossover
+// never separates the bits of a character. REQUIRES of every policy: both strings have the same length, at least 2
 // characters.
 
-/// Exchanges the first k of L characters, where k is uniform in 1 ... L - 1 (thesis eq. 1.1 and 1.2). Draws one number.
+/// Exchanges the first k of L characters, where k is uniform in 1 ... L - 1 (thesis eq. 1.1 and 1.2). Draws one random
+/// number.
 struct OnePointCrossover {
     static constexpr std::string_view name = "one-point", about = "mates exchange the characters before a cut",
                                       source = "thesis 1.1, eq. 1.1 and 1.2";
@@ -29,7 +30,7 @@ struct OnePointCrossover {
 };
 
 /// Exchanges the characters between two cuts. The string is treated as a ring, so a cut may be before any character,
-/// the first included. Each pair of cuts is equally likely. Draws two numbers.
+/// the first included. Each pair of cuts is equally likely. Draws two random numbers.
 struct TwoPointCrossover {
     static constexpr std::string_view name = "two-point", about = "mates exchange the characters between two cuts",
                                       source = "K. De Jong, 1975";
@@ -48,7 +49,7 @@ struct UniformCrossover {
 
 /// One-point crossover whose offspring always differ from the parents (thesis 6.3). The cut lies between the first and
 /// the last bit in which the parents differ. Parents that differ in fewer than two bits cannot be mates. Draws one
-/// number.
+/// random number.
 struct DifferenceCrossover {
     static constexpr std::string_view
         name = "by-difference",
@@ -102,7 +103,7 @@ private:
 
 /// Order crossover (L. Davis, "Applying adaptive algorithms to epistatic domains", 1985). An offspring takes the
 /// entries between two cuts from one parent. The missing entries follow, in the order that they have in the other
-/// parent. Draws two numbers for the cuts, as TwoPointCrossover does.
+/// parent. Draws two random numbers for the cuts, as TwoPointCrossover does.
 struct OrderCrossover {
     static constexpr std::string_view
         name = "order",
@@ -112,7 +113,7 @@ struct OrderCrossover {
     void operator()(Genome& a, Genome& b, const Permutation& permutation, RandomStream& random) const;
 };
 
-/// A user-defined struct with a function fits() like those above, and with the call operator
+/// A user-defined struct with a function fits(), as the policies above have, and with the call operator
 ///
 ///     void operator()(Genome& a, Genome& b, const Representation& representation, RandomStream& random) const;
 class OwnCrossover : public OwnVariation {
@@ -136,9 +137,9 @@ public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "crossover", about = "how two parents make two offspring";
 
-    /// Crosses each pair of mates with the given probability. Draws one number for each pair to decide whether the pair
-    /// is crossed, besides the policy's draws. In a population of odd size, the last individual stays unchanged,
-    /// without a draw. Strings of one character stay unchanged, also without a draw. An individual for which
+    /// Crosses each pair of mates with the given probability. Draws one random number for each pair to decide whether
+    /// the pair is crossed, besides the policy's draws. In a population of odd size, the last individual stays
+    /// unchanged, without a draw. Strings of one character stay unchanged, also without a draw. An individual for which
     /// DifferenceCrossover finds no mate stays unchanged, too. REQUIRES: all strings belong to `representation`, and
     /// fits(representation.kind()).
     void operator()(std::span<Genome> population, double probability, const Representation& representation,

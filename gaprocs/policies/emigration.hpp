@@ -16,7 +16,7 @@ class RandomStream;
 // Each policy chooses `count` different individuals and returns their indices. Copies of these individuals leave the
 // island. REQUIRES of every policy: count <= fitness.size().
 
-/// Chooses the best individuals; among equals the lowest index first. Draws no number.
+/// Chooses the best individuals; among equals the lowest index first. Draws no random number.
 struct BestEmigration {
     static constexpr std::string_view name = "best", about = "the `count` best individuals",
                                       source = "thesis 4.3 and 5.2.1";
@@ -27,7 +27,7 @@ struct BestEmigration {
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
 };
 
-/// Chooses individuals at random, all with the same probability. Draws at least one number for each emigrant.
+/// Chooses individuals at random, all with the same probability. Draws at least one random number for each emigrant.
 struct RandomEmigration {
     static constexpr std::string_view name = "random", about = "`count` individuals drawn at random",
                                       source = "a control for comparisons, not in the thesis";
@@ -39,7 +39,7 @@ struct RandomEmigration {
 };
 
 /// Chooses each emigrant by a tournament: the best of `size` individuals, drawn with replacement from the individuals
-/// not yet chosen; among equals the individual drawn first. Draws at least `size` numbers for each emigrant.
+/// not yet chosen; among equals the individual drawn first. Draws at least `size` random numbers for each emigrant.
 struct TournamentEmigration {
     static constexpr std::string_view name = "tournament",
                                       about = "`count` individuals, each the best of `size` drawn at random",
@@ -53,7 +53,8 @@ struct TournamentEmigration {
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
 };
 
-/// A user-defined struct with `count` and a call operator like those above. The returned indices are checked.
+/// A user-defined struct with a number `count` and the same call operator as the policies above. The returned indices
+/// are checked.
 class OwnEmigration : public OwnPolicy {
 public:
     template <class Policy>

@@ -16,7 +16,7 @@ void add_both(Vertices& vertices, const Genome& a, const Genome& b) {
     vertices.insert(vertex_of(b));
 }
 
-/// Exchanges the characters from `first` to `end` - 1 and adds the two offspring.
+/// Exchanges the characters from `first` to `end` - 1 between the parents `a` and `b`, and adds the two offspring.
 void add_exchanged(Vertices& vertices, Genome a, Genome b, std::size_t first, std::size_t end) {
     swap_leading(a, b, first);
     swap_leading(a, b, end);

@@ -70,18 +70,18 @@ struct FixedChoice {
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"island", &FixedChoice::island, 0, 1e6, "from 0"});
     }
-    /// Throws what IslandChoice::validate_for() throws.
+    /// Returns `island`. Throws what IslandChoice::validate_for() throws.
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
-/// Chooses an island at random: a baseline for the other policies. Draws one number.
+/// Chooses an island at random: a baseline for the other policies. Draws one random number.
 struct RandomChoice {
     static constexpr std::string_view name = "random", about = "an island drawn at random each time",
                                       source = "a control for comparisons, not in the thesis";
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream& random) const;
 };
 
-/// A user-defined struct with a call operator like those above. The returned island is checked.
+/// A user-defined struct with the same call operator as the policies above. The returned island is checked.
 class OwnChoice : public OwnPolicy {
 public:
     template <class Policy>

@@ -77,7 +77,8 @@ void DistanceMutation::operator()(std::span<Genome> population, RandomStream& ra
     const double per_logarithm = 1 / std::log1p(-probability); // -0 for probability 1, -infinity for probability 0
     auto left = static_cast<double>(population.size() * length);
     for (std::size_t next = 0;; ++next) {
-        // The next `distance` bits are left unchanged with probability (1 - probability)^distance.
+        // `distance` is the number of unchanged bits before the next flipped bit. It is at least n with probability (1
+        // - probability)^n.
         double distance = std::floor(std::log(1 - random.uniform()) * per_logarithm);
         left -= distance + 1;
         if (!(left >= 0)) // also true if `left` is NaN, from 0 times infinity

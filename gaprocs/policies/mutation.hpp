@@ -13,8 +13,8 @@
 
 namespace placedpar {
 
-/// Calls `mutate` for each position of each string, with the given probability. Draws one number for each position,
-/// besides the draws of `mutate`.
+/// Calls `mutate` for each position of each string, with the given probability. Draws one random number for each
+/// position, besides the draws of `mutate`.
 template <class Mutate>
 void mutate_places(const Mutate& mutate, std::span<Genome> population, double probability,
                    const Representation& representation, RandomStream& random) {
@@ -28,8 +28,8 @@ void mutate_places(const Mutate& mutate, std::span<Genome> population, double pr
 // BitMutation and DistanceMutation flip bits of a whole population. Each other policy works at one position of a
 // string; Mutation chooses the positions. The comment of each policy states how many random numbers the policy draws.
 
-/// Flips each bit with probability `probability`. Draws one number for each bit. REQUIRES: all strings have the same
-/// length.
+/// Flips each bit with probability `probability`. Draws one random number for each bit. REQUIRES: all strings have the
+/// same length.
 struct BitMutation {
     static constexpr std::string_view name = "bit", about = "a bit is flipped", source = "thesis 1.1";
     static constexpr bool fits(StringKind kind) { return kind == StringKind::binary; }
@@ -53,7 +53,7 @@ struct DistanceMutation {
 };
 
 /// Adds a normal deviate to the number. A sum outside the number's range is replaced by the nearest end of the range.
-/// Draws two numbers.
+/// Draws two random numbers.
 struct GaussianMutation {
     static constexpr std::string_view name = "gaussian",
                                       about = "a normal deviate is added; its standard deviation is `deviation` times "
@@ -72,7 +72,7 @@ struct GaussianMutation {
 /// Adds or subtracts a step, each with probability 1/2. The step is the width of the number's range, times `range`,
 /// times 2^-u, where u is uniform in 0 ... `precision`. So all orders of magnitude are equally likely (after H.
 /// Mühlenbein and D. Schlierkamp-Voosen, "Predictive models for the breeder genetic algorithm", 1993). Draws two
-/// numbers.
+/// random numbers.
 struct BreederMutation {
     static constexpr std::string_view
         name = "breeder",
@@ -90,8 +90,9 @@ struct BreederMutation {
                     RandomStream& random) const;
 };
 
-/// Adds a step of either sign that never leaves the range. The larger `index` is, the likelier are small steps (K. Deb
-/// and M. Goyal, "A combined genetic adaptive search (GeneAS) for engineering design", 1996). Draws one number.
+/// Adds a step of either sign; the sum never leaves the number's range. The larger `index` is, the likelier are small
+/// steps (K. Deb and M. Goyal, "A combined genetic adaptive search (GeneAS) for engineering design", 1996). Draws one
+/// random number.
 struct PolynomialMutation {
     static constexpr std::string_view
         name = "polynomial",
@@ -107,7 +108,7 @@ struct PolynomialMutation {
                     RandomStream& random) const;
 };
 
-/// Replaces the number by a random number of its range. Draws one number.
+/// Replaces the number by a random number from the same range. Draws one random number.
 struct UniformMutation {
     static constexpr std::string_view name = "uniform", about = "a number is replaced by a random one from its range",
                                       source = "Z. Michalewicz, 1992";
@@ -116,7 +117,7 @@ struct UniformMutation {
                     RandomStream& random) const;
 };
 
-/// Exchanges the entry at this position with the entry at another, random position. Draws one number.
+/// Exchanges the entry at this position with the entry at another, random position. Draws one random number.
 struct SwapMutation {
     static constexpr std::string_view name = "swap", about = "two elements of the permutation are exchanged",
                                       source = "not in the thesis";
@@ -127,7 +128,7 @@ struct SwapMutation {
 
 /// Reverses the entries from this position to another, random position. If the other position comes first, the reversed
 /// part continues from the end of the string to its beginning. In a closed tour this changes two edges. Draws one
-/// number.
+/// random number.
 struct InversionMutation {
     static constexpr std::string_view name = "inversion",
                                       about = "the elements between two positions of the permutation are reversed",
@@ -137,7 +138,7 @@ struct InversionMutation {
                     RandomStream& random) const;
 };
 
-/// A user-defined struct with a function fits() like those above, and with the call operator
+/// A user-defined struct with a function fits(), as the policies above have, and with the call operator
 ///
 ///     void operator()(Genome& genome, std::size_t place, const Representation& representation,
 ///                     RandomStream& random) const;
@@ -158,9 +159,9 @@ public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "mutation", about = "how an offspring is changed at random";
 
-    /// Mutates each position of each string with the given probability. Draws one number for each position to decide
-    /// whether it mutates, besides the policy's draws; BitMutation and DistanceMutation decide by their own draws
-    /// alone. A permutation of one place stays unchanged, without a draw. REQUIRES: fits(representation.kind()).
+    /// Mutates each position of each string with the given probability. Draws one random number for each position to
+    /// decide whether it mutates, besides the policy's draws; BitMutation and DistanceMutation decide by their own
+    /// draws alone. A permutation of one place stays unchanged, without a draw. REQUIRES: fits(representation.kind()).
     void operator()(std::span<Genome> population, double probability, const Representation& representation,
                     RandomStream& random) const;
 };

@@ -70,9 +70,9 @@ struct NamedPolicy {
         numbers; ///< values of all numbers of the policy; a number that the text omits has its default value
 };
 
-/// Reads a policy from a text such as "name", "name(2)" or "name(number = 2, 3.5)". Throws a UserError that says what
-/// would be right if the text has another form, names an unknown policy or number, or has too many numbers. Throws it
-/// also if a number is given twice or is out of range.
+/// Reads a policy from a text such as "name", "name(2)" or "name(number = 2, 3.5)". Throws UserError if the text has
+/// another form, names an unknown policy or number, or has too many numbers, and if a number is given twice or is out
+/// of range. The message says what would be right.
 NamedPolicy read_policy(std::string_view text, const std::vector<PolicyDescription>& known);
 
 /// Returns Policy::numbers(), or an empty tuple if there is no such function. `Policy` may also be a problem.
@@ -110,7 +110,7 @@ std::vector<double> numbers_of(const Policy& policy) {
     return std::apply(values, stated_numbers<Policy>());
 }
 
-/// REQUIRES: one value for each number of the policy.
+/// Returns the policy with these values of its numbers. REQUIRES: one value for each number of the policy.
 template <class Policy>
 Policy make_policy(const std::vector<double>& values) {
     Policy policy;
@@ -150,7 +150,7 @@ protected:
     auto tried(Work work) const {
         return placedpar::tried([&] { return named(); }, work);
     }
-    /// Throws UserError with the text `otherwise` unless `right`. REQUIRES: called within tried().
+    /// Throws UserError with the text `otherwise` unless `right` is true. REQUIRES: called within tried().
     static void require(bool right, const char* otherwise);
 
 private:

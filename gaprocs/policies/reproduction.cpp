@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-/// Spins the wheel once with `count` balls, then shuffles the parents (Fisher and Yates).
+/// Chooses the parents by one spin of the wheel with `count` balls, then shuffles them (Fisher and Yates).
 Parents sample_universally(const RouletteWheel& wheel, std::size_t count, RandomStream& random) {
     std::vector<std::size_t> parents = wheel.sectors(count, random.uniform());
     for (std::size_t left = parents.size(); left > 1; --left)

@@ -28,7 +28,7 @@ struct RouletteReproduction {
         source = "thesis 1.1 and 3.1.1, step 4";
     static constexpr bool needs_positive_fitness = true;
 
-    /// Draws one number for each parent. Throws what the constructor of RouletteWheel throws.
+    /// Draws one random number for each parent. Throws what the constructor of RouletteWheel throws.
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
 };
 
@@ -43,7 +43,7 @@ struct UniversalReproduction {
         source = "J. Baker, 1987";
     static constexpr bool needs_positive_fitness = true;
 
-    /// Draws one number for the spin, and at least count - 1 for the shuffle. Throws what the constructor of
+    /// Draws one random number for the spin, and at least count - 1 for the shuffle. Throws what the constructor of
     /// RouletteWheel throws.
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
 };
@@ -102,12 +102,12 @@ struct TournamentReproduction {
             PolicyNumber{"size", &TournamentReproduction::size, 1, 1e6, "individuals drawn for each parent"});
     }
 
-    /// Draws at least `size` numbers for each parent. Always returns parents.
+    /// Draws at least `size` random numbers for each parent. Always returns parents.
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
 };
 
-/// A user-defined struct with a call operator and `needs_positive_fitness` like those above. The returned parents are
-/// checked.
+/// A user-defined struct with `needs_positive_fitness` and the same call operator as the policies above. The returned
+/// parents are checked.
 class OwnReproduction : public OwnPolicy {
 public:
     template <class Policy>

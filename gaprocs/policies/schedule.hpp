@@ -58,9 +58,9 @@ struct AsynchronousSchedule {
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
 };
 
-/// A user-defined struct with `every` as its first number, and a call operator like those above. The call operator
-/// returns a contiguous part of the list of neighbours. The result may depend only on the arguments, because both the
-/// sending and the receiving island call the operator. Islands that exchange wait for each other.
+/// A user-defined struct with `every` as its first number, and the same call operator as the policies above. The call
+/// operator returns a contiguous part of the list of neighbours. The result may depend only on the arguments, because
+/// both the sending and the receiving island call the operator. Islands that exchange wait for each other.
 class OwnSchedule : public OwnPolicy {
 public:
     template <class Policy>

@@ -198,7 +198,7 @@ std::optional<OneWay> one_way(const Neighbours& neighbours) {
         bool reaches_all = std::ranges::all_of(part, [&](std::size_t to) { return reached[to].has_value(); });
         auto from = std::ranges::find_if(part, [&](std::size_t each) { return !reaches_all || !reaching[each]; });
         if (from == part.end())
-            continue; // no island is cut off from the part's first island, in either direction
+            continue; // the first island of this part reaches all others, and all others reach it
         auto distance = distances(neighbours, *from);
         return OneWay{*from, *std::ranges::find_if(part, [&](std::size_t to) { return !distance[to]; })};
     }

@@ -99,8 +99,8 @@ struct GivenTopology {
     Neighbours operator()(std::size_t islands) const;
 };
 
-/// A user-defined struct with a call operator like those above. The returned neighbours are checked like the list of a
-/// GivenTopology.
+/// A user-defined struct with the same call operator as the policies above. The returned neighbours are checked like
+/// the list of a GivenTopology.
 class OwnTopology : public OwnPolicy {
 public:
     template <class Policy>
@@ -123,8 +123,8 @@ public:
     bool is_given() const { return std::holds_alternative<GivenTopology>(policy()); }
     /// Returns whether islands exchange individuals: false for "none".
     bool exchanges() const { return !std::holds_alternative<NoTopology>(policy()); }
-    /// Throws a UserError that says what would be right if `islands` is 0 or there is no such topology of `islands`
-    /// islands. Throws it also if an island neither sends nor receives, except in the topology "none".
+    /// Throws UserError if `islands` is 0, if there is no such topology of `islands` islands, or if an island neither
+    /// sends nor receives, except in the topology "none". The message says what would be right.
     Neighbours neighbours(std::size_t islands) const;
 };
 

@@ -80,7 +80,7 @@ private:
         return reports;
     }
 
-    /// Receives samples from the host until their number is `count`, which an island states in its report.
+    /// Receives samples from the host until it has `count` of them, the number that an island states in its report.
     void take_samples(std::size_t count) {
         for (; taken_ < count; ++taken_)
             samples_.push(from_host_.input().sample);
@@ -158,7 +158,7 @@ ProcessKind analyst_kind(const ProblemRegistry& problems, SearchObserver* observ
         .name = "ga.analyst",
         .about = "Active error analysis (thesis 5.3.2) of islands with different windows. After each exchange it "
                  "chooses the island whose best individual is the answer of all islands, and keeps this answer until "
-                 "the next exchange. The islands do not change.",
+                 "the next exchange. It does not affect the islands.",
         .ports = {from_host(), input<EstimateMessage>("from_islands", "estimate", "an array: one end for each island")},
         .parameters = {policy<IslandChoice>(
                            "choice", "row",

@@ -74,7 +74,8 @@ private:
                                    std::get<std::string>(island.parameters.at("problem")), name(analyst_)));
     }
 
-    /// REQUIRES: every port `from_host` is connected, which the reader of netlists has checked.
+    /// Checks that the analyst and its islands get their samples from the same process. REQUIRES: every port
+    /// `from_host` is connected, which the reader of netlists has checked.
     void check_host() {
         auto host = [&](std::size_t process) { return other_end(network_, process, "from_host")->process; };
         for (const Peer& each : reporters_)
@@ -114,7 +115,7 @@ private:
         std::string why = last == 0
                               ? fmt::format("the first exchange is due after {}, but the run has only {}",
                                             counted(every, "generation"), run->generations())
-                              : fmt::format("the last exchange comes after {} samples, but the longest window needs {}",
+                              : fmt::format("the last exchange comes after sample {}, but the longest window needs {}",
                                             run->samples_at(last), longest_window());
         complaints_.push_back({analyst_, "", fmt::format("\"{}\" gives no answer: {}", name(analyst_), why), "", true});
     }

@@ -39,8 +39,8 @@ Archipelago::Archipelago(const Network& network) {
 
 std::size_t Archipelago::number_of(std::size_t process) const { return numbers_.at(process); }
 
-/// Adds the neighbours in the order of the ports' subscripts, in which ProcessInstance::ports lists the ends of an
-/// array.
+/// Adds the neighbours in the order of the ports' subscripts. ProcessInstance::ports lists the ends of an array in this
+/// order.
 void Archipelago::add_neighbours(const Network& network, PlacedIsland& self) {
     for (const PortBinding& binding : network.processes[self.process].ports)
         if (base_name(binding.port) == "to_neighbours" || base_name(binding.port) == "from_neighbours")
@@ -92,8 +92,9 @@ void Archipelago::add_parts(const Network& network) {
         }
 }
 
-/// An entry is removed when no island holds the archipelago any more. While an island holds it, the network exists, so
-/// no other network can have the same address.
+/// The archipelagos are cached by the address and the hash of the network. An entry is removed when no island holds the
+/// archipelago any more. While an island holds the archipelago, the network exists, so no other network can have the
+/// same address.
 std::shared_ptr<const Archipelago> archipelago_of(const Network& network) {
     static std::mutex one_at_a_time;
     static std::map<std::pair<const Network*, std::uint64_t>, std::weak_ptr<const Archipelago>> all;

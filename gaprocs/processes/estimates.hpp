@@ -15,8 +15,8 @@
 namespace placedpar {
 
 /// Collects the estimates that searches send to their host. Measures response times: a response time begins when a
-/// search has taken a sample, and ends when the search's estimate after this sample arrives. Also measures from which
-/// time on the fittest estimate is always accurate.
+/// search has taken a sample, and ends when the search's estimate after this sample arrives. Also measures the time
+/// after which the fittest estimate stays accurate.
 class Estimates {
 public:
     /// REQUIRES: the network has passed check_host(), so each estimate comes from a search that gets its samples from
@@ -65,7 +65,7 @@ private:
                                                        ///< sample, by process
     std::vector<std::vector<Answer>> answers_;         ///< by search
     double accuracy_;                      ///< largest relative error of an accurate estimate; 0: not checked
-    std::optional<Time> accurate_since_{}; ///< time from which on the fittest estimate has always been accurate
+    std::optional<Time> accurate_since_{}; ///< time since which the fittest estimate has always been accurate
 };
 
 /// Reports the individual's fitness or objective, and its parameters, as measurements of the process. `values`: the

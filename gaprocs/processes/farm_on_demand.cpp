@@ -23,8 +23,8 @@ public:
         return {individual * window_, (individual + 1) * window_, window_};
     }
     void received() { ++received_; }
-    /// Returns true if new measurements must be sent with the slave's next task; this is its first task of the
-    /// generation.
+    /// Returns whether the slave's next task must contain new measurements. From then on the slave counts as having
+    /// them, so call this function once for each task.
     bool owes_measurements(std::size_t slave) {
         bool owed = lacks_measurements_[slave];
         lacks_measurements_[slave] = false;

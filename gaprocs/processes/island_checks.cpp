@@ -26,7 +26,7 @@ namespace placedpar {
 
 namespace {
 
-/// Maps the text of a schedule to most_senders_at_once() with this schedule.
+/// For the text of each schedule, the result of most_senders_at_once() with this schedule.
 using SendersBySchedule = std::map<std::string, std::vector<std::size_t>>;
 
 class IslandCheck {
@@ -97,7 +97,7 @@ private:
             return !island.ports_to.empty() || !island.ports_from.empty();
         };
         if (!connected(self()) && std::ranges::any_of(archipelago_.islands(), connected))
-            refuse("", fmt::format("the island \"{}\" has no neighbours, but other islands have", process_.name),
+            refuse("", fmt::format("the island \"{}\" has no neighbours, but other islands do", process_.name),
                    "connect its to_neighbours[0] or from_neighbours[0]; for a search that exchanges nothing, use "
                    "ga.master");
     }

@@ -105,8 +105,9 @@ std::vector<Migration> IslandExchange::take_arrivals() {
     return arrivals;
 }
 
-/// Evaluates immigrants from islands with another window; with an asynchronous schedule, all immigrants. Other
-/// immigrants keep their fitness, which was computed from the same samples.
+/// Evaluates the immigrants that come from islands with another window. If the schedule is asynchronous, evaluates all
+/// immigrants, because their fitness may be computed from older samples. All others keep their fitness, which was
+/// computed from the same samples.
 void IslandExchange::evaluate_arrivals(std::span<Migration> arrivals, std::span<const Sample> window) const {
     if (problem_.objective())
         return; // an objective is the same on all islands

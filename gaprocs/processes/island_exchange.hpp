@@ -35,15 +35,15 @@ public:
     /// REQUIRES: the process is an island, and its network has passed check_islands().
     IslandExchange(const ProcessEnvironment&, const SearchProblem&, const SearchSettings&, const Workload&);
 
-    /// Returns the number of samples needed before the first generation, by samples_awaited(); 0 if the problem has an
-    /// objective.
+    /// Returns the number of samples needed before the first generation, as computed by samples_awaited(); 0 if the
+    /// problem has an objective.
     std::size_t samples_to_begin() const { return samples_to_begin_; }
     /// Returns whether this island has an exchange after the evaluation of the generation.
     bool is_due(std::uint64_t generation) const { return has_neighbours_ && schedule_.is_due(generation); }
     /// Returns whether the island sends its best individual to an analyst after the generation. An island without
     /// neighbours also sends it.
     bool reports_after(std::uint64_t generation) const { return schedule_.is_due(generation); }
-    /// Runs `search`; in asynchronous exchange, in parallel with the sending and receiving processes.
+    /// Runs `search`. In asynchronous exchange, the sending and receiving processes run in parallel with it.
     void beside_mail(const std::function<void()>& search);
     /// Sends the emigrants, and returns the immigrants in the order in which the island must accept them. If necessary,
     /// evaluates immigrants in this island's window; this takes simulated computing time. REQUIRES:

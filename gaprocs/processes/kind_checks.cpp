@@ -131,8 +131,8 @@ private:
         complaints_.push_back({process_, std::move(about), std::move(message), std::move(hint), true});
     }
 
-    /// Warns about settings that do not suit the record. If several processes have the same setting, only the first
-    /// warns.
+    /// Warns about settings that do not suit the record. If several processes have the same setting, only the check of
+    /// the first process warns.
     void warn_of_advice() {
         const RecordAdvice& advice = recorded_->advice();
         if (advice.trials != 0 && std::cmp_not_equal(integer("trials"), advice.trials) && !is_as_before("trials"))
@@ -175,7 +175,7 @@ private:
     }
 
     /// Warns about parameters that have no effect on a problem with an objective. If several processes have the same
-    /// setting, only the first warns.
+    /// setting, only the check of the first process warns.
     void say_ignored(std::initializer_list<const char*> parameters) {
         std::vector<std::string> ignored;
         for (const char* parameter : parameters)

@@ -15,12 +15,12 @@ namespace placedpar {
 
 class ProcessEnvironment;
 
-Split split_named(const std::string&); ///< `name`: value of the parameter `split`
+Split split_named(const std::string&); ///< returns the Split with this value of the parameter `split`
 /// Returns the number of bytes that a string takes in a message: `stated`, or, if `stated` is 0, the bits of the
 /// problem's string rounded up to whole bytes.
 std::uint32_t string_bytes(std::int64_t stated, const SearchProblem&);
-/// Reads the costs and the lengths of messages. If the problem has an objective, messages contain 0 bytes of
-/// measurements.
+/// Reads the computing costs of the process and the lengths of its messages. If the problem has an objective, messages
+/// contain 0 bytes of measurements.
 Workload read_workload(const ProcessEnvironment&, const SearchProblem&);
 Workload read_slave_workload(const ProcessEnvironment&); ///< reads only the values that a slave uses
 Coding read_coding(const ProcessEnvironment&);

@@ -18,9 +18,9 @@ namespace placedpar {
 
 namespace {
 
-/// Consists of two processes of high priority: one passes the masters' tasks on to the slaves, the other passes the
-/// slaves' results on to the masters. A slave may receive tasks from several masters; it queues the tasks and answers
-/// them in turn.
+/// A pipeline consists of two processes of high priority: one passes the masters' tasks on to the slaves, the other
+/// passes the slaves' results on to the masters. A slave may receive tasks from several masters; it queues the tasks
+/// and answers them in turn.
 class Pipeline {
 public:
     explicit Pipeline(const ProcessEnvironment& environment)

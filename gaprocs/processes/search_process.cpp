@@ -32,7 +32,7 @@ Farm make_farm(const ProcessEnvironment& environment, const SearchProblem& probl
 
 class SearchProcess {
 public:
-    /// `recoded`: `problem` if the process belongs to a pair; otherwise null.
+    /// `recoded` is the same object as `problem` if the process belongs to a pair; otherwise null.
     SearchProcess(ProcessEnvironment& environment, const SearchProblem& problem, RecodedProblem* recoded,
                   SearchObserver* observer, Checkpoints* checkpoints)
         : environment_(environment), problem_(problem), observer_(observer),
@@ -90,7 +90,8 @@ private:
         return environment_.connected(port) ? environment_.output<EstimateMessage>(port) : Output<EstimateMessage>();
     }
 
-    /// Starts the measurements, at the first full window. From then on all generations take the same time.
+    /// Restarts the measurements of times at the first full window, because from then on all generations take the same
+    /// time.
     void begin_timing() {
         farm_.forget_times();
         execution_ = operators_ = Stopwatch{};
@@ -186,7 +187,7 @@ private:
         environment_.measure("S_time2", operators_.mean_milliseconds(), "ms");
     }
 
-    /// Reports the generations per second; nothing on a workstation, where a run takes no time.
+    /// Reports the generations per second. Reports nothing on a workstation, where generations take no simulated time.
     void report_rate() {
         auto timed = static_cast<double>(search_.generation() - generations_before_timing_);
         if (double milliseconds = rate_.mean_milliseconds(); milliseconds > 0)

@@ -24,7 +24,7 @@ struct Share {
 /// The rule by which a master and its slaves share the evaluations of a generation.
 enum class Split {
     individuals, ///< whole individuals, the same number for each slave, or one more for the first slaves
-    demand,      ///< whole individuals, one at a time, each for a slave or the master when it is idle
+    demand,      ///< whole individuals, one at a time, each for an idle slave or for the idle master
     evaluations  ///< single error evaluations, the same number for each slave, or one more for the first slaves
 };
 

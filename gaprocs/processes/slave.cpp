@@ -130,7 +130,7 @@ private:
         }
     }
 
-    /// Returns false if the result is the end message.
+    /// Passes the result on towards the master. Returns false if the result is the end message.
     bool pass_on(Fitnesses result) {
         ++result.hops;
         return send(std::move(result));
@@ -192,7 +192,7 @@ private:
     Channel<InPlace<Task>> own_tasks_, kept_tasks_;
     Channel<NextTask> next_task_;
     Channel<InPlace<Fitnesses>> own_results_;
-    std::map<std::size_t, Window> windows_; ///< by master
+    std::map<std::size_t, Window> windows_; ///< key: number of the master
 };
 
 void run_slave(ProcessEnvironment& environment, const ProblemRegistry& problems) {

@@ -16,8 +16,8 @@ constexpr std::uint64_t gray_decoded(std::uint64_t code) {
     return code;
 }
 
-/// A view of a binary string, each of whose fields is in Gray code. field() decodes a field, so a problem that reads
-/// strings by field(first, count) works with both codes.
+/// A view of a binary string whose fields are in Gray code. field() decodes a field, so a problem that reads strings by
+/// field(first, count) works with both codes.
 template <typename G>
 class GrayCoded {
 public:

@@ -58,7 +58,7 @@ public:
     /// Returns the natural binary number in the `count` bits from `first` on; the leftmost bit is the most significant.
     /// REQUIRES: 1 <= count <= 64, first + count <= size().
     std::uint64_t field(std::size_t first, std::size_t count) const;
-    /// REQUIRES: as field(); value < 2^count.
+    /// Stores a number as field() reads it. REQUIRES: what field() requires, and value < 2^count.
     void set_field(std::size_t first, std::size_t count, std::uint64_t value);
 
     /// Sets the bits 64 * index to 64 * index + 63. REQUIRES: 64 * (index + 1) <= size().

@@ -114,8 +114,8 @@ public:
 
     /// Returns the string as a text, such as "01101", "0.5 -3" or "2 0 1".
     std::string text(const Genome& genome) const;
-    /// Reads a string from its text. Throws a UserError that says what would be right if the text is not a string of
-    /// this representation.
+    /// Reads a string from its text. If the text is not a string of this representation, throws a UserError that says
+    /// what would be right.
     Genome read(std::string_view text) const;
 
 private:

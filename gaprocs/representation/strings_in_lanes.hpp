@@ -11,7 +11,7 @@
 
 namespace placedpar {
 
-/// The strings of eight individuals in the lanes of vector registers. field() reads a field of all eight strings at
+/// The strings of `width` individuals in the lanes of vector registers. field() reads a field of all these strings at
 /// once, several times as fast as a loop over the strings. The rules at the top of runtime/lanes.hpp apply.
 template <std::size_t width, bool gray = false>
 class StringsInLanes {

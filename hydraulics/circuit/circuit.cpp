@@ -24,8 +24,8 @@ constexpr ValvePosition bucket_then_boom{Link::bucket, true, Link::boom}, boom_l
 /// The cross-over: flow past the stick (or the boom) continues to the last link of the other branch.
 constexpr ValvePosition stick_then_boom{Link::stick, false, Link::boom},
     boom_then_stick{Link::boom, false, Link::stick};
-/// In these positions a check valve shuts off the rest of the branch, because the pressure there is higher: the first
-/// link has its pump to itself.
+/// In these positions a check valve shuts off the rest of the branch, because the pressure behind the valve is higher.
+/// So the first link receives the whole flow of its pump.
 constexpr ValvePosition bucket_alone{Link::bucket, true, {}, true}, swing_alone{Link::swing, true, {}, true};
 
 using ValvePositions = std::array<ValvePosition, 4>; // upstream before downstream

@@ -14,7 +14,8 @@
 namespace placedpar::hydraulics {
 
 /// Selects whether the flow into the cylinder enters the error as its absolute value, as in equation 3.8, or signed, as
-/// in equation 3.11. The absolute value gives windows of falling pressure a second optimum, at C + 2 Q_i / |dP/dt|.
+/// in equation 3.11. With the absolute value, the error has a second minimum in a window of falling pressure, at C + 2
+/// Q_i / |dP/dt|.
 enum class InletFlow : unsigned char { absolute, as_signed };
 
 /// Returns the form that the thesis prints: absolute for one link (3.8), signed for several links (3.11).
@@ -39,7 +40,7 @@ inline LinkTerms terms_of(const LinkSample& sample, const FlowConstants& flow) {
 /// The terms of each junction of a circuit, in the circuit's order.
 using CircuitTerms = boost::container::static_vector<LinkTerms, all_links.size()>;
 
-/// REQUIRES: at most 4 samples.
+/// Returns the terms of each sample. REQUIRES: at most 4 samples.
 inline CircuitTerms terms_of(std::span<const LinkSample> samples, const FlowConstants& flow) {
     CircuitTerms terms;
     for (const LinkSample& sample : samples)

@@ -38,7 +38,8 @@ bool all_open(const Circuit& circuit, std::span<const LinkSample> links, const F
 /// Returns the rms slope of the pressure of one link. REQUIRES: there is a sample.
 double excitation_psi_per_s(std::span<const CircuitSample> samples, std::size_t junction);
 
-/// States which samples identification may use. The rule is ours; the thesis says only "during the transient period".
+/// The rule by which identification chooses the samples that it uses. The rule is ours; the thesis says only "during
+/// the transient period".
 struct UsableSamples {
     double open_by_psi = 25;            ///< margin of all_open() at the first sample
     double first_slope_psi_per_s = 150; ///< least slope of every pressure at the first sample

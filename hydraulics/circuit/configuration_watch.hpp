@@ -36,8 +36,9 @@ struct ValveInterval {
 /// the present position.
 class ConfigurationWatch {
 public:
-    static constexpr std::size_t reach = 4; ///< intervals
-    static constexpr std::size_t span = 8;  ///< intervals of a sample: long, so that noise hardly changes its slopes
+    static constexpr std::size_t reach = 4; ///< number of intervals
+    static constexpr std::size_t span =
+        8; ///< number of intervals in a sample; many, so that noise hardly changes the slopes
 
     /// `compliance_in3_per_psi`: compliances of healthy links. True compliances may differ from them by up to a third.
     ConfigurationWatch(const MainValve&, const CrossOverLimits&, const PerLink<double>& compliance_in3_per_psi,

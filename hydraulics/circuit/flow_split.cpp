@@ -9,8 +9,8 @@ namespace placedpar::hydraulics {
 namespace {
 
 /// Returns the pressure at which two outlets together take the flow Q; infinite if both are shut. If u^2 is the
-/// pressure drop over `high`, and D the difference between the outlets' pressures, then Q = a u + b sqrt(u^2 + D). The
-/// positive root of this quadratic equation is written without cancellation.
+/// pressure drop over `high`, D the difference between the outlets' pressures, and a and b their conductances, then Q =
+/// a u + b sqrt(u^2 + D). The positive root of this quadratic equation is written without cancellation.
 double common_psi(const Outlet& high, const Outlet& low, double flow) {
     double a = high.conductance, b = low.conductance, difference_psi = high.psi - low.psi;
     double rest = flow * flow - b * b * difference_psi;
@@ -31,8 +31,8 @@ FlowSplit split_flow(const Outlet& inlet, const Outlet& bypass, double flow_in3_
         double in = flow_through(inlet, relief_psi), by = flow_through(bypass, relief_psi);
         return {relief_psi, in, by, flow_in3_per_s - in - by};
     }
-    // The outlet with the lower pressure takes the remaining flow, so that the sum of the flows is exact to a rounding.
-    // A shut outlet takes nothing.
+    // The outlet with the lower pressure takes the remaining flow, so that the sum of the flows is exact, except for
+    // rounding. A shut outlet takes nothing.
     if (inlet.conductance == 0 || bypass.conductance == 0)
         return {psi, inlet.conductance == 0 ? 0 : flow_in3_per_s, inlet.conductance == 0 ? flow_in3_per_s : 0, 0};
     if (loaded) {

@@ -34,7 +34,7 @@ private:
     struct Outlets {
         Outlet inlet, bypass;
 
-        /// Returns the pressure above which there is outflow.
+        /// Returns the pressure above which oil flows out of the junction.
         double lowest_psi() const {
             return std::min(inlet.conductance > 0 ? inlet.psi : infinity,
                             bypass.conductance > 0 ? bypass.psi : infinity);

@@ -36,7 +36,7 @@ PerLink<LinkConstants> link_constants(const Parameters& parameters);
 /// Everything that converts the readings of one link to flows and areas.
 struct LinkCalibration {
     LinkConstants constants;
-    double spool_offset_in = 0;         ///< the spool's readings, or the spool by A.1, are too high by this offset
+    double spool_offset_in = 0; ///< the spool's readings, or the positions that A.1 gives, are too high by this offset
     std::optional<AreasFrom> from = {}; ///< nullopt: the first of the three sources that the record has
 };
 using LinkCalibrations = PerLink<LinkCalibration>;

@@ -18,7 +18,7 @@ struct LinkSample {
     double inlet_in2;             ///< a_i
     double bypass_in2;            ///< a_e
 
-    /// The number of values. In a list, they are in the order above.
+    /// The number of values. A list of the values has them in the order of the members above.
     static constexpr std::size_t channels = 5;
     /// REQUIRES: values.size() >= channels.
     static LinkSample from(std::span<const double> values) {
@@ -28,8 +28,8 @@ struct LinkSample {
     friend bool operator==(const LinkSample&, const LinkSample&) = default;
 };
 
-/// These equations judge a trial compliance, one link at a time. Any consistent system of units may be used. T is as in
-/// orifice.hpp, and `conductance` is k a of the inlet or the bypass.
+/// These equations give the flows and pressures that a trial compliance implies, one link at a time. Any consistent
+/// system of units may be used. T is as in orifice.hpp, and `conductance` is k a of the inlet or the bypass.
 
 /// Returns the flow into the cylinder (3.5, B.2), which moves the piston and expands the pump side.
 template <typename T>

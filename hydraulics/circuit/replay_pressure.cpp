@@ -25,7 +25,7 @@ void require_valid(std::span<const ReplaySample> record, const ReplayCircuit& ci
                         circuit.inlet_compliance_in3_per_psi, step_s));
     for (std::size_t i = 1; i < record.size(); ++i)
         if (!(record[i].time_s > record[i - 1].time_s))
-            throw std::invalid_argument(fmt::format("sample {} of the replay is at {} s, expected one after {} s", i,
+            throw std::invalid_argument(fmt::format("sample {} of the replay is at {} s, expected a time after {} s", i,
                                                     record[i].time_s, record[i - 1].time_s));
 }
 

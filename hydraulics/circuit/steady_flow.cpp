@@ -12,8 +12,8 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// Returns the central difference with a fixed step. Its relative error is about (step / L)^2, where L is the scale on
-/// which `f` curves.
+/// Returns the central difference with a fixed step. Its relative error is about (step / L)^2 if the slope of `f`
+/// changes noticeably over the distance L.
 template <class Function>
 double slope(const Function& f, double at, double step) {
     return (f(at + step) - f(at - step)) / (2 * step);

@@ -21,8 +21,9 @@ struct FlowSensitivity {
     double to_pressure_in3_per_s_psi; ///< dQ_i / dP_i, negative
 };
 
-/// REQUIRES: the load check valve is open, and the spool is at least 1e-4 in from each knee of the spool-orifice
-/// functions, where the derivative jumps.
+/// Returns the derivatives of the flow into the cylinder that steady_boom_flow() computes. REQUIRES: the load check
+/// valve is open, and the spool is at least 1e-4 in from each knee of the spool-orifice functions, where the derivative
+/// jumps.
 FlowSensitivity boom_flow_sensitivity(double spool_in, double inlet_psi, const FlowConstants& constants);
 
 } // namespace placedpar::hydraulics

@@ -7,7 +7,7 @@
 namespace placedpar::hydraulics {
 
 /// Returns the spool position, in inches, that a servo-valve voltage demands: the boom's voltage-spool function A.1.
-/// The function is strictly increasing for every voltage. It holds for raising only; the thesis gives no function for
+/// The function is strictly increasing at all voltages. It holds for raising only; the thesis gives no function for
 /// lowering.
 double desired_spool_in(double volts);
 

@@ -36,12 +36,12 @@ public:
     /// Returns the constants of excavator.csv, which is part of the program.
     static const Parameters& excavator();
 
-    /// Throws UnknownParameter.
+    /// Returns the value of a parameter in the unit of units.hpp. Throws UnknownParameter.
     double operator[](std::string_view name) const;
     /// Returns null if there is no such parameter.
     const Parameter* find(std::string_view name) const;
     const std::vector<Parameter>& all() const { return parameters_; }
-    /// Throws UnknownParameter.
+    /// Sets the value of a parameter, in the unit of units.hpp. Throws UnknownParameter.
     void set(std::string_view name, double value);
     /// Replaces the parameter of the same name. Throws UnknownParameter if there is none.
     void put(Parameter parameter);

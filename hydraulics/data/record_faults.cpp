@@ -58,7 +58,7 @@ double median_step(std::span<const double> time_s) {
     return *middle;
 }
 
-/// Returns the fault between two neighbouring samples, if there is one.
+/// Returns the fault in the time step between two neighbouring samples, if there is one.
 std::optional<Diagnostic> fault_of_step(double step_s, double period_s, const TextCell& time, std::size_t line,
                                         std::size_t line_before) {
     if (step_s == 0)

@@ -13,7 +13,7 @@ namespace placedpar::hydraulics {
 namespace {
 
 constexpr std::string_view blanks = " \t\r";
-constexpr std::size_t most_header_lines = 100; ///< number of lines in which the header is searched
+constexpr std::size_t most_header_lines = 100; ///< the header must be among this many lines at the beginning
 
 std::string trimmed_text(std::string_view text) {
     const std::size_t first = text.find_first_not_of(blanks);
@@ -97,8 +97,8 @@ struct HeaderFound {
     int score = -1;        ///< 0: no column is known; 1: the time's column is known; 2: a sensor's column is known, too
     std::size_t cells = 0; ///< number of cells
 
-    /// A higher score is better. At equal scores, more cells are better if both candidates are the same line, or if in
-    /// both only the time's column is known.
+    /// A higher score is better. At equal scores, more cells are better if both candidates are the same line with
+    /// different separators, or if only the time's column is known in both.
     bool is_better_than(const HeaderFound& other) const {
         return score > other.score || (score == other.score && cells > other.cells && (score == 1 || at == other.at));
     }

@@ -82,8 +82,8 @@ void RecordReader::skip_missing() {
     skipped_ += std::erase_if(table_.rows, lacks);
 }
 
-/// Finds out whether numbers have decimal commas: the last comma or point of the first number that has one decides.
-/// Commas are ambiguous if each of them is followed by three digits.
+/// Finds out whether numbers have decimal commas or decimal points. The first number with a comma or a point decides,
+/// by its last comma or point. Commas are ambiguous if each of them is followed by three digits.
 void RecordReader::find_decimal_sign(std::vector<Diagnostic>& faults) {
     const TextCell* unclear = nullptr;
     std::size_t line = 0;
@@ -240,7 +240,7 @@ Record RecordReader::read_piece(std::vector<Diagnostic>& faults) {
         return record;
     if (!before_ && record.size() < fewest_samples)
         faults.push_back(error_at(
-            0, 0, fmt::format("the record has {} samples, expected at least {}", record.size(), fewest_samples), ""));
+            0, 0, fmt::format("the sample count is {}, expected at least {}", record.size(), fewest_samples), ""));
     else if (record.size() > 0)
         check(record, faults);
     return record;

@@ -70,9 +70,9 @@ struct RecordNeeds {
 /// The text is refused if: a column or its unit is missing, wrong or repeated; there is no sensor column; a value is
 /// not a number or larger than any measurement; times go back, repeat with other readings, or deviate from whole
 /// periods by more than jitter_tolerance; the period changes; there are fewer than `fewest_samples` rows; or
-/// split_table refuses it. There are warnings about: successive identical rows (used once), jittered times (resampled),
-/// gaps, channels that never change, channels and periods that would be usual in another unit, pressures below vacuum,
-/// and frozen pressures and angles. Faults are in the order of their lines.
+/// split_table() (text/table.hpp) refuses it. There are warnings about: successive identical rows (used once), jittered
+/// times (resampled), gaps, channels that never change, channels and periods that would be usual in another unit,
+/// pressures below vacuum, and frozen pressures and angles. Faults are in the order of their lines.
 ReadRecord read_record(std::string_view text, const RecordNeeds& needs = {});
 
 /// Reads a text of any length in pieces, as read_record reads a whole text.

@@ -15,7 +15,8 @@ struct Sampling {
     double reading_s = method_period_s; ///< time between two readings
     std::size_t readings = 1;           ///< number of readings per sample
 
-    /// Throws UnfitRecord, with the reason, if the readings are too slow or too fast.
+    /// Returns the averaging for readings that are `reading_s` apart. Throws UnfitRecord, with the reason, if the
+    /// readings are too slow or too fast.
     static Sampling of(double reading_s);
 
     double period_s() const { return reading_s * static_cast<double>(readings); }

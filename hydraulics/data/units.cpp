@@ -12,7 +12,8 @@ constexpr double inch_per_metre = 1 / metre_per_inch;
 constexpr double in2_per_m2 = inch_per_metre * inch_per_metre;
 constexpr double in3_per_m3 = in2_per_m2 * inch_per_metre;
 constexpr double lbf_per_newton = psi_per_pascal * in2_per_m2;
-// The square root of pascal_per_psi. k in metres and pascals is 3.0590e-4 times k in inches and psi.
+// The square root of pascal_per_psi. The orifice constant k in metres and pascals is 3.0590e-4 times k in inches and
+// psi.
 constexpr double sqrt_pascal_per_psi = 83.03467526;
 
 constexpr std::array all{

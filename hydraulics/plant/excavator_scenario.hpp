@@ -27,7 +27,7 @@ struct ExcavatorScenario {
     double integration_step_s = 0; ///< > 0; also the interval between the states that are kept
 };
 
-/// Throws UnfitScenario (requirement.hpp), which names the invalid value and its valid range.
+/// If a value is invalid, throws an UnfitScenario (requirement.hpp) that names the value and its valid range.
 void require_valid(const ExcavatorScenario&);
 
 /// Returns the junctions of all active links, circuit by circuit; within a circuit, upstream junctions come first.

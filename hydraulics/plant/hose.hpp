@@ -15,7 +15,7 @@ struct HoseEnds {
     double valve_in3_per_psi, cylinder_in3_per_psi;
 };
 
-/// REQUIRES: 0 < valve_share < 1, compliance > 0.
+/// Divides the compliance between the two ends. REQUIRES: 0 < valve_share < 1, compliance > 0.
 inline HoseEnds ends_of(const Hose& hose, double compliance_in3_per_psi) {
     double valve = hose.valve_share * compliance_in3_per_psi;
     return {valve, compliance_in3_per_psi - valve};

@@ -21,7 +21,8 @@ StickFriction friction_of(const Parameters& parameters) {
             .bristle_damping_lbf_s_per_in = parameters["stiction.bristle_damping"]};
 }
 
-/// The sensor and A.1 both read too high by the offset, so a voltage moves the spool less far than A.1 states.
+/// The sensor and equation A.1 both give positions that are too high by the offset, so a voltage moves the spool less
+/// far than A.1 states.
 DriftedVoltageSpool voltage_spool_of(const Parameters& parameters) {
     return {{parameters["fault.servo_bias"], parameters["fault.servo_drift"]}, {-parameters["fault.spool_offset"], 0}};
 }

@@ -47,7 +47,7 @@ MeasuredExcavator measured_excavator(const Parameters& parameters = Parameters::
 /// Returns the voltage at the servo-valve: the command at the last sampling instant, through the converter.
 double held_volts(const MeasuredExcavator& excavator, double time_s);
 
-/// Throws UnfitScenario (requirement.hpp), which names the invalid value and its valid range.
+/// If a value is invalid, throws an UnfitScenario (requirement.hpp) that names the value and its valid range.
 void require_valid(const MeasuredExcavator& excavator);
 
 } // namespace placedpar::hydraulics

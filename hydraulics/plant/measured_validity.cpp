@@ -58,8 +58,8 @@ void require_valid_command(const MeasuredExcavator& excavator) {
         excavator_needs.refuse("the servo's bits", excavator.servo_converter.bits, "0 to 32");
 }
 
-/// Returns the greatest decay rate of the drain's pressure, per second. The flow is steepest at a drop of 0 and with
-/// the spool at its greatest travel. There the slope of the flow is k a / sqrt(laminar).
+/// Returns the greatest decay rate of the drain's pressure, per second. The flow changes most steeply with the pressure
+/// drop if the drop is 0 and the spool is at its greatest travel. Its slope is then k a / sqrt(laminar).
 double drain_rate_per_s(const MeasuredExcavator& excavator) {
     double spool_in = 0;
     for (double time_s : {0.0, excavator.duration_s})
@@ -71,8 +71,8 @@ double drain_rate_per_s(const MeasuredExcavator& excavator) {
     return slope / ends_of(excavator.outlet_hose, excavator.boom.outlet_compliance_in3_per_psi).valve_in3_per_psi;
 }
 
-/// The method is stable if a decay rate, or the frequency of an oscillation, times the step is at most about 2.8.
-/// Oscillations need a shorter step to be accurate as well.
+/// The method is stable if the product of the step with each decay rate, and with the frequency of each oscillation, is
+/// at most about 2.8. Oscillations need a shorter step to be accurate as well.
 void require_short_step(const MeasuredExcavator& excavator) {
     const LinkMechanics& boom = excavator.boom;
     auto resolve = [&](std::string_view what, double rate_per_s, double most) {

@@ -16,7 +16,8 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// The components of the state for each link. The pressures at the links' junctions follow the components of all links.
+/// The components that the state has for each link. After the components of all links, the state has the pressures at
+/// the links' junctions.
 enum Part : std::size_t { inlet_psi, piston_in, velocity, inlet_area, bypass_area, outlet_area, parts };
 constexpr std::size_t junctions = parts * all_links.size();
 using MachineState = std::array<double, junctions + all_links.size()>;

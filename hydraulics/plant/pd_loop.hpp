@@ -71,7 +71,8 @@ struct StepFigures {
     double settling_time_s;   ///< time from which the response stays within 2 % of the final value
 };
 
-/// REQUIRES: the loop is stable and the response long enough to settle. Times are whole multiples of step_s.
+/// Returns the figures of a step response. REQUIRES: the loop is stable and the response long enough to settle. Times
+/// are whole multiples of step_s.
 StepFigures figures_of(const std::vector<double>& response, double step_s);
 
 } // namespace placedpar::hydraulics

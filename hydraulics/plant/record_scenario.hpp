@@ -30,7 +30,8 @@ struct RecordScenario {
     Parameters (*parameters)(const Parameters& machine);
     /// Returns whether the record depends on this parameter.
     bool (*uses)(std::string_view parameter);
-    /// Simulates and measures. Throws UnfitScenario (requirement.hpp) if a parameter is out of its range.
+    /// Simulates the motion, measures it, and returns the record. Throws UnfitScenario (requirement.hpp) if a parameter
+    /// is out of its range.
     Record (*make)(const Parameters& parameters, const LinksInMotion& moving, const UniformSource& uniform);
     /// true: the scenario can move any links in any configuration; false: it ignores `moving`
     bool any_links = false;

@@ -15,8 +15,8 @@ using namespace hydraulics;
 
 namespace {
 
-/// The greatest deviation of the step between two readings, or two samples, as a share of the sampling period. Beyond
-/// this limit, samples no longer count as equally spaced, and the windows restart.
+/// The greatest deviation of the time between two readings, or two samples, from the sampling period, as a share of
+/// this period. Beyond this limit, samples no longer count as equally spaced, and the windows restart.
 constexpr double jitter = 0.1;
 
 /// Returns the alarms of `a` that are not in `b`.

@@ -13,7 +13,7 @@ public:
     struct State {
         std::optional<double> last;
         std::size_t equal = 0; ///< number of equal readings up to the last
-        double jump = 0;       ///< change from a long run of equal readings to the last reading; 0: there is none
+        double jump = 0; ///< change from a long run of equal readings to the last reading; 0: there is no such run
 
         friend bool operator==(const State&, const State&) = default;
     };

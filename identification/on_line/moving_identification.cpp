@@ -14,8 +14,9 @@ using namespace hydraulics;
 
 namespace {
 
-constexpr double off_share = 0.15, off_errors = 3; ///< a link is faulty if its compliance deviates by more than this
-                                                   ///< share and more than this many errors; our choice
+/// A link is faulty if its compliance deviates by more than `off_share` and by more than `off_errors` standard errors
+/// (our choice).
+constexpr double off_share = 0.15, off_errors = 3;
 
 ValveReading valve_reading(const Record& record, std::size_t i, const PerLink<LinkConstants>& constants) {
     ValveReading reading;
@@ -36,7 +37,8 @@ bool excited(const std::vector<LinkSample>& links) {
         links, [](const LinkSample& link) { return std::abs(link.inlet_slope_psi_per_s) > least_slope_psi_per_s; });
 }
 
-/// Returns the deviation from a healthy link as a share; 0 within the errors.
+/// Returns the relative deviation of the compliance from a healthy link's compliance; 0 if the link is not faulty by
+/// `off_share` and `off_errors`.
 double off(const LinkIdentified& link, const PerLink<double>& healthy) {
     const double share = link.compliance_in3_per_psi / healthy[index_of(link.link)] - 1;
     const double error = link.standard_error / healthy[index_of(link.link)];

@@ -21,9 +21,9 @@ struct Recognition {
                                        ///< samples
 };
 
-/// Identifies the compliances of a machine that moves (3.3). Recognises the configuration of each sample and the links
-/// into which oil flows, and searches with the population set of these links (Figure 3.13). At the end of each stretch
-/// in which configuration and links stay the same, the searches of its sets make a round.
+/// Identifies the compliances of a machine that moves (thesis 3.3). Recognises the configuration of each sample and the
+/// links into which oil flows, and searches with the population set of these links (Figure 3.13). Whenever the
+/// configuration or the links change, the searches of the sets in use until then make a round.
 class MovingIdentification {
 public:
     /// Returns the settings of a search for this number of links.
@@ -66,16 +66,16 @@ private:
                                                       ///< so that samples do not overlap
     std::map<hydraulics::LinkSet, SetSearch> searches_;
     Recognition recognition_;
-    char truth_ = '-';              ///< the column's configuration at the last sample
-    std::size_t awaited_until_ = 0; ///< until this reading, recognising the change counts in Recognition::soon
+    char truth_ = '-';              ///< configuration of the last sample, as stated in the record's column
+    std::size_t awaited_until_ = 0; ///< if the change is recognised by this reading, it counts in Recognition::soon
 };
 
 /// Returns the answer for each link: the mean over its sets, weighted by their errors. A link is flagged if its sets
-/// disagree (cross-check 1 of 3.3) or the mean is uncertain. Links without an answer of any set are left out.
+/// disagree (cross-check 1 of thesis 3.3) or if the mean is uncertain. Links without an answer of any set are left out.
 std::vector<LinkIdentified> combined_links(const std::vector<SetAnswer>& sets);
 
-/// Returns the text of cross-check 2 (3.3), one line for each fault. A fault is in a link whose compliance is wrong in
-/// all sets, or in a part that both links of a branch share.
+/// Returns the text of cross-check 2 (thesis 3.3), one line for each fault. A fault is in a link whose compliance is
+/// wrong in all sets, or in a part that both links of a branch share.
 std::string locate_faults(const std::vector<LinkIdentified>& links, const hydraulics::PerLink<double>& healthy);
 
 } // namespace placedpar::identification

@@ -38,8 +38,8 @@ struct MovementFinding {
     std::vector<LinkFinding> links;
 };
 
-/// Diagnoses a record as the service diagnoses a working machine. From equal samples, seed and name, both compute equal
-/// estimates and verdicts, bit by bit. A record of any length may be given in pieces.
+/// Diagnoses a record as the service diagnoses a working machine. From equal samples, seed and name, this class and the
+/// service compute equal estimates and verdicts, bit by bit. A record of any length may be given in pieces.
 class RecordDiagnosis {
 public:
     RecordDiagnosis(Diagnosis diagnosis, const DiagnosisSettings& settings,

@@ -24,8 +24,8 @@ bool tells(const Deviation& deviation, FaultHypothesis way) {
     return deviation.standard_error(way) <= LinkJudge::most_uncertain;
 }
 
-/// Returns whether a deviation is physically impossible: a compliance below 0, or a spool offset above .05 in, by more
-/// than two standard errors.
+/// Returns whether a deviation is physically impossible: the compliance is below 0 by more than two standard errors, or
+/// the spool offset exceeds .05 in by more than two standard errors.
 bool impossible(const Deviation& found, AreasFrom valve) {
     const Deviation deviation = found.with_steady_leak();
     constexpr double no_compliance = -1 / WayUnits::compliance_share, furthest_offset = 10, errors = 2;

@@ -37,8 +37,8 @@ public:
     /// links of this set, and each span has one entry per link.
     Judged take(const SetProblem& problem, const SetSample& sample, std::span<const hydraulics::AreasFrom> valves,
                 std::span<const double> health_in3_per_psi);
-    /// Records an impossible reading for each link whose piston has moved for half a second while the valve reads shut;
-    /// returns whether there is one. Must be called before take(), with the same sample.
+    /// Records an impossible reading for each link whose piston has moved for half a second while the valve reads shut.
+    /// Returns whether there is such a link. Must be called before take(), with the same sample.
     bool note_moving_shut(const SetSample& sample, std::span<const double> health_in3_per_psi);
     /// Judges an unfinished movement after a gap in the samples or a change of configuration.
     Judged end_movement(const SetProblem& problem, std::span<const double> health_in3_per_psi);

@@ -29,7 +29,7 @@ struct DiagnosisSettings {
 
     /// Returns the resolution of a compliance.
     double step_in3_per_psi() const;
-    /// Throws UserError, which names the setting out of range and its valid range.
+    /// If a setting is out of range, throws a UserError that names the setting and its valid range.
     void validate() const;
 };
 

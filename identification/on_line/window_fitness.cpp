@@ -22,7 +22,7 @@ std::vector<double> WindowFitness::operator()(std::span<const Genome> strings) {
     return fitness;
 }
 
-/// Returns each string that was not seen before, once.
+/// Returns the strings that were not seen before, each only once.
 std::vector<Genome> WindowFitness::fresh_of(std::span<const Genome> strings) {
     std::vector<std::size_t> fresh(strings.size());
     std::size_t found = 0;

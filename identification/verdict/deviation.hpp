@@ -19,9 +19,9 @@ struct WayUnits {
 };
 
 /// The error of the equations varies from movement to movement, however long the movements are. These constants are the
-/// standard deviations of this error, in units: `offset_repeats_within` for offsets, `repeats_within` for all other
-/// deviations. We chose both values. The value for offsets is tuned on the machines of seeds 4001 to 5040, so that
-/// leaks that begin with a movement are found.
+/// standard deviations of this error, in the units of WayUnits: `offset_repeats_within` for offsets, `repeats_within`
+/// for all other deviations. We chose both values. The value for offsets is tuned on the machines of seeds 4001 to
+/// 5040, so that leaks that begin with a movement are found.
 inline constexpr double repeats_within = 0.15, offset_repeats_within = 0.1375;
 
 /// The deviations of a link in units of WayUnits, from one movement or several.
@@ -30,11 +30,12 @@ struct Deviation {
     PerPairOfHypotheses covariance{};
 
     double standard_error(FaultHypothesis) const;
-    /// Returns the inverse of the covariance plus the variation between movements (`repeats_within`,
-    /// `offset_repeats_within`).
+    /// Adds the variation between movements (`repeats_within`, `offset_repeats_within`) to the covariance, and returns
+    /// the inverse of the sum.
     PerPairOfHypotheses information() const;
     /// Returns the deviation under the assumption that the leak is equal before and during the movement. The rest
-    /// before the movement then distinguishes a leak from an offset. The flow during the movement hardly does.
+    /// before the movement then distinguishes a leak from an offset. The flow during the movement hardly distinguishes
+    /// them.
     Deviation with_steady_leak() const;
     friend bool operator==(const Deviation&, const Deviation&) = default;
 };

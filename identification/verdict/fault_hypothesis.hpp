@@ -5,7 +5,8 @@
 
 namespace placedpar::identification {
 
-/// The ways in which a link can deviate. Each way causes a missing flow:
+/// The ways in which a link can deviate from a healthy link. Each way causes a missing flow, that is, an error of the
+/// flow balance:
 ///
 /// - a wrong compliance: in proportion to the slope of the pressure;
 /// - a leak: in proportion to the pressure, even at rest after the valve has shut;

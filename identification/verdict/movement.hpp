@@ -13,8 +13,8 @@ namespace placedpar::identification {
 /// One LinkSample for each link, in the order of the circuit's junctions.
 using JunctionSamples = std::vector<hydraulics::LinkSample>;
 
-/// The samples of one movement of an operator: at rest before the valves open, while all valves are open, and at rest
-/// after they have shut.
+/// The samples of one movement that an operator makes: at rest before the valves open, while all valves are open, and
+/// at rest after they have shut.
 struct MovementSamples {
     std::vector<JunctionSamples> at_rest, moving, rest_after; ///< oldest first
 
@@ -42,7 +42,7 @@ public:
     static constexpr std::size_t slope_reach = 3;
     static constexpr std::size_t slope_ahead = 2; ///< samples left out at the end of a movement, since their slopes use
                                                   ///< later samples
-    static constexpr double rest_s = 1;           ///< time of rest before a movement that is kept
+    static constexpr double rest_s = 1;           ///< the last second of the rest before a movement is kept
     static constexpr double piece_s = 4;          ///< a longer movement is judged in pieces of this length
     static constexpr double shut_for_s = 0.06;    ///< a pause that is at least this long ends the movement
     static constexpr double rest_after_s = 0.4;   ///< further time for the valves to shut and for the rest that follows

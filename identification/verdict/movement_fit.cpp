@@ -20,22 +20,22 @@ namespace {
 
 constexpr Eigen::Index ways = all_hypotheses.size();
 constexpr std::size_t fewest_at_rest = 4;
-/// The variance per sample, in (in^3/s)^2, that sensor noise does not explain. During the movement its cause is the
-/// error of the equations; at rest, its causes are the steps of the converter and friction.
+/// The part of the missing flow's variance, in (in^3/s)^2 for each sample, that sensor noise does not explain. During
+/// the movement it comes from the error of the equations; at rest, from the steps of the converter and from friction.
 constexpr double least_variance_moving = 0.001, least_variance_at_rest = 0.05;
 /// The relative error of the estimated noise of the slopes. The estimate is a median over about 50 readings.
 constexpr double noise_known_within = 0.3;
-/// The greatest difference between the compliances at rest and during the movement, in units: 0.25 units are 5 % of the
-/// compliance.
+/// The greatest difference between the compliances at rest and during the movement, in the units of WayUnits: 0.25
+/// units are 5 % of the compliance.
 constexpr double compliance_at_rest_within = 0.25;
 /// The share by which a leak at rest after a movement may be smaller than during the movement (our choice). The
 /// pressure behind the piston, which is not read, reduces the leak.
 constexpr double leak_after_within = 0.25;
 /// If only the flow during the movement distinguishes a leak from an offset, the leak has an error of about this many
-/// units (our choice), since the equations are not exact. Sound machines without noise or at 5 kHz appear to have a
-/// leak of -.4 to -2.8 units.
+/// units of WayUnits (our choice), since the equations are not exact. Sound machines without noise or at 5 kHz appear
+/// to have a leak of -.4 to -2.8 units.
 constexpr double leak_by_flow_within = 1.25;
-/// The assumed standard deviation of each deviation before a movement is evaluated, in units.
+/// The assumed standard deviation of each deviation before a movement is evaluated, in the units of WayUnits.
 constexpr double prior_units = 10;
 
 Eigen::Index row_of(std::size_t junction) { return ways * static_cast<Eigen::Index>(junction); }
@@ -47,8 +47,8 @@ double spool_in_of(double inlet_in2) {
                                   : boom_bypass_shut_in + (inlet_in2 - steep_in2) / 3.927;
 }
 
-/// Returns the areas after the spool has moved by `moved_in`. The areas of other links are assumed to change by as much
-/// as the boom's.
+/// Returns the sample with the areas that it would have if the spool moved by `moved_in`. The areas of other links are
+/// assumed to change by as much as the boom's areas.
 LinkSample with_spool_moved(LinkSample link, double moved_in) {
     double spool = spool_in_of(link.inlet_in2);
     OrificeAreas here = boom_orifices(spool), there = boom_orifices(spool + moved_in);
@@ -148,7 +148,8 @@ MatrixXd by_sample(const MovementSamples& movement, std::size_t junctions, const
     return columns;
 }
 
-/// The rows of a movement, sample by sample, and for each link the noise in the column of its compliance.
+/// The linear equations of a movement, with a row for each junction of each sample, and for each link the noise in the
+/// column of its compliance.
 struct MovingRows {
     NoisyRows rows;
     std::vector<Sparse> compliance_noise;
@@ -168,8 +169,8 @@ void add_valve_noise(NoisyRows& rows, const Balance& balance, const MovementSamp
     }
 }
 
-/// Sets the columns of a link: the effect of one unit of each hypothesis. A leak of k_l P past the piston acts as extra
-/// flow into the cylinder.
+/// Sets the columns of a link: the effect of one unit (WayUnits) of each hypothesis on the missing flows. A leak of k_l
+/// P past the piston acts as extra flow into the cylinder.
 void set_slopes(NoisyRows& rows, const Balance& balance, const MovementSamples& movement, std::size_t junction,
                 const MatrixXd& by_flow) {
     const WayUnits& unit = balance.unit(junction);
@@ -243,8 +244,8 @@ struct Equations {
     MatrixXd information; ///< includes the part that is noise
     VectorXd pull;
     VectorXd noise;     ///< the part of each unknown's information that is noise
-    VectorXd in_health; ///< for each unknown, the healthy value in units; the noise acts on the sum of healthy value
-                        ///< and deviation
+    VectorXd in_health; ///< for each unknown, the healthy value in the units of WayUnits; the noise acts on the sum of
+                        ///< healthy value and deviation
 };
 
 /// Returns the equations before any sample is added: each deviation is 0 with standard deviation `prior_units`.
@@ -253,8 +254,8 @@ Equations before_movement(Eigen::Index unknowns) {
     return {MatrixXd::Identity(unknowns, unknowns) / (prior_units * prior_units), none, none, none};
 }
 
-/// Adds the moving samples, and notes the part of the information that is noise of their slopes. This part would make a
-/// compliance too small (errors in variables).
+/// Adds the samples during the movement. Also stores which part of the information comes only from the noise of the
+/// slopes: if this part were not removed later, the compliance would be too small (errors in variables).
 void add_moving(Equations& equations, const MovingRows& moving) {
     const Weights weights(moving.rows);
     const MatrixXd information = weights.information();

@@ -17,10 +17,10 @@ inline constexpr double white_gain = 70, slope_gain = 25.2;
 /// smooth signal. Ripple counts as noise, since it disturbs readings in the same way. REQUIRES: at least five readings.
 double noise_variance(const std::vector<double>& readings, double gain);
 
-/// These functions return the effect of noise on the rows. The noise of each reading is independent. It has variance 1
-/// in the readings for white_noise(), in their 5-point slopes for slope_noise(). `by` has a column per sample: the
-/// change of the rows per unit of the reading or of the slope. The result has a column per reading, from two before the
-/// first sample to two after the last.
+/// These functions return the effect of noise on the rows. The noise of each reading is independent. Its variance is 1
+/// in the readings for white_noise(), and 1 in the 5-point slopes of the readings for slope_noise(). `by` has a column
+/// per sample: the change of the rows per unit of the reading or of the slope. The result has a column per reading,
+/// from two before the first sample to two after the last.
 Sparse white_noise(const Eigen::MatrixXd& by);
 Sparse slope_noise(const Eigen::MatrixXd& by);
 
@@ -39,7 +39,7 @@ struct NoisyRows {
 /// readings have errors that cancel over a movement, except at its ends; the covariance accounts for this effect.
 class Weights {
 public:
-    /// REQUIRES: the rows have a least variance above 0.
+    /// REQUIRES: the rows were made with a `least_variance` above 0.
     explicit Weights(const NoisyRows&);
 
     const Eigen::MatrixXd& information() const { return information_; }

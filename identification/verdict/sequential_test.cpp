@@ -17,7 +17,8 @@ double likelihood_ratio(const WayVector& seen, const WayMatrix& information, con
     return suspected.dot(information * (seen - suspected / 2));
 }
 
-/// A reference with this covariance is taken as t * `by`. Returns the variance of t; 0 if the reference is exact.
+/// Models the uncertain reference as t * `by`, where t is a random number. Returns the variance of t that follows from
+/// the covariance of the reference; 0 if the reference is exact.
 double unknown_of(const WayMatrix& covariance, const WayVector& by) {
     return covariance.isZero(0) ? 0 : 1 / by.dot(covariance.inverse() * by);
 }

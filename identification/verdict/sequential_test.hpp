@@ -18,7 +18,7 @@ inline constexpr std::array<LinkFault, 4> all_faults{LinkFault::compliance, Link
 /// Returns the deviations that one unit of a fault causes.
 PerHypothesis unit_of(LinkFault fault);
 
-/// A suspected fault of a link, and its size with sign. A leak is always positive.
+/// A suspected fault of a link, and its size with sign in the units of WayUnits. A leak is always positive.
 struct Suspicion {
     LinkFault fault;
     double units;
@@ -28,8 +28,9 @@ struct Suspicion {
 /// sum for each suspicion. Each movement adds the logarithm of the likelihood ratio of the suspected deviation to no
 /// deviation; the sum is never below 0. One movement adds at most `most_of_one`, because real errors have longer tails
 /// than the normal distribution; the movement's information is reduced in proportion. Therefore a report needs at least
-/// two movements. The link's reference is uncertain too. Therefore a sum s counts as s / (1 + I b), where I is the
-/// information of the movements in the sum, and b is the variance of the reference.
+/// two movements. The link's reference, from which the deviations are measured, is uncertain too. Therefore a sum s
+/// counts as s / (1 + I b), where I is the information of the movements in the sum, and b is the variance of the
+/// reference.
 class SequentialTest {
 public:
     static constexpr std::array<Suspicion, 6> suspicions{{{LinkFault::compliance, 1},

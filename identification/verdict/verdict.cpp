@@ -18,7 +18,7 @@ namespace {
 constexpr std::array<std::string_view, 9> verdict_names{
     "sound", "compliance", "leak", "offset", "drift", "leak or offset", "sensor", "not enough evidence", "cannot tell"};
 
-/// The error that remains in a mean of any number of movements, in the units of WayUnits; our choice.
+/// The error that remains in a mean, even of very many movements, in the units of WayUnits; our choice.
 constexpr double mean_repeats_within = 0.05;
 
 /// The standard deviation, in the units of WayUnits, by which healthy machines of one kind differ in each of the ways
@@ -83,7 +83,7 @@ double probability_sound(const Deviation& mean, const WayMatrix& information, Ar
     return 1 / all;
 }
 
-/// Returns whether the fault of this verdict exceeds the standard error of its size.
+/// Returns whether the size of the verdict's fault exceeds its standard error.
 bool beyond_error(VerdictKind kind, const Deviation& mean) {
     auto alone = [&](FaultHypothesis way) {
         const FaultSize size = size_alone(way, mean);

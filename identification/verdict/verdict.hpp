@@ -33,15 +33,15 @@ std::optional<VerdictKind> verdict_named(std::string_view);
 
 struct Verdict {
     VerdictKind kind = VerdictKind::not_enough_evidence;
-    /// The posterior probability with equal priors. For a fault, the alternatives are sound and all_faults, each at its
-    /// most likely size. For sound and cannot_tell, this is the probability of sound, and the alternatives are the
-    /// suspicions of SequentialTest at one unit each.
+    /// The posterior probability of the verdict, with equal priors. For a fault, the alternatives are a sound link and
+    /// all_faults, each fault at its most likely size. For `sound` and `cannot_tell`, this is the probability of a
+    /// sound link, and the alternatives are the suspicions of SequentialTest, each of one unit.
     double probability = 0;
     Deviation deviation;       ///< mean over the movements that count, relative to the link's reference
     std::size_t movements = 0; ///< number of movements that count
 };
 
-/// A size and its standard error, in units.
+/// The size of a fault and its standard error, in the units of WayUnits.
 struct FaultSize {
     double by, standard_error;
 };
@@ -64,15 +64,17 @@ class LinkJudge {
 public:
     /// The number of movements whose weighted mean is the healthy reference of the link.
     static constexpr std::size_t movements_of_baseline = 3;
-    /// The suspected deviation of a link from its kind, in units. Healthy machines deviate by up to one unit.
+    /// The suspected deviation of a link from healthy machines of its kind, in the units of WayUnits. Healthy machines
+    /// deviate by up to one unit.
     static constexpr double units_beyond_kind = 2;
-    /// The suspected deviation of the compliance, in units, if the spool is computed from the voltage. The valve's
-    /// unknown dead time then makes the compliance half a unit too great.
+    /// The suspected deviation of the compliance, in the units of WayUnits, if the spool is computed from the voltage.
+    /// The valve's unknown dead time then makes the compliance half a unit too great.
     static constexpr double servo_units_beyond_kind = 3;
-    /// The greatest accepted standard error, in units. Usual movements determine each deviation to a unit or better;
-    /// steady movements leave one deviation almost undetermined.
+    /// The greatest accepted standard error, in the units of WayUnits. Usual movements determine each deviation to a
+    /// unit or better; steady movements leave one deviation almost undetermined.
     static constexpr double most_uncertain = 2.5;
-    /// The least probability of sound for the verdict `sound`. Below it, the suspected faults together are more likely.
+    /// The least probability of a sound link for the verdict `sound`. Below this limit, the suspected faults together
+    /// are more likely than a sound link.
     static constexpr double least_sure_sound = 0.5;
 
     struct State {

@@ -21,7 +21,8 @@ public:
     Entry raise(const identification::Diagnosis& diagnosis, const identification::Alarm& alarm, double at);
     Entry clear(const std::string& machine, const identification::Alarm& alarm, double at);
     void forget(const std::string& machine);
-    /// This function and shelve() return nullopt if the alarm is not active.
+    /// Records that an operator has seen the alarm at time `at`. This function and shelve() return nullopt if the alarm
+    /// is not active.
     std::optional<Entry> acknowledge(const AlarmName& name, double at);
     std::optional<Entry> shelve(const AlarmName& name, double until, double at);
     /// Returns whether the alarm is shelved at time `at`.

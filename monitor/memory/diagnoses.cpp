@@ -30,7 +30,7 @@ Diagnosis& Diagnoses::controlled_by(const Hello& hello) {
     if (known && hello.anew)
         diagnoses_.erase(found);
     else if (!known && diagnoses_.size() >= most_)
-        throw BadMessage("machine", fmt::format("the monitor already has {} machines", diagnoses_.size()),
+        throw BadMessage("machine", fmt::format("the monitor has as many machines as it may: {}", diagnoses_.size()),
                          "one of the known machines; --max-machines allows more");
     auto [place, made] = diagnoses_.try_emplace(hello.machine, hello.machine, hello.parameters, settings_, seed_);
     place->second.connected();

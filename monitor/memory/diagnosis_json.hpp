@@ -10,8 +10,8 @@ namespace placedpar::monitor {
 /// A change of any State type needs a new file version (state_identity.hpp).
 boost::json::value state_json(const identification::Diagnosis::State& state);
 
-/// Throws std::runtime_error, which names the member, if the value is not a valid state, or if its populations have
-/// another size than the settings require.
+/// Reads a state that state_json() has written. Throws std::runtime_error, which names the member, if the value is not
+/// a valid state, or if its populations have another size than the settings require.
 identification::Diagnosis::State state_from(const boost::json::value& value,
                                             const identification::DiagnosisSettings& settings);
 

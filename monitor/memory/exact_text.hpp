@@ -15,13 +15,13 @@ namespace placedpar::monitor {
 
 /// Writes each number in the shortest form that reads back exactly, separated by spaces.
 std::string exact_text(std::span<const double> numbers);
-/// Throws std::runtime_error.
+/// Reads numbers that exact_text() has written. Throws std::runtime_error if the text has another form.
 std::vector<double> numbers_from(std::string_view text);
 
 /// Writes the number of bits per genome, then each genome in hexadecimal, separated by spaces. REQUIRES: all genomes
 /// have the same size, at most 64 bits.
 std::string exact_text(std::span<const Genome> strings);
-/// Throws std::runtime_error.
+/// Reads genomes that exact_text() has written. Throws std::runtime_error if the text has another form.
 std::vector<Genome> genomes_from(std::string_view text);
 
 } // namespace placedpar::monitor

@@ -90,7 +90,8 @@ struct KeptJson {
         return object;
     }
 
-    /// Throws NotWhole, which names the member, or another exception if the value as a whole is wrong.
+    /// Reads the value back from JSON. If a member is wrong, throws a NotWhole that names the member; if the value as a
+    /// whole is wrong, throws another exception.
     template <typename T>
     static void read(T& value, const boost::json::value& json) {
         if constexpr (std::same_as<T, bool>)

@@ -49,7 +49,7 @@ public:
     /// lost. After such an error, or if StateContent::trouble was not empty, the next transaction must have
     /// `all_anew_at`. Such a transaction also recreates a file that was removed, with its history.
     void commit(std::span<const Transaction> transactions);
-    /// Throws DatabaseError if the file is not open because it could not be recreated.
+    /// Returns the history in the file. Throws DatabaseError if the file is not open because it could not be recreated.
     History& history();
 
 private:

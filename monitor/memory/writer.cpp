@@ -69,7 +69,7 @@ Writer::Work Writer::next() {
     return work;
 }
 
-/// Returns the error, or "".
+/// Commits the transactions. Returns the error, or "" if there was none.
 std::string Writer::commit(std::vector<Transaction> transactions) {
     std::span<const Transaction> left = transactions;
     if (broken_) {

@@ -6,7 +6,7 @@
 
 namespace placedpar::monitor {
 
-/// Works as boost::json::serialize, but writes numbers as people do: 0.5 instead of 5E-1.
+/// Works like boost::json::serialize, but writes numbers as people do: 0.5 instead of 5E-1.
 std::string json_text(const boost::json::value& value);
 /// Returns the text of the object with a newline.
 std::string json_line(const boost::json::object& object);

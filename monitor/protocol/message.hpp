@@ -64,7 +64,7 @@ using Message =
     std::variant<Hello, identification::ConfigurationChange, identification::ExcavatorSample, identification::Baseline,
                  StatusRequest, LoadRequest, Ping, Bye, AlarmsRequest, TokenOffer, Forget, Acknowledge, Shelve>;
 
-/// Throws BadMessage.
+/// Parses a line. Throws BadMessage if the line is not a message of the protocol.
 Message parse_message(std::string_view line);
 
 } // namespace placedpar::monitor

@@ -27,7 +27,7 @@ public:
     std::size_t staying(const std::string& machine) const;
     /// Returns the machine's control system, or null.
     Client* control_of(const std::string& machine) const;
-    /// This function and those() leave out clients that are about to be closed.
+    /// Returns the number of clients. This function and those() leave out clients that are about to be closed.
     std::size_t size() const;
     std::vector<Client*> those(const std::function<bool(const Client&)>& which) const;
     std::size_t queued_bytes() const;

@@ -94,7 +94,7 @@ void Dispatcher::require_place(Client& client, const Hello& hello) {
                               ? "this connection is closed to make room for a client of a known machine"
                               : "this connection is closed to make room for a peer with fewer connections");
         else
-            evict(client, fmt::format("the monitor already has {} clients", most),
+            evict(client, fmt::format("the number of clients has reached its limit of {}", most),
                   fmt::format("a connection at a later time; {} allows more clients", option));
     };
     require(limits_.clients_per_peer, "--max-clients-per-peer",
@@ -180,15 +180,17 @@ void Dispatcher::require_allowance(const Client& client, const Hello& hello) {
         if (places_.introduced_by(peer) >= limits_.machines_per_peer)
             make_room(peer, true);
         if (places_.introduced_by(peer) >= limits_.machines_per_peer)
-            throw BadMessage("machine",
-                             fmt::format("{} has already announced {} machines", peer, limits_.machines_per_peer),
-                             "one of these machines; --max-machines-per-peer allows more");
+            throw BadMessage(
+                "machine",
+                fmt::format("{} has announced as many machines as it may: {}", peer, limits_.machines_per_peer),
+                "one of these machines; --max-machines-per-peer allows more");
         if (diagnoses_.full())
             make_room(peer, false);
     } else if (clients_.control_of(hello.machine) && !peers_.take_over(peer, Peers::Clock::now()))
-        throw BadMessage("machine",
-                         fmt::format("{} has taken over {} machines within a minute", peer, limits_.takeovers_per_peer),
-                         "a pause before the next takeover; --max-takeovers allows more takeovers");
+        throw BadMessage(
+            "machine",
+            fmt::format("the takeovers by {} have reached the limit of {} a minute", peer, limits_.takeovers_per_peer),
+            "a pause before the next takeover; --max-takeovers allows more takeovers");
 }
 
 void Dispatcher::forget(const std::string& machine) {
@@ -216,7 +218,7 @@ void Dispatcher::make_room(const std::string& peer, bool only_own) {
         if (!client->leaving)
             evict(*client, "this machine is forgotten to make room for a peer with fewer machines");
     if (std::uint64_t samples = diagnoses_.named(*machine).samples(); samples > 0)
-        say_(fmt::format("{}: forgotten after {} samples to make room for a new machine", *machine, samples));
+        say_(fmt::format("{}: forgotten to make room for a new machine; number of its samples: {}", *machine, samples));
     forget(*machine);
 }
 

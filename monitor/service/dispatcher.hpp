@@ -75,7 +75,7 @@ private:
     void require_place(Client& client, const Hello& hello);
     /// Returns whether one more connection of this peer may keep its place.
     bool may_keep_place(const std::string& peer) const;
-    /// Returns the client of `those` that must make room for another client of the peer; null if no client must.
+    /// Returns the client of `those` that must make room for another client of the peer; null if there is none.
     static Client* giving_way(const std::vector<Client*>& those, const std::string& peer, bool preferred);
     void evict(Client& client, const std::string& why, const std::string& right = "a new connection");
     bool is_idle(const std::string& machine) const { return clients_.staying(machine) == 0; }

@@ -32,7 +32,8 @@ public:
                     std::function<void(const NetlistAnswer&)> tell)
         : search_(std::move(search)), bits_(bits), io_(io), tell_(std::move(tell)) {}
 
-    /// Must be called after each message that the diagnosis has accepted.
+    /// Records what is new about the movements of the machine. Must be called after each message that the diagnosis has
+    /// accepted.
     void follow(const identification::Diagnosis& diagnosis);
     void forget(const std::string& machine) { machines_.erase(machine); }
     /// Returns the newest answer about each set of the machine's links.

@@ -30,7 +30,7 @@ tr.chosen td:first-child { font-weight: bold; } tr.machine { cursor: pointer; }
 <h1>placedpar monitor</h1>
 <div id="load">asking the monitor ...</div>
 <p><label><input type="checkbox" id="si"> SI units</label></p>
-<h2>Alarms that hold</h2><div id="alarms"></div>
+<h2>Active alarms</h2><div id="alarms"></div>
 <h2>Machines</h2><div id="machines"></div>
 <h2 id="title"></h2><div id="chart"></div><div id="past"></div>
 <script>
@@ -67,7 +67,7 @@ function showLoad(d) {
   const line = made("span", `${counted(d.machines.length, "machine")}, ${counted(d.clients, "connection")}, ` +
     `${d.samples_per_s.toFixed(0)} samples/s, ${(100 * d.cpu_of_core).toFixed(1)} % of a core, ` +
     `longest turn ${(1000 * d.longest_turn_s).toFixed(1)} ms, up ${(d.uptime_s / 3600).toFixed(2)} h; `);
-  by("load").replaceChildren(line, d.kept ? made("span", "all is kept", "good") : made("span", "not kept: " + d.trouble, "alarm"));
+  by("load").replaceChildren(line, d.kept ? made("span", "everything is stored", "good") : made("span", "not stored: " + d.trouble, "alarm"));
 }
 function alarmRow(a, now) {
   const state = [a.acknowledged_at ? "seen " + time(a.acknowledged_at) : "not acknowledged"];
@@ -103,7 +103,7 @@ function mark(kind, x, y, colour) {
   if (kind === "triangle") return svg("path", {d: `M${x - 5} ${y + 4}h10l-5 -9z`, fill: colour});
   return svg("circle", {cx: x, cy: y, r: 4, fill: colour});
 }
-// Round numbers within the range, as many as there is room for, for compliances and for times.
+// Returns round numbers within the range, for compliances or for times: as many as possible, but at most `most`.
 function ticks(from, to, steps, most = 6) {
   const step = steps.find(s => (to - from) / s <= most) ?? steps.at(-1), all = [];
   for (let i = Math.ceil(from / step - 1e-9); i * step <= to + 1e-9 * step; ++i) all.push(i * step);
@@ -170,7 +170,7 @@ function chart(points, alarms, healthy) {
     while (beside.some(other => Math.abs(other - at) < 12)) at -= 12;
     beside.push(at);
     all.append(svg("line", {x1: left, x2: w - right, y1: y(known[i]), y2: y(known[i]), "stroke-dasharray": "1 4", "stroke-width": 2, style: "stroke:var(--good)"}),
-      svg("text", {x: w - right + 6, y: at + 4, style: "fill:var(--good)"}, `${link} in health`));
+      svg("text", {x: w - right + 6, y: at + 4, style: "fill:var(--good)"}, `healthy ${link}`));
   });
   return all;
 }

@@ -102,7 +102,7 @@ public:
                 site_->welcome(std::move(socket), caller);
             });
         if (std::string trouble = tell_systemd("READY=1"); !trouble.empty())
-            log_.say(trouble); // reported once: later calls fail for the same reason
+            log_.say(trouble); // this is reported only once, because later calls fail for the same reason
         tick();
         io_.run();
         dispatcher_->finish();

@@ -53,7 +53,7 @@ public:
     /// Serves until stop() is called; stop() may even have been called before. Then notifies the clients and writes the
     /// state. Throws UserError if the state cannot be written.
     void run();
-    /// May be called from any thread.
+    /// Makes run() return. May be called from any thread.
     void stop();
 
 private:

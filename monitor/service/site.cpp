@@ -53,7 +53,7 @@ web::Answer Site::health() const {
     ServiceSnapshot snapshot = dispatcher_.snapshot();
     if (snapshot.kept)
         return {200, "text/plain; charset=utf-8", "ok\n"};
-    return {503, "text/plain; charset=utf-8", fmt::format("not kept: {}\n", snapshot.trouble)};
+    return {503, "text/plain; charset=utf-8", fmt::format("not stored: {}\n", snapshot.trouble)};
 }
 
 /// Reads the history in the writer's thread, so that the event loop does not wait for the disk.

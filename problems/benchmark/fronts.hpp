@@ -19,7 +19,7 @@ namespace placedpar {
 // evolutionary algorithms: empirical results", 2000). On the front, f_1 = x_1 and the other parameters are 0.
 
 /// Base class of the problems. `Function::second(f, g)` is the second objective, as a function of the first objective f
-/// and of the distance g.
+/// and of g = distance(), which is 1 on the front and grows with the distance from it.
 template <class Function>
 struct Zdt : OverBox<Function> {
     static constexpr std::size_t usual_dimensions = 30, usual_bits = 30, least_dimensions = 2;
@@ -29,7 +29,7 @@ struct Zdt : OverBox<Function> {
     std::vector<double> objectives(std::span<const double> x) const {
         return {x[0], Function::second(x[0], Function::distance(x.subspan(1)))};
     }
-    /// Returns 1 + 9 times the mean of x.
+    /// Returns 1 + 9 times the mean of the parameters after the first.
     static double distance(std::span<const double> x) {
         return 1 + 9 * std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
     }

@@ -13,8 +13,8 @@
 namespace placedpar {
 
 // Functions of real numbers; all are minimised. optimum() is the minimum over all real numbers, so perhaps no binary
-// string reaches it. F1 to F5 are K. De Jong's ("An analysis of the behavior of a class of genetic adaptive systems",
-// 1975), by default with his dimensions and bits.
+// string reaches this value. F1 to F5 are K. De Jong's ("An analysis of the behavior of a class of genetic adaptive
+// systems", 1975), by default with his dimensions and bits.
 
 /// Base class of functions whose parameters all have the range from Function::low to Function::high.
 template <class Function>

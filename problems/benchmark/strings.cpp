@@ -77,8 +77,8 @@ std::optional<double> Landscape::optimum() const {
 
 Landscape NkLandscape::problem() const {
     if (k >= bits)
-        throw UserError(
-            fmt::format("k = {}, but each bit in a string of {} bits has only {} neighbours", k, bits, bits - 1));
+        throw UserError(fmt::format("k = {}, but bits = {}: a bit can have at most {} of the other bits as neighbours",
+                                    k, bits, bits - 1));
     RandomStream random(seed, "contributions of an NK landscape");
     std::vector<double> contributions(bits << (k + 1));
     for (double& each : contributions)

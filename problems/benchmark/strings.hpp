@@ -47,8 +47,8 @@ struct Trap {
 /// bits after it; the bits form a ring, so the first bit follows the last.
 class Landscape {
 public:
-    /// `contributions` holds 2^(k + 1) numbers for each bit i. The index among them is the natural binary number in the
-    /// bits i ... i + k. REQUIRES: bits > k; contributions.size() == bits * 2^(k + 1).
+    /// `contributions` holds 2^(k + 1) numbers for each bit i. The index among these numbers is the natural binary
+    /// number in the bits i ... i + k. REQUIRES: bits > k; contributions.size() == bits * 2^(k + 1).
     Landscape(std::size_t bits, std::size_t k, std::vector<double> contributions);
 
     BitString representation() const { return BitString(bits_); }
@@ -79,7 +79,7 @@ struct NkLandscape {
                                        "number of neighbours on which a bit's value depends: K, less than N"},
                           PolicyNumber{"seed", &NkLandscape::seed, 0, 1e15, "seed of the table of values"});
     }
-    /// Throws UserError unless k < bits.
+    /// Returns the landscape with contributions drawn from `seed`. Throws UserError unless k < bits.
     Landscape problem() const;
 };
 

@@ -11,8 +11,8 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the length of the shortest tour. In a single row or column, it goes to the end and back. Otherwise all its
-/// steps have length 1, except one diagonal if the number of cities is odd.
+/// Returns the length of the shortest tour. In a single row or column, the tour goes to the end and back. Otherwise all
+/// steps of the tour have length 1, except one diagonal step if the number of cities is odd.
 double shortest_on_lattice(std::size_t rows, std::size_t columns) {
     auto cities = static_cast<double>(rows * columns);
     if (std::min(rows, columns) == 1)

@@ -60,8 +60,8 @@ using PoleZeroPlant = PoleZeroPlantOf<double>;
 std::vector<double> parameters_of(const Plant& plant);
 
 /// Identification of a PoleZeroPlant as a search problem. The string d | alpha | beta | gamma | delta | b0 has 37 bits
-/// (Table 5.1). The error is y(k) - y-hat(k), where y-hat(k) is predicted from the two measured outputs before. Samples
-/// come from plant_record().
+/// (Table 5.1). The error is y(k) - y-hat(k), where y-hat(k) is predicted from the two outputs measured before y(k).
+/// Samples come from plant_record().
 class PlantProblem {
 public:
     PlantProblem();
@@ -120,8 +120,8 @@ private:
     ParameterCoding coding_;
 };
 
-/// A PlantProblem in which y-hat(k) is simulated. At the first sample of a window, it is computed from two measured
-/// outputs; later, from the previous y-hat.
+/// A PlantProblem in which y-hat(k) is simulated. At the first sample of a window, y-hat is computed from two measured
+/// outputs; at later samples, it is computed from the y-hat of the samples before.
 class SimulatedPlantProblem : public PlantProblem {
 public:
     template <typename T>

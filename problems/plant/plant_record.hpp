@@ -41,8 +41,8 @@ inline constexpr PlantChange PlantChange::none{.a1 = 1.5}, PlantChange::ramp{}, 
 
 double a1_at(const PlantChange& change, double generation);
 
-/// An experiment on the plant as chapter 5 describes it. The input is 1 or -1; a pseudo-random bit decides it for every
-/// four samples.
+/// An experiment on the plant as chapter 5 describes it. The input is 1 or -1; for every four samples, a pseudo-random
+/// bit decides which.
 struct PlantExperiment {
     PlantChange change = PlantChange::ramp;
     double noise = 0;               ///< standard deviation of e, which is Gaussian

@@ -316,7 +316,7 @@ class Identification(unittest.TestCase):
         for text in (header, header + "\n", header + "0.00,1555,20,0.1297" * 9, "# a\n" + header + "\n# b\n"):
             said = self.refused(self.file("empty.csv", text))
             self.assertRegex(said, r"^\S*empty\.csv: error: the record has 0 samples, expected at least 5\n")
-        self.assertIn("the record has 4 samples, expected at least 5",
+        self.assertIn("the sample count is 4, expected at least 5",
                       self.refused(self.rows(lambda row: row if float(row[0]) < 0.07 else None)))
 
     def test_help_names_every_choice(self):

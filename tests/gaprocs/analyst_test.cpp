@@ -209,7 +209,7 @@ TEST_CASE("an analyst that would never answer gives a warning at the analyst's p
     std::string never = said(17), early = said(9, "host (problem = \"line\", samples = 9)");
     CHECK(never.find("warning: \"analyst\" gives no answer: the first exchange is due after 17 generations, but the "
                      "run has only 16") != std::string::npos);
-    CHECK(early.find("warning: \"analyst\" gives no answer: the last exchange comes after 9 samples, but the longest "
+    CHECK(early.find("warning: \"analyst\" gives no answer: the last exchange comes after sample 9, but the longest "
                      "window needs 10") != std::string::npos);
     CHECK(early.find("process analyst;") != std::string::npos);
 }

@@ -107,7 +107,7 @@ TEST_CASE("populations of 0 and 1 are out of range") {
 
 TEST_CASE("an island without neighbours is refused if other islands have neighbours") {
     auto text = said_of(3, all(""), {{0, 0, 1, 0}, {1, 0, 0, 0}});
-    check_says(text, "islands.cfs:2:9: error: the island \"island[2]\" has no neighbours, but other islands have");
+    check_says(text, "islands.cfs:2:9: error: the island \"island[2]\" has no neighbours, but other islands do");
     check_says(text, "for a search that exchanges nothing, use ga.master");
 }
 

@@ -147,8 +147,8 @@ TEST_CASE("results that do not return to the process that sent the task are refu
     lines.at("from next") = "connect slave[0].to_master to slave[0].from_slaves;";
     Kinds kinds;
     auto text = render(read_netlist_text(netlist(lines), kinds.catalogue, {}, "farm.cfs").diagnostics);
-    says(text, "farm.cfs:3:1: error: \"master.to_slaves\" leads to the slave \"slave[0]\", but the results at "
-               "\"master.from_slaves\" come from \"slave[1].to_master\"");
+    says(text, "farm.cfs:3:1: error: \"master.to_slaves\" leads to the slave \"slave[0]\", but "
+               "\"master.from_slaves\" is connected to \"slave[1].to_master\"");
     says(text, "hint: connect slave[0].to_master to master.from_slaves;");
 }
 
@@ -239,8 +239,8 @@ TEST_CASE("crossed, missing or unnumbered connections in a tree are refused") {
     auto crossed = lines;
     crossed.at("from slaves") = "connect slave[0].to_master to master.from_slaves[1];";
     crossed.at("from next") = "connect slave[1].to_master to master.from_slaves[0];";
-    says(refusal_of(crossed), "farm.cfs:2:1: error: \"master.to_slaves[0]\" leads to the slave \"slave[0]\", but the "
-                              "results at \"master.from_slaves[0]\" come from \"slave[1].to_master\"");
+    says(refusal_of(crossed), "farm.cfs:2:1: error: \"master.to_slaves[0]\" leads to the slave \"slave[0]\", but "
+                              "\"master.from_slaves[0]\" is connected to \"slave[1].to_master\"");
 
     auto elsewhere = lines;
     elsewhere.at("from next") = "connect slave[1].to_master to slave[1].from_slaves;";

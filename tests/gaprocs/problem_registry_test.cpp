@@ -76,7 +76,8 @@ TEST_CASE("a made record whose number of samples differs from the promised one i
     auto problem = make_search_problem(LineProblem{});
     registry.add_to_make("short", problem, {3, [] { return line_record(2); }});
     CHECK_THROWS_WITH_AS(registry.find("short").record(),
-                         "RecordToMake::samples is 3, but make() returned 2 samples: the two numbers must be equal",
+                         "RecordToMake::samples is 3, but the number of samples that make() returned is 2: the two "
+                         "numbers must be equal",
                          UserError);
     registry.add_to_make("narrow", problem, {1, [] { return std::vector<Sample>{{1}}; }});
     CHECK_THROWS_WITH_AS(registry.find("narrow").record(), "sample 0 has 1 number, expected 2", std::invalid_argument);

@@ -36,7 +36,7 @@ TEST_CASE("a problem is described by its string and its record") {
           "  size             int     default 5              2 .. 64\n"
           "                               number of bits in a block\n");
     CHECK_THROWS_WITH_AS(print_problem(all_problems(), "nk(bits = 3, k = 5)"),
-                         "k = 5, but each bit in a string of 3 bits has only 2 neighbours", UserError);
+                         "k = 5, but bits = 3: a bit can have at most 2 of the other bits as neighbours", UserError);
 }
 
 TEST_CASE("the fields of a string have names, bits, bounds, and the resolution of equation 1.5") {

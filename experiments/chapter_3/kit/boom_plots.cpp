@@ -74,8 +74,8 @@ Panel compliance_panel(const WatchedIdentification& watched, double until_s) {
             {{"true", 1000 * watched.data.boom.inlet_compliance_in3_per_psi}}};
 }
 
-/// Returns the error of the equations at every instant at which the inlet is open. The compliance is the search's last
-/// answer.
+/// Returns the error of equation 3.8, with the compliance of the search's last answer, at every instant at which the
+/// inlet is open.
 Series error_of_answer(const WatchedIdentification& watched, double until_s) {
     Series series{"last answer", {}};
     const Circuit circuit = boom_circuit();

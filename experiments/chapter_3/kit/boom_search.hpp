@@ -19,7 +19,7 @@ struct BoomIdentified {
     bool at_lower_bound;                 ///< whether the answer is flagged as being at its lower bound
 };
 
-/// Throws what identify() throws.
+/// Identifies the boom's compliance from the record. Throws what identify() throws.
 BoomIdentified identify_boom(const BoomData&, const BoomModel&, const identification::IdentificationWay&,
                              std::uint64_t seed);
 

@@ -37,8 +37,8 @@ bool accused(const RecordSource& source, AreasFrom from, std::uint64_t seed) {
     return accused || !machine.alarms().empty();
 }
 
-/// Returns whether the diagnosis raises an alarm for a sound machine. Two figures follow for each fault: whether the
-/// fault is found, and whether it is named correctly or left undecided.
+/// Returns the figures of one machine. The first says whether the diagnosis raises an alarm while the machine is sound.
+/// Two figures follow for each fault: whether the fault is found, and whether it is named correctly or left undecided.
 Figures judge_at_rate(const RecordSource& source, AreasFrom from, bool with_faults, std::uint64_t seed) {
     Figures figures{static_cast<double>(accused(source, from, seed))};
     if (!with_faults)
@@ -96,7 +96,7 @@ Comparison rate_comparison(const ReplayContext& context, const char* machine, co
         fmt::format("{} by the {}, {} noise", machine, from == AreasFrom::spool ? "spool" : "voltage", source.noise);
     Comparison comparison{
         .name = fmt::format("loggers of several rates: {}, {} machines of each kind", name, context.seeds),
-        .notes = "found and named correctly: in % of those found; from, to: 95 % interval (Clopper and Pearson)\n",
+        .notes = "found and named correctly: in % of the faults found; from, to: 95 % interval (Clopper and Pearson)\n",
         .against = "known",
         .judged = true};
     for (const LoggerRate& rate : logger_rates) {

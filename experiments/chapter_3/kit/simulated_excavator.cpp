@@ -36,8 +36,8 @@ void scatter(Parameters& parameters, std::span<const Scatter> by, RandomStream& 
 }
 
 /// Sets the operator's command, which is drawn at random. The valve opens for 60 to 140 % of the thesis's flow. Opening
-/// takes 0 to 0.3 s. A servo-valve shuts after 1 to 2.5 s; otherwise the record ends after this time. The scenario for
-/// two links has its own controller, which opens both valves at once.
+/// takes 0 to 0.3 s. With a servo-valve, the valve shuts after 1 to 2.5 s; without a servo-valve, the record ends after
+/// this time. The scenario for two links has its own controller, which opens both valves at once.
 void command(Parameters& parameters, const RecordSource& source, RandomStream& random) {
     const double opened = random.uniform(), ramp_s = uniform(random, 0, 0.3), for_s = uniform(random, 1, 2.5);
     if (source.has_servo) {

@@ -30,7 +30,8 @@ struct Transients {
 Transients measure_transients(const hydraulics::MeasurementNoise& noise, const hydraulics::UsableSamples& usable,
                               std::span<const std::uint64_t> seeds);
 
-/// REQUIRES: one seed per transient.
+/// Makes one search in each transient, with the random numbers of the transient's seed. REQUIRES: one seed per
+/// transient.
 SearchStudy study(const Transients& transients, const identification::IdentificationWay& way,
                   std::span<const std::uint64_t> seeds);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double pause_s = 2.5;
 
-/// Returns settings with a gate that never opens, so no search is made: verdicts need none.
+/// Returns settings with a gate that never opens, so no search is made. Verdicts do not need a search.
 DiagnosisSettings without_searches() {
     DiagnosisSettings settings;
     settings.gate.slope_psi_per_s = std::numeric_limits<double>::infinity();

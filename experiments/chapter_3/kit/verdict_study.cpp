@@ -133,7 +133,7 @@ Figures judge_machine(const RecordSource& source, AreasFrom from, std::uint64_t 
     Figures figures{static_cast<double>(watch(known, sound, sound_movements, next).found_after)};
     for (LinkFault each : all_faults)
         figures.push_back(evidence_of(judge_of(known), each));
-    std::uint64_t number = next + sound_movements; // the movements of each fault have other numbers, so they differ
+    std::uint64_t number = next + sound_movements; // differs from fault to fault, and so do the movements
     for (const TestedFault& fault : tested_faults(source, from)) {
         const Outcome outcome = watch(fault.from_first_day ? new_machine : known, fault, faulty_movements, ++number);
         figures.push_back(static_cast<double>(outcome.found_after));
@@ -221,13 +221,14 @@ Comparison verdict_comparison(const ReplayContext& context, const char* machine,
     const std::string name = fmt::format("{} by {}", machine, by);
     Comparison comparison{
         .name = fmt::format("on-line verdicts: {}, {} machines of each kind", name, context.seeds),
-        .notes = std::string("found and named correctly, found but undecided: in % of those found\nlimit by theory: a "
-                             "test that gives 1 % "
-                             "of the sound machines an alarm cannot find more of the faults in 8 movements\n") +
-                 (source.has_servo || from == AreasFrom::areas
-                      ? ""
-                      : "these records end while oil flows, so a leak that begins with a movement and an offset change "
-                        "the flow alike (correlation .999): both may be left undecided\n"),
+        .notes =
+            std::string("found and named correctly, found but undecided: in % of the faults found\nlimit by theory: a "
+                        "test that gives 1 % "
+                        "of the sound machines an alarm cannot find more of the faults in 8 movements\n") +
+            (source.has_servo || from == AreasFrom::areas
+                 ? ""
+                 : "these records end while oil flows, so a leak that begins with a movement and an offset change "
+                   "the flow alike (correlation .999): both may be left undecided\n"),
         .against = "known",
         .judged = true};
     for (const char* noise : tested_noises) {

@@ -137,7 +137,8 @@ void add_way(Comparison& comparison, const char* column, const std::vector<Found
 /// Returns a cell with the mean of paired differences and the 95 % interval of this mean.
 Cell difference_cell(std::string row, const std::string& column, std::string unit,
                      const std::vector<double>& differences, int decimals) {
-    constexpr double of_95_percent = 1.96; // standard deviations of a Gaussian mean
+    // Half the width of the interval, in standard deviations of a normally distributed mean.
+    constexpr double of_95_percent = 1.96;
     const double middle = mean(differences);
     const double half = of_95_percent * deviation(differences) / std::sqrt(static_cast<double>(differences.size()));
     Cell cell = plain_cell(std::move(row), column, std::move(unit), middle, decimals);

@@ -24,7 +24,7 @@ Replay replay_parallel_identification(const ReplayContext& context, const Parall
 struct FoundInRecord {
     double compliance_in3_per_psi;
     double generations; ///< first generation from which every answer is within 10 % of the true compliance; greater
-                        ///< than the number of generations if no generation is
+                        ///< than the number of generations if there is no such generation
     double seconds;     ///< virtual time of the last answer
 };
 
@@ -35,10 +35,11 @@ struct BothFound {
 };
 
 /// Returns three mean differences over the records, parallel minus traditional, each with its 95 % interval. The first
-/// is in the percentage of records within 10 % of the true compliance; it must be at least -5. The second is in the
-/// compliance; its size must be at most 2 % of the true value. The third is in the generations until the compliance
-/// stays within 10 %; it must be at most 5 (one sample). A bound is missed if the whole interval is beyond it.
-/// REQUIRES: both algorithms have the same number of results, at least two.
+/// is the difference of the percentages of records in which the last answer is within 10 % of the true compliance; it
+/// must be at least -5. The second is the difference of the compliances; its size must be at most 2 % of the true
+/// value. The third is the difference of the numbers of generations until the compliance stays within 10 %; it must be
+/// at most 5 (one sample). A bound is missed if the whole interval is beyond it. REQUIRES: both algorithms have the
+/// same number of results, at least two.
 std::vector<Cell> cells_of_difference(const BothFound& found, const std::string& column);
 
 } // namespace placedpar

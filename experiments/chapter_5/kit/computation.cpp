@@ -31,8 +31,8 @@ double answers_to_pole(const std::vector<Pole>& answers) {
 }
 
 double samples_of_recursion(std::uint64_t seed) {
-    RecursiveIdentification recursion(0.9); // of the forgettings in the experiment `baselines`, only .9 follows the
-                                            // change
+    // The experiment `baselines` shows that only the forgetting factor .9 follows the change.
+    RecursiveIdentification recursion(0.9);
     std::vector<Pole> answers;
     for (const Sample& sample : plant_samples({}, seed)) {
         recursion.push(sample);
@@ -41,8 +41,8 @@ double samples_of_recursion(std::uint64_t seed) {
     return answers_to_pole(answers);
 }
 
-/// Adds the cost of a search for each sample, divided by the cost of recursive least squares. `as_claimed` says whether
-/// the quotient of the operations, without breeding, is expected to be within the claimed bounds.
+/// Adds the cost per sample of a search, divided by the cost per sample of recursive least squares. `as_claimed` says
+/// whether the quotient of the operations, without breeding, is expected to be within the claimed bounds.
 void add_sample(Comparison& comparison, const PlantIslands& search, bool as_claimed) {
     const double individuals = static_cast<double>(search.populations[0] * search.plant.per_sample);
     const Operations fitness = operations_of_fitness(static_cast<double>(search.windows[0])),

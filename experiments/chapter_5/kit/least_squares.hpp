@@ -49,7 +49,7 @@ struct RecursiveEstimate {
 
     /// Updates the estimate with an output and the inputs that are multiplied by the weights. Returns the prediction
     /// error of the output. Only half of the symmetric covariance is computed, and then copied: if both halves were
-    /// computed, rounding would make the estimate diverge with a forgetting of .9.
+    /// computed, rounding would make the estimate diverge with a forgetting factor of .9.
     T take(std::span<const T> inputs, T output, T forgetting) {
         const std::size_t size = weights.size();
         T scale = forgetting, error = output;

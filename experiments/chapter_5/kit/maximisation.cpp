@@ -85,8 +85,7 @@ const std::vector<StaticTask>& static_tasks() {
     static const std::vector<StaticTask> tasks{
         {"one-max(bits = 60)", 60},                   // every bit is 1
         {"foxholes", 1},                              // the deepest of the holes, .998
-        {"schwefel(dimensions = 5, bits = 10)", 100}, // below this value only in the basin of the optimum; the next
-                                                      // minimum is 118
+        {"schwefel(dimensions = 5, bits = 10)", 100}, // in the basin of the optimum; the next minimum is 118
         {"trap(blocks = 6, size = 4)", 24}};          // outside every trap
     return tasks;
 }

@@ -22,7 +22,7 @@ const std::vector<StaticTask>& static_tasks();
 /// Returns the number of generations, at least 1, until an island reaches the target, or `limit` if no island reaches
 /// it. The operators are those of section 5.4 of the thesis, except that fitness is ranked, since it may be negative.
 /// There are `islands` islands of `population` individuals each. Every three generations, each island sends its best
-/// individual to a neighbour in the hypercube; its neighbours take turns (section 5.2.1).
+/// individual to a neighbour in the hypercube, each time to the next of its neighbours (section 5.2.1).
 std::size_t generations_to_target(const StaticTask& task, std::size_t islands, std::size_t population,
                                   std::size_t limit, std::uint64_t seed);
 

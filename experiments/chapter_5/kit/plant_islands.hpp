@@ -27,7 +27,8 @@ struct PlantIslands {
     std::vector<std::string> choices = {};
 };
 
-/// The windows and populations of Table 5.3: first different ones on each island, then equal ones on all islands.
+/// The windows and populations of Table 5.3, island by island: first the values that differ between islands, then the
+/// values that are equal on all islands.
 inline const std::vector<std::size_t> distributed_windows{30, 24, 16, 10}, distributed_populations{24, 30, 40, 50},
     equal_windows{30, 30, 30, 30}, equal_populations{24, 24, 24, 24};
 

@@ -36,8 +36,8 @@ Tally tally_search(const ReplayContext&, const std::string& name, const PlantSea
 /// convergence, each with its 95 % interval. A share with an expected value is judged with the tolerance
 /// share_tolerance(): four standard deviations of the difference of two samples.
 void add_tally(Comparison&, const Tally&, const Expected& = {});
-/// Adds a row with two 95 % intervals, in percentage points. They are for the gain over `control` in the share of
-/// converged runs, and in the share of runs that followed the pole.
+/// Adds a row with two 95 % intervals, in percentage points. The first is the interval of the gain over `control` in
+/// the share of converged runs, the second in the share of runs that followed the pole.
 void add_gain(Comparison&, const Tally& control, const Tally&);
 
 } // namespace placedpar

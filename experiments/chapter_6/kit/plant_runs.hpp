@@ -26,7 +26,7 @@ Recoding plant_reading(std::size_t bits, Coding coding = Coding::natural);
 /// mutation.
 SearchSettings plant_settings(std::size_t population);
 
-/// How well a search followed the dominant pole while a1 changed (Table 5.4), without noise.
+/// States how well a search followed the dominant pole while a1 changed (Table 5.4), without noise.
 struct PlantOutcome {
     static constexpr double near_the_pole = 0.1;
 

@@ -78,7 +78,7 @@ TEST_CASE("with a shut inlet a resting piston keeps the pressure, and a moving o
 TEST_CASE("an impossible replay is refused with the reason") {
     std::vector<ReplaySample> record{{0, 0.1, 0}, {0, 0.1, 0}};
     CHECK_THROWS_WITH_AS(replay_pressure(record, {rounded_flow_constants(), 32, 0.0086}, 1500, 0.001),
-                         "sample 1 of the replay is at 0 s, expected one after 0 s", std::invalid_argument);
+                         "sample 1 of the replay is at 0 s, expected a time after 0 s", std::invalid_argument);
     CHECK_THROWS_AS(replay_pressure(record, {rounded_flow_constants(), 32, 0}, 1500, 0.001), std::invalid_argument);
     CHECK_THROWS_AS(replay_pressure(record, {rounded_flow_constants(), 32, 0.0086}, 1500, 0), std::invalid_argument);
 }

@@ -130,7 +130,7 @@ TEST_CASE("a wrong reading is refused with its place") {
 }
 
 TEST_CASE("wrong times are refused with their place") {
-    CHECK(record_faults(boom_columns + rows(0, 4)) == "error 0:0: the record has 4 samples, expected at least 5\n");
+    CHECK(record_faults(boom_columns + rows(0, 4)) == "error 0:0: the sample count is 4, expected at least 5\n");
     auto rowless = "error 0:0: the record has 0 samples, expected at least 5 | write a line for each instant below "
                    "the header; lines end in LF or in CR LF\n";
     CHECK(record_faults(boom_columns) == rowless);

@@ -86,7 +86,7 @@ class Flood(ServiceTest):
         self.sampled(service, "known", KNOWN)
         strangers = [self.client(service, f"stranger-{i}") for i in range(4)]
         self.assertEqual({client.welcome["type"] for client in strangers}, {"welcome"})
-        self.assertIn("already has 4 clients", self.client(service, "one-more").welcome["wrong"])
+        self.assertIn("has reached its limit of 4", self.client(service, "one-more").welcome["wrong"])
         self.assertEqual(self.client(service, "known").welcome["samples"], KNOWN)
         self.assertIn("a client of a known machine", strangers[0].receive()["wrong"])
 
@@ -118,7 +118,7 @@ class Flood(ServiceTest):
         self.assertEqual(said, 3 * ["welcome"] + ["error"])  # until both peers have three connections
         self.assertIn("a peer with fewer connections", flood[1].receive()["wrong"])
         self.assertEqual(flood[0].ask(type="ping")["type"], "pong")  # it stays connected, since it has sent samples
-        self.assertIn("already has 6 clients", self.client(service, "again").welcome["wrong"])
+        self.assertIn("has reached its limit of 6", self.client(service, "again").welcome["wrong"])
 
     def test_idle_browsers_shut_nobody_out(self):
         service = self.service("--http", 0)

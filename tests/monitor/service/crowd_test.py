@@ -58,7 +58,7 @@ class Crowd(ServiceTest):
         service = self.service("--max-machines-per-peer", 3, "--unix", path, "--port", 0)
         clients = [self.client(service, f"name-{i}") for i in range(3)]
         refused = self.client(service, "one-more").welcome
-        self.assertIn("loopback has already announced 3 machines", refused["wrong"])
+        self.assertIn("loopback has announced as many machines as it may: 3", refused["wrong"])
         self.assertEqual(self.client(service, "one-more", path=path).welcome["type"], "welcome")
         clients[0].ask(type="bye")
         self.assertIsNone(clients[0].receive())
@@ -69,7 +69,7 @@ class Crowd(ServiceTest):
         service = self.service("--max-clients-per-peer", 2, "--unix", path, "--port", 0)
         first, _ = self.client(service, "digger"), self.client(service, "dozer")
         third = self.client(service, "crane")
-        self.assertIn("the monitor already has 2 clients", third.welcome["wrong"])
+        self.assertIn("the number of clients has reached its limit of 2", third.welcome["wrong"])
         self.assertIsNone(third.receive())
         self.assertEqual(self.client(service, "lorry", path=path).welcome["type"], "welcome")
         first.ask(type="bye")
@@ -80,7 +80,7 @@ class Crowd(ServiceTest):
         service = self.service("--max-takeovers", 3)
         clients = [self.client(service, "digger") for _ in range(5)]
         self.assertEqual([client.welcome["type"] for client in clients], 4 * ["welcome"] + ["error"])
-        self.assertIn("taken over 3 machines within a minute", clients[4].welcome["wrong"])
+        self.assertIn("have reached the limit of 3 a minute", clients[4].welcome["wrong"])
         self.assertEqual(clients[2].receive()["type"], "closing")
         self.assertEqual(clients[3].ask(type="ping")["type"], "pong")  # it stays connected
 

@@ -64,7 +64,7 @@ TEST_CASE("a machine of the state file gets a connection even if 256 peers hold 
     CHECK(service.clients.front()->said.find(
               "this connection is closed to make room for a client of a known machine") != std::string::npos);
     const HeardClient& stranger = service.hello("stranger", "192.0.2.1");
-    CHECK(stranger.said.find("already has 256 clients") != std::string::npos);
+    CHECK(stranger.said.find("has reached its limit of 256") != std::string::npos);
     for (std::size_t i = 0; i < 1000; ++i)
         service.hello(fmt::format("flood-{}", i), fmt::format("10.0.{}.{}", 1 + i / 250, i % 250));
     CHECK_FALSE(site.finished); // the machine keeps its place
@@ -75,5 +75,5 @@ TEST_CASE("a machine without samples keeps no place, even if the state file has 
     Restarted service({"site"}, 0);
     for (std::size_t i = 0; i < service.limits.clients; ++i)
         service.hello(fmt::format("flood-{}", i), fmt::format("10.0.0.{}", i));
-    CHECK(service.hello("site", "192.0.2.1").said.find("already has 256 clients") != std::string::npos);
+    CHECK(service.hello("site", "192.0.2.1").said.find("has reached its limit of 256") != std::string::npos);
 }

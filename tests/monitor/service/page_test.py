@@ -87,7 +87,7 @@ class Page(ServiceTest):
         client.receive_type("kept")
         code, _, text = self.fetch(service, "healthz")
         self.assertEqual(code, 503)
-        self.assertIn("not kept: ", text)
+        self.assertIn("not stored: ", text)
 
     def test_nothing_can_be_changed_and_nonsense_is_answered(self):
         service = self.service("--http", 0)
@@ -163,7 +163,7 @@ class Page(ServiceTest):
             for x, y in re.findall(r'<text x="([\d.]+)" y="([\d.]+)"', page):
                 self.assertLess(float(x), width)
                 self.assertLess(float(y), height)
-            health = float(re.search(r'<text x="([\d.]+)"[^>]*>BO in health<', page)[1])
+            health = float(re.search(r'<text x="([\d.]+)"[^>]*>healthy BO<', page)[1])
             self.assertGreater(health, max(float(x) for x in re.findall(r'<circle cx="([\d.]+)"', page)))
             self.assertIn('<td data-head="raised">', page)  # the column's name is shown where rows are laid out as lists
 
@@ -172,16 +172,16 @@ class Page(ServiceTest):
         service, _ = self.busy("--state", self.folder / "state")
         chromium = Chromium()
         self.addCleanup(chromium.close)
-        check_nothing_is_cut(self, chromium, service.page, "BO in health")
+        check_nothing_is_cut(self, chromium, service.page, "healthy BO")
 
     @unittest.skipUnless(BROWSER, "no Chromium")
     def test_in_a_browser(self):
         service, _ = self.busy("--state", self.folder / "state")
         done = self.browse(service)
-        self.assertIn('<span class="good">all is kept</span>', done.stdout)
+        self.assertIn('<span class="good">everything is stored</span>', done.stdout)
         self.assertIn("BO by P1b", done.stdout)
         self.assertIn(">1 machine, 1 connection, ", done.stdout)
-        self.assertIn(">BO in health</text>", done.stdout)
+        self.assertIn(">healthy BO</text>", done.stdout)
         times = re.findall(r">(\d\d:\d\d[\d:.]*)</text>", done.stdout)
         self.assertGreater(len(times), 1)
         self.assertEqual(len(times), len(set(times)), times)  # no time occurs twice
@@ -195,7 +195,7 @@ class Page(ServiceTest):
     def test_in_another_browser(self):
         service, _ = self.busy("--state", self.folder / "state")
         page = firefox.page_in(FIREFOX, self.folder, service.page, "BO by P1b")
-        self.assertIn('<span class="good">all is kept</span>', page)
+        self.assertIn('<span class="good">everything is stored</span>', page)
         self.assertEqual(page.count("<circle "), 4)
         self.assertRegex(page, r"<td[^>]*>BO \w+, more than 99 % sure</td>")
 

@@ -185,10 +185,10 @@ class Robustness(ServiceTest):
     def test_one_too_many_is_turned_away(self):
         service = self.service("--max-clients", 2, "--max-machines", 1)
         first, second = self.client(service, "digger"), self.client(service)
-        self.assertIn("already has 1 machines", second.ask(type="hello", version=1, machine="other")["wrong"])
+        self.assertIn("has as many machines as it may: 1", second.ask(type="hello", version=1, machine="other")["wrong"])
         self.client(service, "digger", role="watch")
         third = self.client(service, "digger", role="watch")
-        self.assertIn("already has 2 clients", third.welcome["wrong"])
+        self.assertIn("has reached its limit of 2", third.welcome["wrong"])
         self.assertIsNone(third.receive())
         first.ask(type="bye")
         self.assertIsNone(first.receive())

@@ -81,6 +81,6 @@ TEST_CASE("the optimum of an NK landscape is the best of all strings, for any nu
 
 TEST_CASE("the optimum of a large NK landscape is not computed, and too many neighbours are refused") {
     CHECK_FALSE(nk(10000, 8, 1).problem().optimum());
-    CHECK_THROWS_WITH_AS(nk(4, 4, 1).problem(), "k = 4, but each bit in a string of 4 bits has only 3 neighbours",
-                         UserError);
+    CHECK_THROWS_WITH_AS(nk(4, 4, 1).problem(),
+                         "k = 4, but bits = 4: a bit can have at most 3 of the other bits as neighbours", UserError);
 }
