@@ -63,7 +63,7 @@ bool gets_free_memory(const occam::Declaration& main) {
     return std::get<occam::Procedure>(main.form).parameters.size() == 3;
 }
 
-/// Returns a program that calls a main procedure that uses a terminal.
+/// Returns a program whose only procedure connects the main procedure `main` of the file to the terminal.
 std::shared_ptr<const SourceFile> around(const std::filesystem::path& path, const occam::Declaration& main) {
     const std::string file = is_standard_stream(path) ? "standard input" : path.filename().string();
     const auto& keyboard = *std::get<occam::Procedure>(main.form).parameters.front();

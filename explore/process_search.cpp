@@ -107,14 +107,16 @@ std::vector<std::string> searching_processes(const Network& network, const Netli
         if (!searches(process))
             continue;
         if (breeds_recoded(process))
-            throw UserError(fmt::format("--on {}: \"{}\" is a coarse or a fine search, for which identify has no "
-                                        "settings; expected ga.traditional, ga.master or ga.island",
-                                        netlist.path.string(), process.name));
+            throw UserError(
+                fmt::format("--on {}: \"{}\" is a coarse or a fine search, for which identify has no settings; "
+                            "expected a process of the kind ga.traditional, ga.master or ga.island",
+                            netlist.path.string(), process.name));
         names.push_back(process.name);
     }
     if (names.empty())
-        throw UserError(fmt::format("--on {}: no process searches, expected ga.traditional, ga.master or ga.island",
-                                    netlist.path.string()));
+        throw UserError(fmt::format(
+            "--on {}: no process searches; expected a process of the kind ga.traditional, ga.master or ga.island",
+            netlist.path.string()));
     return names;
 }
 

@@ -51,7 +51,7 @@ Job job_of_kind(const TopologyRequest& request, const Catalogue& catalogue, cons
                         has_problem(*kind) ? problem.each : "");
 }
 
-/// Throws UserError if the request names ports, but none of the kind of one process for each processor.
+/// Throws UserError if the request names ports. REQUIRES: its job chooses the ports itself, unlike --job KIND.
 void refuse_ports(const TopologyRequest& request) {
     const TopologyRequest usual;
     for (auto [option, said, unsaid] :

@@ -64,7 +64,8 @@ std::string print_calibration(const std::optional<SpoolOffset>& found) {
                        found->offset_in, found->deviation_in, found->samples);
 }
 
-/// Calibrates the offset of the spool's position, which has this source, from the record's own steady motion.
+/// Calibrates the offset of the boom's spool from the samples of the record with steady motion. `from` is the source of
+/// the spool's position.
 void calibrate(Case& asked, AreasFrom from) {
     const Sensor sensor = from == AreasFrom::servo ? Sensor::servo : Sensor::spool;
     asked.calibrates =
@@ -134,7 +135,7 @@ boost::json::object cost_json(const SearchCost& cost) {
             {"t800_16_s", cost.seconds_on_16}};
 }
 
-/// The results that both ways report before the results of the search.
+/// The work that the ways thesis and whole both do before their search.
 struct Begun {
     Case asked;
     ComplianceSearch prepared;

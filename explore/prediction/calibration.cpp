@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::size_t individuals = 20; // in each search that is measured
 
-/// The kinds of one thread, with problems of their own.
+/// The process kinds that one thread uses, with the problems that the kinds refer to. No two threads share them.
 struct KindsToMeasure {
     ProblemRegistry problems = known_problems(1);
     Catalogue catalogue = known_kinds(problems);
@@ -139,7 +139,7 @@ private:
     }
 
     void measure_threads(Calibration& result) {
-        static constexpr Time pause = std::chrono::microseconds(200); // far longer than the patience of a thread
+        static constexpr Time pause = std::chrono::microseconds(200); // far longer than a thread polls before it sleeps
         result.threads = measure_messages("threads", native::nanoseconds_of_switch, native::nanoseconds_there_and_back);
         result.across_asleep = repeat("messages to threads that sleep", [] {
             return native::nanoseconds_there_and_back({.times = seldom, .pause = pause});
@@ -193,7 +193,7 @@ private:
     KindsToMeasure kinds_;
 };
 
-/// Returns the system's name of the processor.
+/// Returns the processor's name as the operating system states it.
 std::string name_of_processor() {
     std::ifstream file("/proc/cpuinfo");
     for (std::string line; std::getline(file, line);)

@@ -36,9 +36,9 @@ std::int64_t string_bytes(const Calibration& c) {
     return std::clamp<std::int64_t>(std::llround(static_cast<double>(cycles(c.string.median)) / copies), 1, 65536);
 }
 
-/// Returns the definition of `name`: a core, or a rank of mpirun. `sleep` is its parameter for sleep. A message there
-/// and back within one core takes four inputs or outputs and two switches. Between two cores it takes two switches, and
-/// two inputs or outputs that follow each other.
+/// Returns the definition of `name`: a core, or a rank of mpirun. `sleep` is the parameter with the cost of its sleep,
+/// such as "waking = 5". A message there and back within one core takes four inputs or outputs and two switches.
+/// Between two cores it takes two switches, and two inputs or outputs that follow each other.
 std::string print_core(const MessageCosts& c, Time patience, const std::string& sleep, const char* name) {
     const double within = (c.there_and_back.median - 2 * c.switching.median) / 4;
     const double across = c.across.median / 2 - c.switching.median;

@@ -56,7 +56,7 @@ std::string without_blanks(std::string text) {
     return text;
 }
 
-/// Adds a part. If an equal value is already there, only the better of the two spellings is kept.
+/// Adds a part. If an equal value is already there, keeps only one of the two spellings, which better_spelt() chooses.
 void add_part(std::vector<StudyValues>& parts, const std::string& name, const std::string& text) {
     StudyValues part(name, text);
     SettingValue value(name, text);

@@ -443,7 +443,7 @@ private:
             return std::pair(one.line, one.column) < std::pair(other.line, other.column);
         });
         for (const auto& [key, value] : members)
-            if (value->is_table() && prefix.empty() && key->str() == "relative_to") // not a process
+            if (value->is_table() && prefix.empty() && key->str() == "relative_to") // no process has this name
                 report_misplaced("relative_to", *value);
             else if (value->is_table())
                 read_axes(*value, prefix + std::string(key->str()) + ".", axes);

@@ -178,7 +178,7 @@ class Refusals(unittest.TestCase):
                           self.refused())
 
     def test_of_searches_whose_results_no_checkpoint_holds(self):
-        self.assertIn("belongs to a pair and has a bias point, which a checkpoint cannot store",
+        self.assertIn("belongs to a pair of a coarse and a fine search, and has a bias point, which a checkpoint cannot store",
                       self.refused(netlist=EXAMPLES / "genetic/coarse-fine/pair.cfs"))
         self.assertIn("no process of", self.refused(netlist=EXAMPLES / "csp/commstime/commstime.cfs"))
         self.assertIn("--seeds asks for 3 runs", self.refused("--seeds", "3"))

@@ -206,7 +206,7 @@ class BadInput(InFolder):
                 (["slaves=1,,2"], "slaves=1,,2: a value is missing"),
                 (["slaves"], "slaves: expected NAME=VALUES"),
                 (["slaves=1", "slaves=2"], "slaves is set twice"),
-                (["slaves=1", "--results", "."], ".: this is a folder; name a file"),
+                (["slaves=1", "--results", "."], ".: this is not a file; name a file"),
                 (["slaves=1", "--results", "no/where"], "no/where: the file cannot be created: No such file or directory")):
             with self.subTest(arguments):
                 self.assertIn(message, self.sweep(FIGURE_E2, *arguments, code=1))
