@@ -23,7 +23,7 @@ struct CheckCommandOptions {
     std::string format = "text";
 };
 
-/// Throws RefusedInput with the errors of the file.
+/// Prints the warnings and the summary. If the file has errors, throws RefusedInput with them instead.
 void print_checked(const CheckedFile& checked) {
     const std::string text = render(checked.diagnostics) + checked.not_shown;
     if (checked.failed())

@@ -155,7 +155,8 @@ std::optional<double> seconds_of_a_run(Session& session) {
     return start && start->refused.empty() ? seconds : seconds_of(session.study, session);
 }
 
-/// Returns whether to begin; false if the session was interrupted.
+/// Returns whether to begin the search. If it may need very many runs, asks the user. Returns false if the session was
+/// interrupted.
 bool is_meant(Session& session) {
     std::uint64_t runs = most_runs(session);
     if (runs <= most_unasked || session.options.yes)

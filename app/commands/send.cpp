@@ -122,8 +122,9 @@ std::string print_board_run(const SendOptions& options, std::size_t bytes, const
                                 static_cast<double>(bytes) / 1000 / std::max(in_seconds(run.boot_time), 1e-6))) +
         print_times("run", run.run_time, times(&SimulatedTimes::run), counted(run.requests, "request"));
     if (simulated)
-        text += fmt::format("simulated: {} with {} of memory, an access in {} cycles; the host takes no time\n",
-                            options.booted.processor, options.booted.memory, options.booted.memory_cycles);
+        text += fmt::format(
+            "simulated: a {} with {} of memory, each access of which takes {} cycles; the host takes no time\n",
+            options.booted.processor, options.booted.memory, options.booted.memory_cycles);
     if (simulated && !simulated->departure.empty())
         text += fmt::format("the simulated program differs: {}\n", simulated->departure);
     return text;
