@@ -11,7 +11,7 @@ const canUnpack = !run.deflated || "DecompressionStream" in window;
 const looked = { at: [], known: new Set(), count: 0, unpacks: false };
 let messages = [];
 
-// Reads numbers of seven bits in each byte, the lowest bits first.
+// Reads numbers that are stored with seven bits in each byte, the lowest bits first.
 function readerOf(bytes) {
   let at = 0;
   const next = () => {
