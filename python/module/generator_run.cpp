@@ -113,7 +113,7 @@ void GeneratorRun::fail(const py::object& error) {
     }
 }
 
-/// Takes what the generator yielded or returned. Returns whether it has ended.
+/// Stores what the generator yielded or returned. Returns whether the generator has ended.
 bool GeneratorRun::take(PySendResult sent, PyObject* yielded) {
     now_ = nullptr;
     if (sent == PYGEN_ERROR)
