@@ -29,9 +29,9 @@ public:
     /// two stored states, at least 1.
     ///
     /// Throws UserError if a search of the network depends on data that a checkpoint cannot store (it sends estimates,
-    /// or belongs to a pair), or if no process searches. Throws UserError if the file cannot be read, is not a
-    /// checkpoint, has another seed, or has searches with other names, problems, codings or numbers of individuals.
-    /// Other parameters may have changed: the searches continue with the new values.
+    /// or belongs to a pair of a coarse and a fine search), or if no process searches. Throws UserError if the file
+    /// cannot be read, is not a checkpoint, has another seed, or has searches with other names, problems, codings or
+    /// numbers of individuals. Other parameters may have changed: the searches continue with the new values.
     CheckpointFile(std::filesystem::path, const Network&, std::uint64_t seed, std::uint64_t every);
     /// Makes a checkpoint file for searches of the library, such as run_islands().
     CheckpointFile(std::filesystem::path, std::vector<KeptSearch>, std::uint64_t seed, std::uint64_t every);

@@ -20,8 +20,8 @@ struct OccamCheck {
 };
 
 /// Reads and checks a program. Files that the program includes are looked for in PlacedPar's libraries and in these
-/// folders. Checks that are off in `wanted` are skipped, as if the text turned them off. The text of `standard_input`
-/// is what `#INCLUDE "standard input"` includes.
+/// folders. Checks that are off in `wanted` are skipped, as if the text turned them off. A program can include the text
+/// of `standard_input` by `#INCLUDE "standard input"`.
 OccamCheck check_occam_source(std::shared_ptr<const SourceFile>, std::vector<std::filesystem::path> folders,
                               const occam::SourceOptions& wanted = {},
                               std::shared_ptr<const SourceFile> standard_input = nullptr);

@@ -31,8 +31,9 @@ occam::SourceOptions wanted_checks(const OccamOptions&);
 /// Returns whether a file is a program in occam, by its name. A configuration is not a program.
 bool is_occam(const std::filesystem::path&);
 
-/// Returns whether `placedpar run` can run this procedure: its parameters are none, or channels to a host and perhaps
-/// the free memory, or the channels of a terminal. REQUIRES: the program has no errors.
+/// Returns whether `placedpar run` can run this procedure. It can if the procedure has no parameters, or if the
+/// parameters are the channels of a terminal, or channels to a host, perhaps followed by the free memory. REQUIRES: the
+/// program has no errors.
 bool can_be_run(const occam::Declaration& procedure);
 
 struct CompiledOccam {
@@ -55,7 +56,7 @@ std::optional<std::uint64_t> bytes_of_size(const std::string& text);
 /// Returns a netlist with one transputer that the file boots. In mode stop, a process may read beyond the memory just
 /// before it stops; the netlist makes such a read harmless.
 std::string netlist_around(const std::filesystem::path& file, const ProgramMachine&);
-/// Compiles a program for the machine. Throws as compile_occam(); throws UserError if the memory is too small.
+/// Compiles a program for the machine. Throws as compile_occam() does; throws UserError if the memory is too small.
 CompiledProgram compiled_program(const std::filesystem::path&, std::span<const std::string> folders,
                                  const ProgramMachine&, const WarningSink&);
 

@@ -14,7 +14,7 @@ namespace placedpar {
 std::string print_faults(const std::vector<FaultUse>&);
 std::string print_switches(const std::vector<SwitchUse>&);
 
-/// Return the same in JSON. Times are in picoseconds.
+/// Return the effects of a fault, and the messages that were lost in a switch, as JSON. Times are in picoseconds.
 boost::json::object json_of_fault(const FaultUse&);
 boost::json::object json_of_switch(const SwitchUse&);
 

@@ -27,7 +27,7 @@ struct PredictedPlaces {
 /// no costs of ranks or of a problem.
 std::string native_netlist(const Network&, const PredictedPlaces&, const std::filesystem::path& calibration);
 
-/// Returns whether the file has the costs of places of this kind. Throws as native_netlist().
+/// Returns whether the file has the costs of places of this kind. Throws as native_netlist() does.
 bool describes(PredictedPlaces::Kind, const std::filesystem::path& calibration);
 
 struct PredictedTime {
@@ -35,8 +35,8 @@ struct PredictedTime {
     Time time;
 };
 /// Returns the predicted times of native runs on 1, 2, 3, 4, 6, 8, 12, 16 and so on threads or ranks, up to the number
-/// of the network's processors. After an interruption, the list is incomplete. Throws as native_netlist(), and what the
-/// processes throw.
+/// of the network's processors. After an interruption, the list is incomplete. Throws as native_netlist() does, and
+/// what the processes throw.
 std::vector<PredictedTime> predict_times(const Network&, PredictedPlaces::Kind,
                                          const std::filesystem::path& calibration, std::uint64_t seed,
                                          const Interruption&);

@@ -9,8 +9,7 @@ namespace placedpar::python {
 /// too.
 ///
 /// 1. Objects that react to Ctrl-C exist on Python's main thread only. They may be nested: a process in Python may
-/// itself
-///    call sweep(). They end in reverse order.
+///    itself call sweep(). They end in reverse order.
 /// 2. An object is made and destroyed while its thread holds the lock.
 class InterruptedByKeyboard : public Interruption {
 public:
