@@ -102,7 +102,7 @@ CheckpointFile::CheckpointFile(std::filesystem::path path, std::vector<KeptSearc
         read();
 }
 
-/// Throws UserError for a file in another format.
+/// Reads the file. Throws UserError if the file has another format.
 void CheckpointFile::read() {
     try {
         std::ifstream file(path_);

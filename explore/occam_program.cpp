@@ -21,7 +21,8 @@ namespace {
 
 constexpr std::array names_of_checks = {"usage", "alias", "range", "all"};
 
-/// Returns whether the option --no-checks names a check. Throws UserError if the option names an unknown check.
+/// Returns whether the option --no-checks names the check `name`. Throws UserError if the option names an unknown
+/// check.
 bool leaves_out(const OccamOptions& options, std::string_view name) {
     bool found = false;
     std::string_view rest = options.no_checks;
@@ -36,7 +37,7 @@ bool leaves_out(const OccamOptions& options, std::string_view name) {
     return found;
 }
 
-/// Throws RefusedInput if the program has errors. Its warnings stay in the result.
+/// Returns the program with its warnings. Throws RefusedInput if the program has errors.
 OccamCheck without_errors(OccamCheck program) {
     if (program.failed)
         throw RefusedInput(render(program.diagnostics) + program.not_shown);

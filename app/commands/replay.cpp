@@ -140,7 +140,7 @@ std::size_t number_of_seeds(const Experiment& experiment, const ReplayOptions& o
     return options.seeds != 0 ? options.seeds : experiment.seeds;
 }
 
-/// Throws UnfinishedRun.
+/// Runs the experiment. Throws UnfinishedRun if a run does not complete or is interrupted.
 Replay run_experiment(const Experiment& experiment, const ReplayOptions& options, Interruption& interruption) {
     ProgressLine progress;
     StudyResults results = results_of(options);

@@ -59,7 +59,7 @@ struct RunOptions {
     std::string offer;                           ///< address at which the host's link is offered to another program;
                                                  ///< "": not offered
     std::shared_ptr<Ranks> ranks;                ///< ranks of a native run; null without mpirun
-    std::shared_ptr<CheckpointFile> checkpoints; ///< null without the option
+    std::shared_ptr<CheckpointFile> checkpoints; ///< null without --checkpoint
     std::shared_ptr<NativeTrace> native_trace;   ///< null unless a native run is recorded
 
     std::array<std::filesystem::path, 6> outputs() const {
@@ -103,7 +103,7 @@ void require_outputs(const RunOptions& options) {
             require_writable(path);
 }
 
-/// Throws UserError for an option that only simulated runs have.
+/// Throws UserError if the run is native, but an option is only for simulated runs, or the other way round.
 void require_native(const RunOptions& options) {
     refuse_with_native(options.native, !options.netlist.calibration.empty(),
                        {{options.until != Time::max(), "--until"},

@@ -74,8 +74,8 @@ struct SimulatedTimes {
     std::string departure = ""; ///< difference between the simulated run and the run on the board; "" if there is none
 };
 
-/// Simulates the program with the replies from the run on the board. A simulated run that takes much longer is stopped.
-/// Returns nothing if the program cannot be read again, or did not end on the board.
+/// Simulates the program with the replies from the run on the board. The simulated run is stopped if it takes much
+/// longer than the run on the board. Returns nothing if the program cannot be read again, or did not end on the board.
 std::optional<SimulatedTimes> simulate(const SendOptions& options, const Options& typed, const iserver::BoardRun& board,
                                        Interruption& interruption) {
     if (!looks_bootable(options.file) || board.state == iserver::ServerState::running ||

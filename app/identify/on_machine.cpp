@@ -30,7 +30,7 @@ constexpr std::size_t most_columns = 8; ///< largest number of searches in a tab
 
 double seconds(Time time) { return in_milliseconds(time) / 1000; }
 
-/// The answers after one sample.
+/// A sample, and the generation whose answers are the answers after this sample.
 struct SampleAnswers {
     double taken_s; ///< time of the sample in the record
     std::size_t generation;

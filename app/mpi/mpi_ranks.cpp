@@ -82,7 +82,7 @@ public:
         Sent& sent = spare_.front();
         sent.bytes.assign(letter.begin(), letter.end());
         MPI_Isend(sent.bytes.data(), mpi_length(letter.size()), MPI_BYTE, to, letters, own_world_, &sent.request);
-        if (!is_complete(sent.request)) // rare
+        if (!is_complete(sent.request)) // happens rarely
             sent_.splice(sent_.end(), spare_, spare_.begin());
     }
 
@@ -123,7 +123,7 @@ public:
     bool has_all_parcels() const override { return expected_.empty(); }
 
 private:
-    static constexpr int letters = 0, first_parcel = 1; ///< tags
+    static constexpr int letters = 0, first_parcel = 1; ///< MPI's tags
 
     struct Place {
         std::array<std::uint8_t, longest_letter> bytes;
@@ -144,7 +144,7 @@ private:
     std::array<Place, 32> places_;
     std::size_t next_ = 0;    ///< the place that the next letter fills
     Place* in_use_ = nullptr; ///< the place whose letter is being read
-    std::list<Sent> spare_;   ///< memory for a letter
+    std::list<Sent> spare_;   ///< memory that the next letters can use
     std::list<Sent> sent_;    ///< messages that MPI has not sent yet
     ExpectedParcels<MPI_Request> expected_;
 };

@@ -31,7 +31,7 @@ namespace {
 
 constexpr double slowest_pace = 1e-6, fastest_pace = 1e6;
 
-/// The kinds of the processes of one thread. Each thread has its own problems, because a problem may cache results.
+/// The process kinds of one thread. Each thread has its own problems, because a problem may cache results.
 struct KindsOfThread {
     KindsOfThread(std::uint64_t seed, SearchObserver* observer, Checkpoints* checkpoints)
         : problems(known_problems(seed)), catalogue(known_kinds(problems, observer, checkpoints)) {}

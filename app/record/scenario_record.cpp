@@ -79,7 +79,7 @@ ChangedParameters changes_of(const RecordScenario& scenario, const Parameters& p
     return changed;
 }
 
-/// Returns whether this is the compliance of a moving link.
+/// Returns whether the parameter is the compliance of a moving link.
 bool is_compliance_of(const LinksInMotion& moving, const Parameter& parameter, const RecordScenario& scenario) {
     if (!scenario.uses(parameter.name) || !parameter.name.ends_with("let_compliance"))
         return false;

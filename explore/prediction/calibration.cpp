@@ -111,7 +111,7 @@ public:
     }
 
 private:
-    static constexpr long often = 20'000, seldom = 100; // messages
+    static constexpr long often = 20'000, seldom = 100; // numbers of messages
 
     template <class Measure>
     MeasuredCost repeat(const std::string& what, Measure measure) {

@@ -124,7 +124,7 @@ private:
     /// A table that has been read, and the data that a later table can take over by "like".
     struct TableRead {
         StudyTable table;
-        Members of_rows; ///< members that hold for all its rows
+        Members of_rows; ///< members that hold for all rows of the table
         const toml::node *columns = nullptr, *rows = nullptr;
     };
 
@@ -140,7 +140,7 @@ private:
             read_columns(*read.columns, read.table);
         if (!read.columns || !read.rows)
             return report(source.source().begin, "the table lacks columns or rows", form_of_variants);
-        if (read.table.columns.empty()) // reported already; without columns the rows cannot be checked
+        if (read.table.columns.empty()) // the error was reported; without columns the rows cannot be checked
             return;
         read_rows(read);
         add_runs_of(read.table);

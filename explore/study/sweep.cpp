@@ -372,7 +372,7 @@ void StudySweep::run(std::size_t workers, Interruption& interruption,
                      const std::function<void(std::uint64_t ended)>& show,
                      const std::function<bool(bool stopped)>& others) {
     trier_.reset();
-    std::vector<Interruption> each(workers); // each for one run at a time
+    std::vector<Interruption> each(workers); // one for each worker, used by one run at a time
     auto stop = [&] {
         stop_ = true;
         std::ranges::for_each(each, &Interruption::request);

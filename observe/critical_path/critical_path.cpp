@@ -212,7 +212,7 @@ CriticalPath::Number CriticalPath::cause_of(const Lane& lane, Time now) {
     return add(lane.last, now, Activity::delayed, process);
 }
 
-/// Adds a wait that has ended to the process's account, with the partner and the time since both processes were at the
+/// Adds a finished wait to the process's account, with the partner and the time since both processes were at the
 /// channel.
 void CriticalPath::explain_wait(const Lane& lane, Time now) {
     const Process& process = *lane.process;
@@ -250,7 +250,7 @@ void CriticalPath::become_ready(Lane& lane, Time now) {
 void CriticalPath::go_on(Lane& lane, Time now) {
     if (is_waiting(lane.does))
         become_ready(lane, now);
-    if (is_waiting(lane.does)) // the process waited for its PAR
+    if (is_waiting(lane.does)) // the process waited for the end of its PAR
         turn(lane, Activity::ready, now);
     has_turn(lane, now);
 }

@@ -117,7 +117,7 @@ void Timeline::leave_links(const ProgramLane& lane, Time now) {
         }
 }
 
-/// Writes the present slice, and places its message ends at its beginning.
+/// Writes the present slice, and places the ends of messages that belong to it at its beginning.
 void Timeline::close(ProgramLane& lane, Time end, bool open) {
     if (lane.activity == Activity::ended || (end <= window_.from && !open) ||
         !write({lane.track, lane.activity, lane.since, end, open, {}, 0, lane.awaited, lane.awaits_timer}))
@@ -283,7 +283,8 @@ void Timeline::close(Lane& lane, Time end) {
         close(lane, slice_of(lane, end, false));
 }
 
-/// Writes the slice, and places its message ends at its beginning. Returns whether the slice is visible.
+/// Writes the slice, and places the ends of messages that belong to it at its beginning. Returns whether the slice is
+/// visible.
 bool Timeline::close(Lane& lane, Slice slice) {
     Time end = slice.end;
     if (!write(std::move(slice)))

@@ -63,7 +63,7 @@ void GeneratorRun::start(py::object component, const py::object& enclosing) {
     }
     where_ = enclosing;
     if (!py::isinstance<Operation>(component))
-        throw py::type_error("a component of pp.par is a generator or an operation");
+        throw py::type_error("a component of pp.par must be a generator or an operation");
     operation_ = std::move(component);
     now_ = operation_.cast<Operation*>();
     prepare();
@@ -165,7 +165,7 @@ void GeneratorRun::prepare_guards() {
 /// Returns the guard of an operation other than an input.
 Guard GeneratorRun::guard_of(py::handle guard) const {
     if (!py::isinstance<Operation>(guard))
-        throw py::type_error("a guard of pp.alt is an input end, pp.wait, pp.until, pp.after, pp.skip or pp.when");
+        throw py::type_error("a guard of pp.alt must be an input end, pp.wait, pp.until, pp.after, pp.skip or pp.when");
     const auto& operation = *guard.cast<Operation*>();
     switch (operation.kind) {
     case Kind::wait: return {Guard::timeout, nullptr, later(now(), Time{operation.number})};

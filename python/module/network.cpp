@@ -160,8 +160,8 @@ private:
     RunClock* clock_; ///< null if no thread reads the time
 };
 
-/// Replaces the places at which processes in Python wait. The report has places in this module; users need the lines of
-/// their bodies.
+/// Replaces the places at which processes in Python wait. The report has places in the C++ source of this module, but
+/// users need the lines of their bodies in Python.
 void set_places(RunReport& report, const std::map<std::string, std::string>& places) {
     if (report.result.deadlock)
         for (StuckProcess& process : report.result.deadlock->processes)
