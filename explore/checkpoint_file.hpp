@@ -50,7 +50,7 @@ public:
     void keep(const std::string& search, const SearchCheckpoint&) override;
 
 private:
-    using States = std::map<std::string, SearchCheckpoint>; ///< by name of search
+    using States = std::map<std::string, SearchCheckpoint>; ///< key: name of the search
 
     static std::vector<KeptSearch> describe(const Network&);
     [[noreturn]] void refuse_file(const std::string& why) const;
@@ -66,7 +66,7 @@ private:
     std::int64_t checksum_ = 0; ///< checksum of the file that was read; 0 if no file was read
     States begin_states_;
     std::mutex mutex_;
-    std::map<std::uint64_t, States> incomplete_; ///< by generation
+    std::map<std::uint64_t, States> incomplete_; ///< key: generation
 };
 
 } // namespace placedpar

@@ -12,7 +12,7 @@ namespace placedpar {
 /// A program in occam that has been read and checked.
 struct OccamCheck {
     std::unique_ptr<occam::Program> program;
-    occam::SourceOptions options;             ///< options of the text and of the caller
+    occam::SourceOptions options;             ///< options that the text or the caller sets
     const occam::Declaration* main = nullptr; ///< the last procedure of the main file; null if there is none
     std::vector<Diagnostic> diagnostics = {};
     std::string not_shown = ""; ///< a line that says how many errors are not in `diagnostics`; "" if none

@@ -20,8 +20,8 @@ struct PredictedPlaces {
 
 /// Describes a native run of the network on these places, as a netlist that can be simulated: the places become cores,
 /// and their costs and the costs of the searches come from `calibration`, a file that print_calibration() has made.
-/// Computations of processes that do not search take no time, as in a native run. There are at most as many threads as
-/// nodes with processes.
+/// Computations of processes that do not search take no time: a native run does not wait for the simulated cycles.
+/// There are at most as many threads as nodes with processes.
 ///
 /// Throws UserError if the network cannot run natively on these places, if the file cannot be read, or if the file has
 /// no costs of ranks or of a problem.
