@@ -158,7 +158,7 @@ void CheckpointFile::require_same_run(const json::value& file) const {
     require_equal(path_, "seed", fmt::format("{}", file.at("seed").to_number<std::uint64_t>()),
                   fmt::format("{}", seed_));
     const json::array& kept = file.at("searches").as_array();
-    require_equal(path_, "searches:", fmt::format("{}", kept.size()), fmt::format("{}", searches_.size()));
+    require_equal(path_, "search count", fmt::format("{}", kept.size()), fmt::format("{}", searches_.size()));
     for (std::size_t i = 0; i < searches_.size(); ++i) {
         const KeptSearch& here = searches_[i];
         require_equal(path_, "a search named", json::value_to<std::string>(kept[i].at("name")), here.search);

@@ -35,8 +35,8 @@ void print_checked(const CheckedFile& checked) {
 void refuse_for_programs(const Options& typed, const std::string& file) {
     for (const char* option : {"--set", "--use", "--fault"})
         if (typed.is_given(option) && is_occam(file))
-            throw UserError(
-                fmt::format("{} has no effect on {}: it is for netlists, not for programs in occam", option, file));
+            throw UserError(fmt::format("{} has no effect on {}: the option is for netlists, not for programs in occam",
+                                        option, file));
 }
 
 ExitCode check(const CheckCommandOptions& options) {

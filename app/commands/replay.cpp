@@ -112,7 +112,7 @@ void require_printed(const Experiment& experiment, const ReplayOptions& options)
             having.push_back(each.name);
     if (options.against == "printed" && !experiment.has_printed)
         throw UserError(fmt::format(
-            "--against printed has no effect on {}, whose expected figures are the printed ones; it affects {}",
+            "--against printed has no effect on {}, whose expected figures are the printed ones; the option affects {}",
             experiment.name, fmt::join(having, ", ")));
 }
 

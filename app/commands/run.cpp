@@ -368,7 +368,7 @@ ExitCode run(RunOptions options, const Options& command, const std::string& type
 
 void add_searches(Options& command, RunOptions& options) {
     add_count(command, "--seeds", options.seeds,
-              "number of runs, with consecutive seeds from --seed on; compares their "
+              "number of runs, with consecutive seeds from --seed on; the report compares their "
               "searches")
         .check(not_at_least_one)
         .show_default();

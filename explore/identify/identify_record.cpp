@@ -59,7 +59,7 @@ void settle_way(IdentifySettings& settings) {
                          {"--rising", settings.rising},
                          {"--coding", !settings.coding.empty(), "thesis or whole"},
                          {"--offset auto", settings.offset == "auto"}},
-                        "--way service uses all movements in order");
+                        "--way service identifies as placedpar monitor does, which has no such setting");
 }
 
 IdentifyEnd identify_record(const IdentifySettings& settings, const RecordInput& input, const IdentifyOutput& output) {
