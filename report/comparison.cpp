@@ -105,7 +105,7 @@ std::string print_bound(const char* sign, double bound, int decimals) {
 std::string print_simulated(const Cell& cell) {
     if (!std::isfinite(cell.simulated))
         return "-";
-    double simulated = std::abs(cell.simulated) < 0.5 * std::pow(10, -cell.decimals) ? 0 : cell.simulated; // no -0.00
+    double simulated = std::abs(cell.simulated) < 0.5 * std::pow(10, -cell.decimals) ? 0 : cell.simulated; // not -0.00
     return fmt::format("{:.{}f}", simulated, cell.decimals);
 }
 

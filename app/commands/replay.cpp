@@ -128,7 +128,7 @@ void require_study(const Experiment& experiment, const ReplayOptions& options) {
     require_writable(options.resume);
 }
 
-/// Opens the results of the study's runs.
+/// Opens the file of --resume, which keeps the finished runs. Without this option, keeps them in memory.
 StudyResults results_of(const ReplayOptions& options) {
     const std::string whose =
         fmt::format("replay {} --seed {}, {} {}", options.experiment, options.seed, version, commit);

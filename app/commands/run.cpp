@@ -48,7 +48,7 @@ struct RunOptions {
     BootedOptions booted;
     NativeOptions native;
     std::string json, log, convergence, checkpoint; ///< files; "": not written
-    std::uint64_t checkpoint_every = 10;            ///< generations
+    std::uint64_t checkpoint_every = 10;            ///< number of generations
     RecordedFiles recorded;
     Time until = Time::max();
     std::uint64_t seed = 1;
@@ -177,7 +177,7 @@ bool others_are_meant(const RunOptions& options, std::chrono::steady_clock::time
 /// confirm them.
 std::vector<FinishedRun> run_seeds(const Network& network, const RunOptions& options, TraceSink* trace,
                                    Interruption& interruption) {
-    std::optional<ProgressLine> progress; // not with --watch, which the line would disturb
+    std::optional<ProgressLine> progress; // not with --watch, whose curve the line would disturb
     if (options.seeds > 1 && !options.watch)
         progress.emplace();
     std::vector<FinishedRun> runs;

@@ -174,7 +174,7 @@ bool make_missing_runs(const Study& study, const SweepOptions& options, StudyRes
             return false;
     sweep.try_measures(interruption);
     missing = sweep.missing();
-    SweepProgress progress(asked, asked.runs - std::min(missing.runs, asked.runs)); // counts runs of try_measures()
+    SweepProgress progress(asked, asked.runs - std::min(missing.runs, asked.runs)); // with runs of try_measures()
     std::function<bool(bool)> serve;
     if (others) {
         others->begin(sweep, results.source());

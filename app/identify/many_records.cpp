@@ -39,7 +39,7 @@ struct LinkMovements {
     WayUnits units{};
 };
 
-/// Collects the movements of a record that count as evidence, by the rules of the verdicts.
+/// Collects the movements of a record that count as evidence (is_evidence()).
 class MovementsOfRecord {
 public:
     explicit MovementsOfRecord(const Diagnosis& diagnosis) : diagnosis_(diagnosis) {}

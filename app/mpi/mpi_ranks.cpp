@@ -42,8 +42,9 @@ int mpi_length(std::size_t bytes) {
     return static_cast<int>(bytes);
 }
 
-/// Receives letters into memory that MPI knows in advance: a letter that MPI must buffer first takes several times as
-/// long as such a letter. MPI fills the places in the order of arrival, so only one place at a time is checked.
+/// Receives letters into memory that MPI knows in advance. Without such memory, MPI would buffer each letter first,
+/// which takes several times as long. MPI fills the places in the order of arrival, so only one place at a time is
+/// checked.
 class MpiMail final : public RankMail {
 public:
     explicit MpiMail(const mpi::communicator& world) : own_world_(world, mpi::comm_duplicate) {
@@ -177,7 +178,7 @@ private:
         return found ? std::optional(*found) : std::nullopt;
     }
 
-    /// `false`: an exception in one rank does not abort the other ranks; they learn of it by messages.
+    /// `false`: an exception in one rank does not abort the other ranks; messages tell them about the exception.
     mpi::environment environment_{mpi::threading::funneled, false};
     mpi::communicator world_;
 };

@@ -103,7 +103,7 @@ std::string host_of(const TopologyRequest& request, const Job& job, const Topolo
                                     : host_on_workstation(request, topology);
 }
 
-/// Returns the statements in an order that the language accepts: names before their use.
+/// Returns the statements in an order that the language accepts: names are declared before they are used.
 std::string body_of(const TopologyRequest& request, const Job& job, const Topology& topology) {
     std::string host = host_of(request, job, topology);
     return fmt::format("{}\n{}\n/* Hardware */\n"

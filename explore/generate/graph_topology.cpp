@@ -167,7 +167,7 @@ public:
     }
 
 private:
-    /// All processors are elements of one array, so they have one type.
+    /// Finds the type of the processors. All processors have the same type, since they are elements of one array.
     void find_type() {
         std::set<std::string> types;
         for (const GraphNode& node : graph_.nodes) {

@@ -50,7 +50,7 @@ std::optional<AreasFrom> source_of_spool(const Record& record, const Question& q
 struct Case {
     Parameters machine;
     LoadedRecord loaded;
-    Sampling sampling; ///< sampling of the record as read
+    Sampling sampling; ///< how the readings were averaged to the record's samples
     IdentificationWay way;
     Question question;
     bool calibrates = false;                ///< the offset is calibrated from the record (`--offset auto`, the default)
@@ -135,7 +135,7 @@ boost::json::object cost_json(const SearchCost& cost) {
             {"t800_16_s", cost.seconds_on_16}};
 }
 
-/// The work that the ways thesis and whole both do before their search.
+/// The results of begin(): the work that both ways, "thesis" and "whole", do before their searches.
 struct Begun {
     Case asked;
     ComplianceSearch prepared;

@@ -122,7 +122,8 @@ private:
         return settings_.is_interrupted() ? MeasuredCost{} : cost_of(std::move(values));
     }
 
-    /// `switches` measures a number of switches, and `matches` a ping-pong match, in nanoseconds.
+    /// `switches(n)` measures a switch n times, and `matches` measures a message there and back; both return the time
+    /// in nanoseconds.
     template <class Switches, class Matches>
     MessageCosts measure_messages(const std::string& where, Switches switches, Matches matches) {
         constexpr std::size_t large = 256 * 1024;

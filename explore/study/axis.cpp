@@ -122,7 +122,7 @@ std::optional<SettingValue> StudyValues::find(const SettingValue& value) const {
     double steps = number ? steps_to(*number) : 0;
     if (is_range_ && (!number || std::isnan(steps))) // NaN if the range multiplies and the number is not above 0
         return std::nullopt;
-    double nearest = std::clamp(std::round(steps), 0.0, static_cast<double>(count_ - 1)); // at() rounds
+    double nearest = std::clamp(std::round(steps), 0.0, static_cast<double>(count_ - 1)); // at() has rounded
     SettingValue found = is_range_ ? SettingValue(name_, at(static_cast<std::uint64_t>(nearest))) : only_;
     return found == value ? std::optional(found) : std::nullopt;
 }

@@ -65,7 +65,7 @@ private:
         read_table(top, handlers);
         if (top.contains("table"))
             require_simple(top);
-        study_.figures = study_.measures; // --measure does not change these
+        study_.figures = study_.measures; // --measure does not change the figures
         if (study_.figures.empty())
             study_.figures = {"time"};
         if (study_.netlist.empty())

@@ -128,7 +128,7 @@ bool GeneratorRun::take(PySendResult sent, PyObject* yielded) {
     return false;
 }
 
-/// Copies the operation's arguments from Python, while the lock is held.
+/// Copies the operation's arguments from Python, while this thread holds Python's global lock.
 void GeneratorRun::prepare() {
     if (!now_)
         throw py::type_error(py::str("a body yields operations, such as self.inp.input() or pp.compute(100), not {!r}")
@@ -184,7 +184,7 @@ void GeneratorRun::begin_components() {
         components_.emplace_back().start(py::reinterpret_borrow<py::object>(each), where_);
 }
 
-/// Performs the operation without the lock. An error of the library is later thrown into the generator.
+/// Performs the operation without Python's global lock. An error of the library is later thrown into the generator.
 void GeneratorRun::carry_out() {
     try {
         switch (now_->kind) {

@@ -39,7 +39,8 @@ py::dict as_dict(const Diagnostic& diagnostic) {
 
 py::object errors_of(const char* name) { return py::module_::import("placedpar.errors").attr(name); }
 
-/// Warns in Python. The warning shows the line of the user's program that read an attribute of the package.
+/// Warns in Python. The warning shows the line of the user's program that read an attribute of a run, such as its
+/// timeline.
 void warn(const std::string& text) {
     py::module_::import("warnings").attr("warn")(text, errors_of("NetlistWarning"), 3);
 }
