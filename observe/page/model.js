@@ -6,8 +6,8 @@ const run = data.timeline, report = data.report;
 const levelDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 const runningWork = new Set(["executes", "carries", "computes"]);
 
-// Returns, for each bin, how long the track was in the state (running or ready) before this bin, in bins. How long it
-// was in the state between two moments is then a difference.
+// Returns, for each bin, how long the track was in the state (running or ready) before this bin, in bins. The time in
+// the state between two moments is then the difference of two sums.
 function sumsOf(levels) {
   const sums = new Float64Array(levels.length + 1);
   for (let i = 0; i < levels.length; ++i) sums[i + 1] = sums[i] + levelDigits.indexOf(levels[i]) / 63;
@@ -109,7 +109,7 @@ function awaitedIn(slice) {
 }
 
 // Returns the waits of a process and its components at a moment: [{slice, channel, partner}]. A router's sender waits
-// on no channel and gives [{slice}].
+// on no channel; its result is [{slice}].
 function waitsOf(track, moment) {
   const waits = [];
   for (const each of componentsOf[track.number] || [track]) {

@@ -95,7 +95,7 @@ function partText() {
 // Returns the text that says how well the clocks of ranks are known.
 function clocksText() {
   const clocks = report.clocks || [];
-  return clocks.length ? ` Times are of the clock of rank 0; the clocks of the other ranks are known to ${timeText(d3.max(clocks, each => each.error_ps), 1e3)}.` : "";
+  return clocks.length ? ` Times are by the clock of rank 0; the clocks of the other ranks were compared with it, with an error of at most ${timeText(d3.max(clocks, each => each.error_ps), 1e3)}.` : "";
 }
 
 function showOutcome() {
