@@ -69,7 +69,7 @@ def identify(record: Any, *, links: Union[str, Sequence[str]] = "", configuratio
     valid, and for a record that lacks data that the settings require. Warns about doubtful readings with a RecordWarning.
     """
     if not hasattr(record, "to_csv") or not hasattr(record, "columns"):
-        raise TypeError(f"a record is a pandas DataFrame, not {type(record).__name__}")
+        raise TypeError(f"a record must be a pandas DataFrame, not {type(record).__name__}")
     settings = _core.IdentifySettings()
     given = {"links": links if isinstance(links, str) else ",".join(links), "configuration": configuration, "way": way,
              "seed": seed_of(seed), "machine": os.fspath(machine), "areas_from": areas_from, "offset": str(offset),

@@ -281,7 +281,7 @@ def load(netlist: FilePath, kinds: Sequence[type] = (), settings: Optional[Mappi
     """
     for kind in kinds:
         if not hasattr(kind, "_ports"):
-            raise TypeError(f"kinds are classes derived from placedpar.Process, not {kind!r}")
+            raise TypeError(f"kinds must be classes derived from placedpar.Process, not {kind!r}")
     text = os.fspath(netlist)
     network = Network()
     if ";" in text or "\n" in text:
