@@ -1,4 +1,4 @@
-# Compiles by ccache, if it is installed. Another build of the same sources, in CI or with another preset, then reuses
+# Compiles with ccache, if it is installed. Another build of the same sources, in CI or with another preset, then reuses
 # the compiled files.
 find_program(PLACEDPAR_CCACHE ccache)
 mark_as_advanced(PLACEDPAR_CCACHE)

@@ -21,8 +21,8 @@ endif()
 target_compile_options(placedpar_options INTERFACE -fstack-protector-strong -Werror=format-security)
 target_link_options(placedpar_options INTERFACE LINKER:-z,relro,-z,now)
 if(CMAKE_UNITY_BUILD)
-    # A name at file scope may be shadowed in another file that is compiled as the same source. Which files these are
-    # changes with every new file. Builds that compile each file alone keep the warning.
+    # A unity build compiles several files as one source, so a name at file scope in one file may be shadowed in
+    # another. Builds that compile each file alone keep the warning.
     target_compile_options(placedpar_options INTERFACE -Wno-shadow)
 endif()
 if(PLACEDPAR_WARNINGS_AS_ERRORS)

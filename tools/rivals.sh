@@ -2,7 +2,8 @@
 # Downloads Debian's packages of GAlib and pagmo, with which bench/identification is compared, and unpacks them into a
 # folder. They are not installed, because Debian's pagmo needs the headers of Boost 1.74, which exclude the headers of
 # Boost 1.81 that PlacedPar needs.
-# usage: tools/rivals.sh [FOLDER] default: build/rivals. Configure again afterwards.
+# usage: tools/rivals.sh [FOLDER]
+# The default folder is build/rivals. Configure again afterwards.
 set -eu
 top=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 folder=${1:-$top/build/rivals}
